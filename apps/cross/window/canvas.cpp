@@ -9,7 +9,6 @@
 #include "apps/cross/view/hint.h"
 #include "apps/cross/view/numbers.h"
 #include "apps/cross/view/panels.h"
-#include "ui/canvas/click.h"
 
 namespace cross {
 
@@ -45,35 +44,35 @@ ui::Point middle_of_cell(const Session& session, const Drawn& drawn)
 
 void Canvas::show(Session& session, ui::ImGuiSession& gui, bool has_panels)
 {
-    if (!area_.begin(gui)) return;
+    if (!begin(gui, left_button)) return;
     // The field of a cell or of a value lies on it.
     if (session.worksheet() != nullptr || value_field_.is_open()) ImGui::SetItemAllowOverlap();
     if (session.n_solved() != drawn_of_) {
         drawn_ = {}; // what was drawn is not there any more
         drag_ = {};
     }
-    follow(session, area_.pointer());
+    follow(session);
     redraw(session);
     if (enlarge_sheet(session)) redraw(session);
     if (std::exchange(cell_in_sight_, session.cell()) != session.cell() &&
         bring_into_sight(session, drawn_.way_to_cell))
         redraw(session);
     bring_turn_into_sight(session);
-    area_.show(*picture_, gui);
-    cell_field_.show(session, drawn_, area_.corner(), static_cast<float>(gui.scale()));
+    end(gui);
+    cell_field_.show(session, drawn_, corner(), static_cast<float>(gui.scale()));
     if (!has_panels && !is_drawn(session, drawn_))
-        cell_field_.show_at_foot(session, ui::box_at(area_.corner(), area_.sheet()), static_cast<float>(gui.scale()));
-    value_field_.show(session, area_.corner(), static_cast<float>(gui.scale()));
+        cell_field_.show_at_foot(session, ui::box_at(corner(), sheet()), static_cast<float>(gui.scale()));
+    value_field_.show(session, corner(), static_cast<float>(gui.scale()));
 }
 
 void Canvas::redraw(Session& session)
 {
-    ui::Painter painter(area_.sheet(), fonts_);
-    drawn_ = draw(painter, session.scene());
-    if (!drawn_.views.empty()) session.look.zoom = drawn_.zoom; // what a hand pulled beyond the end is not kept
-    drawn_of_ = session.n_solved();
-    draw_hint(painter, session);
-    picture_ = painter.picture();
+    paint([&](ui::Painter& painter) {
+        drawn_ = draw(painter, session.scene());
+        if (!drawn_.views.empty()) session.look.zoom = drawn_.zoom; // what a hand pulled beyond the end is not kept
+        drawn_of_ = session.n_solved();
+        draw_hint(painter, session);
+    });
 }
 
 /// The sheet as large as its columns need, and on the projector the last row, about the cell that is open; once for
@@ -81,7 +80,7 @@ void Canvas::redraw(Session& session)
 bool Canvas::enlarge_sheet(Session& session)
 {
     const double least = legible_type(session.look.full_theme());
-    const EnlargedFor now{session.n_solved(), stage_of(session), least, area_.sheet().width, area_.sheet().height};
+    const EnlargedFor now{session.n_solved(), stage_of(session), least, sheet().width, sheet().height};
     if (std::exchange(enlarged_for_, now) == now) return false;
     Zoom& zoom = session.look.zoom;
     const bool was_enlarged = zoom.is_of_sheet;
@@ -105,7 +104,7 @@ double Canvas::times_larger(const Session& session) const
 {
     if (session.worksheet() != nullptr)
         return drawn_.cells.empty() ? 1.0 : legible_cells(session) / least_cell(drawn_).height();
-    ui::Painter painter(area_.sheet(), fonts_);
+    ui::Painter painter(sheet(), fonts());
     return legible_zoom(painter, session.scene());
 }
 
@@ -138,107 +137,92 @@ void Canvas::bring_turn_into_sight(Session& session)
     for (int i = 0; i < 2 && bring_into_sight(session, drawn_.way_to_turn); ++i) redraw(session); // first its joint
 }
 
-void Canvas::follow(Session& session, ui::Point at)
+void Canvas::follow(Session& session)
 {
-    if (session.worksheet() != nullptr) return follow_pupil(session, at);
-    const double reach = 26.0 * ui::Theme(session.look.theme).symbol_scale(); // a lock belongs to its joint
-    const bool is_over = ImGui::IsItemHovered();
-    session.hover = is_over ? pick(drawn_, at, reach) : std::nullopt;
-    pointer_ = is_over ? std::optional(at) : std::nullopt;
-    move_about(session, at);
-    if (!drag_.is_holding() && is_over && follow_values(session, at)) return;
+    if (session.worksheet() != nullptr) return follow_pupil(session);
     const double scale = ui::Theme(session.look.theme).symbol_scale();
-    const Aim aim = is_over ? aim_at(session.document().model, drawn_, at, scale) : Aim{};
+    session.hover = is_over() ? pick(drawn_, pointer(), 26.0 * scale) : std::nullopt; // a lock belongs to its joint
+    move_about(session);
+    if (!drag_.is_holding() && is_over() && follow_values(session)) return;
+    const Aim aim = is_over() ? aim_at(session.document().model, drawn_, pointer(), scale) : Aim{};
     const bool can_pull = !std::holds_alternative<std::monostate>(aim);
     if (session.hover || can_pull || drag_.is_holding()) ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
     const auto* const node = std::get_if<NodeAim>(&aim);
-    const bool is_right = is_over && ImGui::IsMouseClicked(ImGuiMouseButton_Right);
-    if (node != nullptr && (is_right || (ImGui::IsItemActivated() && ImGui::GetIO().KeyShift)))
-        change_support(session, node->node);
-    else if (ImGui::IsItemActivated() && session.tool != Tool::None) put_load(session, aim, at);
-    else if (ImGui::IsItemActivated()) press(session, at);
-    else if (drag_.is_holding() && ImGui::IsItemActive()) drag_.pull(session, at);
+    const bool is_right = is_over() && ImGui::IsMouseClicked(ImGuiMouseButton_Right);
+    if (node != nullptr && (is_right || (is_pressed() && ImGui::GetIO().KeyShift))) change_support(session, node->node);
+    else if (is_pressed() && session.tool != Tool::None) put_load(session, aim);
+    else if (is_pressed()) press(session);
+    else if (drag_.is_holding() && is_active()) drag_.pull(session, pointer());
     else if (drag_.is_holding()) release(session);
 }
 
 /// A double click opens a field and puts no support; nothing else is done where a value is written.
-bool Canvas::follow_values(Session& session, ui::Point at)
+bool Canvas::follow_values(Session& session)
 {
-    const auto written = written_at(session, drawn_, at);
+    const auto written = written_at(session, drawn_, pointer());
     if (written) session.hover.reset();
     if (written) ImGui::SetMouseCursor(ImGuiMouseCursor_TextInput);
     if (!ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left)) return written.has_value();
     session.drop_waiting(); // the first of both clicks may have put a support
-    const auto value = value_at(session, drawn_, at);
-    if (value) value_field_.open(session, *value, at);
+    const auto value = value_at(session, drawn_, pointer());
+    if (value) value_field_.open(session, *value, pointer());
     const double scale = ui::Theme(session.look.theme).symbol_scale();
-    return value || std::holds_alternative<SpanAim>(aim_at(session.document().model, drawn_, at, scale));
+    return value || std::holds_alternative<SpanAim>(aim_at(session.document().model, drawn_, pointer(), scale));
 }
 
 /// Of a usual size, with a field for another.
-void Canvas::put_load(Session& session, const Aim& aim, ui::Point at)
+void Canvas::put_load(Session& session, const Aim& aim)
 {
     const bool is_force = session.tool == Tool::PointLoad;
     const auto* const node = std::get_if<NodeAim>(&aim);
-    const auto member = member_at(session.document().model, drawn_, at);
+    const auto member = member_at(session.document().model, drawn_, pointer());
     if (!(is_force && node != nullptr) && !member) return;
     const NewLoad added = is_force && node != nullptr ? with_node_load(session, node->node)
                           : is_force                  ? with_point_load(session, member->member, member->x)
                                                       : with_uniform_load(session, member->member);
     session.tool = Tool::None;
     session.change(added.model, is_force ? ui::translatable("Add a force") : ui::translatable("Add a uniform load"));
-    value_field_.open(session, added.number, at);
+    value_field_.open(session, added.number, pointer());
 }
 
 void Canvas::zoom(Session& session, double factor)
 {
     if (drawn_.views.empty()) return;
-    const ui::Point at = pointer_.value_or(drawn_.views.back().box.center());
+    const ui::Point at = is_over() ? pointer() : drawn_.views.back().box.center();
     session.look.zoom = drawn_.zoomed_at(session.look.zoom, at, factor).value_or(session.look.zoom);
 }
 
 /// The wheel zooms; the middle button, or the left one beside everything, moves the pictures along.
-void Canvas::move_about(Session& session, ui::Point at)
+void Canvas::move_about(Session& session)
 {
-    const ImGuiIO& io = ImGui::GetIO();
-    if (pointer_ && io.MouseWheel != 0.0F) zoom(session, std::pow(1.2, static_cast<double>(io.MouseWheel)));
-    const bool is_left = ImGui::IsItemActive() && !drag_.is_holding() && (dragged_ || !session.hover);
-    const bool is_middle = (pointer_ || dragged_) && ImGui::IsMouseDown(ImGuiMouseButton_Middle);
-    if (!is_left && !is_middle) {
-        is_panning_ = false;
-        return dragged_.reset();
-    }
-    // A click moves nothing: it would pin the middle, and what is changed next would leave the picture.
-    is_panning_ = is_panning_ || (dragged_ && ui::distance(at, *dragged_) > ui::click_reach);
-    if (dragged_ && !is_panning_) return;
-    if (const auto zoom = dragged_ ? drawn_.moved_along(session.look.zoom, *dragged_, at) : std::nullopt)
-        session.look.zoom = *zoom;
-    if (drawn_.view_at(at) != nullptr) dragged_ = at;
+    const bool is_beside = is_active() && !drag_.is_holding() && (has_hold_of_view() || !session.hover);
+    const ui::ViewMove hand = view_move({.left = is_beside, .middle = is_over() || has_hold_of_view(), .right = false});
+    if (is_over() && hand.wheel != 0.0) zoom(session, hand.zoom(1.2));
+    Zoom& zoom = session.look.zoom;
+    if (hand.is_drag()) zoom = drawn_.moved_along(zoom, pointer() - hand.drag, pointer()).value_or(zoom);
 }
 
-void Canvas::follow_pupil(Session& session, ui::Point at)
+void Canvas::follow_pupil(Session& session)
 {
     session.hover.reset();
-    pointer_ = ImGui::IsItemHovered() ? std::optional(at) : std::nullopt;
     if (drag_.is_holding()) drag_.release(session);
-    const bool is_let_go = ImGui::IsItemDeactivated() && !is_panning_;
-    move_about(session, at);
-    const auto cell = ImGui::IsItemHovered() ? pick_cell(drawn_, at) : std::nullopt;
+    move_about(session);
+    const auto cell = is_over() ? pick_cell(drawn_, pointer()) : std::nullopt;
     if (cell) ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
-    if (ImGui::IsItemActivated()) pressed_cell_ = cell;
-    if (ImGui::IsItemActivated() && cell) {
+    if (is_pressed()) pressed_cell_ = cell;
+    if (is_pressed() && cell) {
         session.go_to_cell(cell);
         cell_in_sight_ = cell; // it was seen: nothing moves under the hand
     }
-    if (is_let_go && !pressed_cell_ && !cell_field_.is_half_typed()) session.go_to_cell({});
+    if (is_released() && !is_moving_view() && !pressed_cell_ && !cell_field_.is_half_typed()) session.go_to_cell({});
     const bool is_tab = ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Tab)) && !ImGui::GetIO().WantTextInput;
     if (is_tab && !session.cell()) session.go_to_cell(session.neighbour(ImGui::GetIO().KeyShift ? -1 : 1, true));
 }
 
-void Canvas::press(Session& session, ui::Point at)
+void Canvas::press(Session& session)
 {
     session.change_at_once();
-    if (drag_.press(session, drawn_, at, ui::Theme(session.look.theme).symbol_scale()) || !session.hover) return;
+    if (drag_.press(session, drawn_, pointer(), ui::Theme(session.look.theme).symbol_scale()) || !session.hover) return;
     session.is_playing = false;
     if (const auto reason = session.balance(*session.hover)) session.notify(*reason);
 }
@@ -256,17 +240,17 @@ void Canvas::release(Session& session)
 bool Canvas::is_over_structure(ui::Point beam) const
 {
     constexpr double near = 80.0;
-    return pointer_ && std::abs(pointer_->y - beam.y) < near;
+    return is_over() && std::abs(pointer().y - beam.y) < near;
 }
 
 void Canvas::draw_hint(ui::Painter& painter, const Session& session) const
 {
-    if (session.worksheet() != nullptr || !pointer_) return;
-    if (drag_.is_holding() || value_field_.is_open() || written_at(session, drawn_, *pointer_)) return;
+    if (session.worksheet() != nullptr || !is_over()) return;
+    if (drag_.is_holding() || value_field_.is_open() || written_at(session, drawn_, pointer())) return;
     const femoop::Model& model = session.document().model;
     if (session.tool != Tool::None) return draw_load_hint(painter, session);
     const double scale = ui::Theme(session.look.theme).symbol_scale();
-    const Aim aim = aim_at(model, drawn_, *pointer_, scale);
+    const Aim aim = aim_at(model, drawn_, pointer(), scale);
     for (const Side side : {Side::Left, Side::Right})
         if (const auto sign = sign_beyond(model, drawn_, side, scale); sign && is_over_structure(*sign))
             draw(painter, Hint{.kind = Hint::Kind::Span, .at = *sign, .is_faint = true}, session.look);
@@ -284,7 +268,7 @@ void Canvas::draw_hint(ui::Painter& painter, const Session& session) const
 
 void Canvas::draw_load_hint(ui::Painter& painter, const Session& session) const
 {
-    const auto member = member_at(session.document().model, drawn_, *pointer_);
+    const auto member = member_at(session.document().model, drawn_, pointer());
     if (!member) return;
     const ui::DisplayUnits units = units_of(session.document().model, session.tr());
     const std::string words = session.tool == Tool::PointLoad ? units.text(member->x, ui::Measure::Length)
@@ -294,18 +278,16 @@ void Canvas::draw_load_hint(ui::Painter& painter, const Session& session) const
 
 ui::Picture Canvas::picture_of(const Session& session) const
 {
-    ui::Painter painter(area_.sheet(), fonts_);
     Scene scene = session.scene();
     scene.hover.reset();
     scene.cell.reset();
-    draw(painter, scene);
-    return painter.picture();
+    return painted([&](ui::Painter& painter) { draw(painter, scene); });
 }
 
 std::optional<ui::Point> Canvas::in_window(femoop::cross::JointId joint, Part part) const
 {
     for (const JointMark& mark : drawn_.joints)
-        if (mark.joint == joint && mark.part == part) return area_.corner() + mark.at;
+        if (mark.joint == joint && mark.part == part) return corner() + mark.at;
     return std::nullopt;
 }
 

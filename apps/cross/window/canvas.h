@@ -7,9 +7,7 @@
 #include "apps/cross/session/drag_controller.h"
 #include "apps/cross/window/cell_field.h"
 #include "apps/cross/window/value_field.h"
-#include "ui/context/imgui_session.h"
-#include "ui/paint/text_measure.h"
-#include "ui/widgets/picture_area.h"
+#include "ui/app/canvas.h"
 
 namespace cross {
 
@@ -17,9 +15,9 @@ namespace cross {
 /// picture of the structure a hand changes it (drag_controller.h); Shift and a click, or the right button, changes what
 /// holds a node; a double click on a value opens a field for it; with a tool in hand a click puts a load. While a pupil
 /// fills the sheet a click chooses a cell.
-class Canvas {
+class Canvas : public ui::Canvas {
 public:
-    explicit Canvas(const ui::Fonts& fonts) : fonts_(fonts) {}
+    using ui::Canvas::Canvas;
 
     /// \pre within a window of Dear ImGui's, which it fills
     /// \param has_panels  beside it, which have the field of a cell that is not drawn
@@ -28,13 +26,11 @@ public:
     /// About the pointer, else about the middle of the calculation sheet.
     void zoom(Session& session, double factor);
     CellField& cell_field() { return cell_field_; }
-    const std::optional<ui::Picture>& picture() const { return picture_; }
     /// The picture without what the pointer marks.
     ui::Picture picture_of(const Session& session) const;
     /// Where a joint is in the window [logical pixels]; nothing where it is not drawn.
     std::optional<ui::Point> in_window(femoop::cross::JointId joint, Part part) const;
     const Drawn& drawn() const { return drawn_; }
-    ui::Point corner() const { return area_.corner(); }
 
 private:
     void redraw(Session& session);
@@ -43,26 +39,20 @@ private:
     bool enlarge_sheet(Session& session);
     double times_larger(const Session& session) const;
     ui::Point middle_of_interest(const Session& session) const;
-    void follow(Session& session, ui::Point at);
-    void follow_pupil(Session& session, ui::Point at);
-    bool follow_values(Session& session, ui::Point at);
-    void put_load(Session& session, const Aim& aim, ui::Point at);
-    void press(Session& session, ui::Point at);
+    void follow(Session& session);
+    void follow_pupil(Session& session);
+    bool follow_values(Session& session);
+    void put_load(Session& session, const Aim& aim);
+    void press(Session& session);
     void release(Session& session);
-    void move_about(Session& session, ui::Point at);
+    void move_about(Session& session);
     bool is_over_structure(ui::Point beam) const;
     void draw_hint(ui::Painter& painter, const Session& session) const;
     void draw_load_hint(ui::Painter& painter, const Session& session) const;
 
-    const ui::Fonts& fonts_;
-    ui::PictureArea area_;
     Drawn drawn_;
     std::size_t drawn_of_ = 0; ///< Session::n_solved of what is drawn
     DragController drag_;
-    std::optional<ui::Point> pointer_; ///< over the picture
-    std::optional<ui::Point> dragged_; ///< where the hand that moves the pictures was last
-    bool is_panning_ = false;          ///< it has moved farther than a click
-    std::optional<ui::Picture> picture_;
     std::optional<femoop::cross::BlankId> cell_in_sight_;     ///< that was brought into sight last
     std::optional<std::array<std::size_t, 3>> turn_in_sight_; ///< likewise: solved, sheet, turns
     /// A sheet and a window for which its numbers were enlarged, or needed not be.

@@ -112,20 +112,6 @@ std::vector<std::string> invitation(const Session& session)
             tr("Ctrl+O opens a script, Ctrl+K finds a command.")};
 }
 
-void draw_invitation(ui::Painter& painter, const Session& session)
-{
-    const Look& look = session.look;
-    const ui::Theme theme = look.full_theme();
-    ui::TextStyle style = theme.text(ui::Role::FaintLabel);
-    style.size = theme.type().large;
-    const std::vector<std::string> lines = invitation(session);
-    const double room = 0.94 * painter.sheet().width();
-    for (const std::string& line : lines) style.size *= std::min(1.0, room / painter.measure(line, style).width);
-    const ui::Point middle = 0.5 * painter.sheet().max;
-    painter.text(middle, lines[0], style);
-    painter.text(middle + ui::Point{0.0, 1.6 * style.size}, lines[1], style);
-}
-
 } // namespace
 
 std::string describe(const Session& session, const Part& part)
@@ -166,7 +152,7 @@ Canvas::Painting Canvas::painting_of(const Session& session, std::span<const Sub
                       .names = session.look.names,
                       .has_hatching = session.look.hatching,
                       .has_half_edges = session.look.half_edges,
-                      .sheet = area_.sheet()};
+                      .sheet = sheet()};
     for (const Subject& subject : subjects) painting.marks.push_back(subject.marks);
     return painting;
 }
@@ -211,7 +197,7 @@ Canvas::Fitting Canvas::fitting_of(const Session& session) const
 {
     return {.now = solids_of(session.shown()),
             .at_end = solids_of(session.at_end()),
-            .sheet = area_.sheet(),
+            .sheet = sheet(),
             .view = session.view(),
             .explosion = session.look.explosion,
             .way = session.view() != ViewKind::Space ? plane_step(session).share : 1.0,
@@ -231,28 +217,28 @@ void Canvas::fit(Session& session)
 void Canvas::fit_view(Session& session)
 {
     std::vector<Subject> subjects = session.subjects();
-    if (session.view() == ViewKind::Plane) session.map_eye = map_of(session, subjects).fitted(area_.sheet());
+    if (session.view() == ViewKind::Plane) session.map_eye = map_of(session, subjects).fitted(sheet());
     if (session.view() == ViewKind::Polygons)
-        session.polygon_eye = fitted_plane_model(subjects, area_.sheet(), plane_step(session));
+        session.polygon_eye = fitted_plane_model(subjects, sheet(), plane_step(session));
     if (session.view() != ViewKind::Space) return;
     for (const Snapshot& snapshot : session.at_end())
         subjects.push_back({snapshot.solid.get(), snapshot.names.get(), {}});
-    session.eye = fitted(session.eye, subjects, session.look, area_.sheet());
+    session.eye = fitted(session.eye, subjects, session.look, sheet());
 }
 
 // Around what is drawn already; from then on the picture rests under the hand.
 void Canvas::give_room_to_draw(Session& session)
 {
     constexpr std::array<ui::World3, 2> sheet_of_paper{{{-1.0, -1.0, 0.0}, {9.0, 7.0, 0.0}}};
-    if (shapes_.vertices.empty()) session.eye.fit(sheet_of_paper, area_.sheet());
+    if (shapes_.vertices.empty()) session.eye.fit(sheet_of_paper, sheet());
     else fit(session);
-    if (!shapes_.vertices.empty()) session.eye.zoom(area_.middle(), 0.6);
+    if (!shapes_.vertices.empty()) session.eye.zoom(middle(), 0.6);
     session.is_fitted = false;
 }
 
 void Canvas::zoom(Session& session, double factor) const
 {
-    move(session, [&](auto& camera) { camera.zoom(area_.middle(), factor); });
+    move(session, [&](auto& camera) { camera.zoom(middle(), factor); });
 }
 
 void Canvas::look(Session& session, ui::StandardView view)
@@ -263,24 +249,24 @@ void Canvas::look(Session& session, ui::StandardView view)
 
 void Canvas::show(Session& session, ui::ImGuiSession& gui)
 {
-    if (!area_.begin(gui, ui::any_button)) return;
+    if (!begin(gui, any_button)) return;
     if (session.is_fitted) session.is_drawing() ? give_room_to_draw(session) : fit(session);
-    if (!ImGui::IsItemHovered() && !ImGui::IsItemActive()) line_start_.reset(); // released beside the picture
-    else follow(session, area_.pointer());
-    paint(session);
-    area_.show(*picture_, gui);
+    if (!is_over() && !is_active()) line_start_.reset(); // released beside the picture
+    else follow(session);
+    repaint(session);
+    end(gui);
 }
 
-void Canvas::follow(Session& session, ui::Point at)
+void Canvas::follow(Session& session)
 {
     move_camera(session);
-    if (area_.is_moving_view()) return;
-    if (session.is_drawing()) return draw_line(session, at);
+    if (is_moving_view()) return;
+    if (session.is_drawing()) return draw_line(session);
     const std::vector<Subject> subjects = session.subjects();
     follow_shapes(session, subjects);
-    const auto under = under_pointer(session, shapes_, subjects, at);
+    const auto under = under_pointer(session, shapes_, subjects, pointer());
     if (under) session.hover = under;
-    if (ImGui::IsMouseReleased(ImGuiMouseButton_Left) && ImGui::IsItemDeactivated()) click(session, under);
+    if (ImGui::IsMouseReleased(ImGuiMouseButton_Left) && is_released()) click(session, under);
     if (!under && ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left)) session.is_fitted = true;
     notify(session);
 }
@@ -319,24 +305,22 @@ double grid(double scale)
 } // namespace
 
 // At a vertex that is near, else on the grid.
-topology::Point Canvas::place(const Session& session, ui::Point at) const
+topology::Point Canvas::place_under_pointer(const Session& session) const
 {
     constexpr double near = 10.0; // px
     for (const Shapes::Vertex& vertex : shapes_.vertices)
-        if (ui::distance(vertex.at, at) < near) return session.shown()[vertex.subject].solid->point(vertex.vertex);
-    const ui::World3 p = session.eye.to_world(at, 0.0);
+        if (ui::distance(vertex.at, pointer()) < near)
+            return session.shown()[vertex.subject].solid->point(vertex.vertex);
+    const ui::World3 p = session.eye.to_world(pointer(), 0.0);
     const double step = grid(session.eye.scale());
     return {step * std::round(p.x / step), step * std::round(p.y / step), 0.0};
 }
 
-void Canvas::draw_line(Session& session, ui::Point at)
+void Canvas::draw_line(Session& session)
 {
-    line_end_ = place(session, at);
-    if (ImGui::IsItemActivated() && ImGui::IsMouseDown(ImGuiMouseButton_Left)) {
-        line_start_ = line_end_;
-        pressed_ = at;
-    }
-    const bool is_click = ui::distance(pressed_, at) <=
+    line_end_ = place_under_pointer(session);
+    if (is_pressed()) line_start_ = line_end_;
+    const bool is_click = ui::distance(pressed_at(), pointer()) <=
                           ui::click_reach; // over the border of two places of the grid too
     if (line_start_ && is_click) line_end_ = line_start_;
     if (!line_start_ || !ImGui::IsMouseReleased(ImGuiMouseButton_Left)) return;
@@ -358,9 +342,8 @@ void Canvas::paint_drawing(const Session& session, ui::Painter& painter) const
 
 void Canvas::move_camera(Session& session)
 {
-    using Left = ui::PictureArea::LeftButton;
-    const ui::ViewMove hand = area_.view_move(session.is_drawing() ? Left::Works : Left::MovesView);
-    if (hand.zoom != 1.0) move(session, [&](auto& camera) { camera.zoom(area_.pointer(), hand.zoom); });
+    const ui::ViewMove hand = view_move({.left = !session.is_drawing()});
+    if (hand.wheel != 0.0) move(session, [&](auto& camera) { camera.zoom(pointer(), hand.zoom()); });
     if (!hand.is_drag()) return;
     const bool turns = hand.is_left && !ImGui::GetIO().KeyShift && session.view() == ViewKind::Space;
     if (turns) session.eye.orbit(hand.drag, middle_of(session.subjects()));
@@ -368,19 +351,19 @@ void Canvas::move_camera(Session& session)
     session.is_fitted = false;
 }
 
-void Canvas::paint(const Session& session)
+void Canvas::repaint(const Session& session)
 {
     const std::vector<Subject> subjects = session.subjects();
     follow_shapes(session, subjects);
     Painting painting = painting_of(session, subjects);
     if (painted_ == painting && !session.is_drawing()) return;
     painted_ = session.is_drawing() ? std::nullopt : std::optional(std::move(painting));
-    ui::Painter painter(area_.sheet(), fonts_);
-    draw(painter, shapes_, subjects, session.look);
     const bool is_empty = std::ranges::all_of(subjects, [](const Subject& s) { return s.solid->is_empty(); });
-    if (is_empty && !session.is_drawing()) draw_invitation(painter, session);
-    if (session.is_drawing()) paint_drawing(session, painter);
-    picture_ = painter.picture();
+    paint([&](ui::Painter& painter) {
+        draw(painter, shapes_, subjects, session.look);
+        if (session.is_drawing()) paint_drawing(session, painter);
+        else if (is_empty) ui::draw_invitation(painter, session.look.full_theme(), invitation(session));
+    });
 }
 
 ui::Picture Canvas::picture_of(const Session& session)
@@ -391,7 +374,7 @@ ui::Picture Canvas::picture_of(const Session& session)
         subject.marks.selected.clear();
     }
     follow_shapes(session, subjects);
-    return euler::picture(shapes_, subjects, session.look, area_.sheet(), fonts_);
+    return euler::picture(shapes_, subjects, session.look, sheet(), fonts());
 }
 
 namespace {
@@ -420,7 +403,7 @@ ui::Point place_in(const Region& area)
 
 ui::Point Canvas::in_window(const Session& session, const topology::Point& place) const
 {
-    return area_.corner() + session.eye.to_sheet({place.x, place.y, place.z});
+    return corner() + session.eye.to_sheet({place.x, place.y, place.z});
 }
 
 std::optional<ui::Point> Canvas::in_window(const Part& part) const
@@ -429,14 +412,14 @@ std::optional<ui::Point> Canvas::in_window(const Part& part) const
         return subject == part.subject && entity == part.entity;
     };
     for (const Shapes::Vertex& vertex : shapes_.vertices)
-        if (is_it(vertex.subject, vertex.vertex)) return area_.corner() + vertex.at;
+        if (is_it(vertex.subject, vertex.vertex)) return corner() + vertex.at;
     for (const Shapes::Edge& edge : shapes_.edges)
-        if (is_it(edge.subject, edge.edge) && !edge.line.empty()) return area_.corner() + middle_of(edge.line);
+        if (is_it(edge.subject, edge.edge) && !edge.line.empty()) return corner() + middle_of(edge.line);
     for (const Shapes::Arrow& arrow : shapes_.arrows)
-        if (is_it(arrow.subject, arrow.half_edge) && !arrow.line.empty()) return area_.corner() + middle_of(arrow.line);
+        if (is_it(arrow.subject, arrow.half_edge) && !arrow.line.empty()) return corner() + middle_of(arrow.line);
     for (const Shapes::Piece& piece : shapes_.pieces) {
         const Shapes::Face& face = shapes_.faces[piece.face];
-        if (is_it(face.subject, face.face)) return area_.corner() + place_in(piece.area);
+        if (is_it(face.subject, face.face)) return corner() + place_in(piece.area);
     }
     return std::nullopt;
 }

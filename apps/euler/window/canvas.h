@@ -12,9 +12,7 @@
 #include "apps/euler/view/planar/planar_shapes.h"
 #include "apps/euler/view/shapes/shapes.h"
 #include "topology/geometry/point.h"
-#include "ui/context/imgui_session.h"
-#include "ui/paint/painter.h"
-#include "ui/widgets/picture_area.h"
+#include "ui/app/canvas.h"
 
 namespace euler {
 
@@ -23,9 +21,9 @@ namespace euler {
 ///
 ///     wheel: zoom to the cursor      left button: orbit      middle or right button, or Shift and the left: pan
 ///     double click on nothing: show everything
-class Canvas {
+class Canvas : public ui::Canvas {
 public:
-    explicit Canvas(const ui::Fonts& fonts) : fonts_(fonts) {}
+    using ui::Canvas::Canvas;
 
     /// Fills what is left of the current window of Dear ImGui's.
     void show(Session& session, ui::ImGuiSession& gui);
@@ -38,16 +36,14 @@ public:
     ui::Point in_window(const Session& session, const topology::Point& place) const;
     /// The solids as they are seen now, without what the pointer does.
     ui::Picture picture_of(const Session& session);
-    /// The picture that was drawn last, for golden texts.
-    const std::optional<ui::Picture>& picture() const { return picture_; }
 
 private:
-    void follow(Session& session, ui::Point at);
+    void follow(Session& session);
     void move_camera(Session& session);
     void click(Session& session, const std::optional<Part>& under) const;
     void notify(const Session& session) const;
-    void draw_line(Session& session, ui::Point at);
-    topology::Point place(const Session& session, ui::Point at) const;
+    void draw_line(Session& session);
+    topology::Point place_under_pointer(const Session& session) const;
     void paint_drawing(const Session& session, ui::Painter& painter) const;
     void fit(Session& session);
     void give_room_to_draw(Session& session);
@@ -55,7 +51,7 @@ private:
     Shapes shapes_of(const Session& session, std::span<const Subject> subjects);
     PlanarMap map_of(const Session& session, std::span<const Subject> subjects);
     void follow_shapes(const Session& session, std::span<const Subject> subjects);
-    void paint(const Session& session);
+    void repaint(const Session& session);
 
     using Solids = std::vector<std::shared_ptr<const topology::Solid>>;
     static Solids solids_of(std::span<const Snapshot> snapshots);
@@ -109,16 +105,12 @@ private:
     };
     Fitting fitting_of(const Session& session) const;
 
-    const ui::Fonts& fonts_;
-    ui::PictureArea area_;
-    Shapes shapes_;                     ///< drawn last
-    std::optional<ViewTransform> seen_; ///< that the shapes belong to
-    std::optional<Painting> painted_;   ///< that the picture shows; none of one that is drawn on
-    std::optional<Fitting> fitted_;     ///< last
-    Map map_, other_map_;               ///< of what is drawn, and of the other end of a step
-    std::optional<ui::Picture> picture_;
+    Shapes shapes_;                                            ///< drawn last
+    std::optional<ViewTransform> seen_;                        ///< that the shapes belong to
+    std::optional<Painting> painted_;                          ///< that the picture shows; none of one that is drawn on
+    std::optional<Fitting> fitted_;                            ///< last
+    Map map_, other_map_;                                      ///< of what is drawn, and of the other end of a step
     std::optional<topology::Point> line_start_{}, line_end_{}; ///< of a line that is being drawn
-    ui::Point pressed_{};                                      ///< where the hand began it
 };
 
 /// "vertex v1", in the language of the session.

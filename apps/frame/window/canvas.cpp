@@ -143,7 +143,7 @@ void Canvas::follow_structure(Workspace& workspace)
     if (is_just_fitted_) fitted_for_ = wanted;
     if (session.draw_state.camera) fitted_for_.reset();
     const Subject::Plan before = std::exchange(
-        plan_, Subject(input_of(workspace, options, guess), options, state).plan(area_.sheet(), fonts_));
+        plan_, Subject(input_of(workspace, options, guess), options, state).plan(sheet(), fonts()));
     if (is_same && !is_just_fitted_) hold_still(session, before);
 }
 
@@ -219,7 +219,7 @@ double Canvas::pixels_along(const Projection& projection, const Cut& cut) const
 std::optional<ui::Point> Canvas::in_window(const Eigen::Vector3d& place) const
 {
     if (plan_.panels.empty()) return std::nullopt;
-    return area_.corner() + projection_at(plan_.panels.front().box.min)(place);
+    return corner() + projection_at(plan_.panels.front().box.min)(place);
 }
 
 std::optional<ui::Point> Canvas::in_window(const Cut& cut) const
@@ -230,18 +230,17 @@ std::optional<ui::Point> Canvas::in_window(const Cut& cut) const
 
 void Canvas::show(Workspace& workspace, ui::ImGuiSession& gui)
 {
-    if (!area_.begin(gui, ui::any_button)) return;
+    if (!begin(gui, any_button)) return;
     const auto told = banner(workspace);
     lent_ = told ? static_cast<double>(ui::height(*told) - ui::status_height()) / gui.scale() : 0.0;
     follow_structure(workspace);
     look_at_region(workspace);
 
     const ImGuiIO& io = ImGui::GetIO();
-    is_over_ = ImGui::IsItemHovered() || ImGui::IsItemActive();
-    const bool is_followed = is_over_ || is_working_; // a button may be released beside the picture
-    follow(workspace, {.at = area_.pointer(), .is_over = is_followed, .adds = io.KeyShift, .is_exact = io.KeyAlt});
-    paint(workspace);
-    area_.show(*picture_, gui);
+    const bool is_followed = is_over() || is_active() || is_working_; // a button may be released beside the picture
+    follow(workspace, {.at = pointer(), .is_over = is_followed, .adds = io.KeyShift, .is_exact = io.KeyAlt});
+    paint([&](ui::Painter& painter) { paint_all(workspace, painter); });
+    end(gui);
 }
 
 void Canvas::follow(Workspace& workspace, const Pointer& pointer)
@@ -258,12 +257,12 @@ void Canvas::follow(Workspace& workspace, const Pointer& pointer)
     settings.moment_side = session.view.moment_side;
     Pick under = pick(shape_, projection, pointer.at, session.shown_results() ? session.view.show : ShowSet{});
     if (under.cut) under.cut = snapped(session, shape_, *under.cut, pixels_along(projection, *under.cut));
-    const bool asks_for_menu = ImGui::IsMouseReleased(ImGuiMouseButton_Right) && !area_.is_moving_view();
+    const bool asks_for_menu = ImGui::IsMouseReleased(ImGuiMouseButton_Right) && !is_moving_view();
     move_camera(session);
     const Aim aim = aim_at(session, workspace.tool_controller, projection, pointer, under, drawn_.grips);
     workspace.tool_controller.point_at(aim);
     if (asks_for_menu) ask_for_menu(workspace, aim);
-    if (area_.is_moving_view()) return;
+    if (is_moving_view()) return;
     if (ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left) && under.is_nothing() &&
         !workspace.tool_controller.can_type())
         fit(session);
@@ -316,11 +315,10 @@ std::optional<ui::Message> why_not_press(const Workspace& workspace, const Aim& 
 // The left button: the tool's in the hand. In space it turns the model but for a window, which begins with Shift.
 void Canvas::work(Workspace& workspace, const Aim& aim, const Pick& under)
 {
-    const bool begins = ImGui::IsItemActivated() && ImGui::IsMouseDown(ImGuiMouseButton_Left);
-    const bool is_window = begins && aim.adds && workspace.tool_controller.kind() == ToolKind::Select;
+    const bool is_window = is_pressed() && aim.adds && workspace.tool_controller.kind() == ToolKind::Select;
     const bool turns = is_seen_in_space(workspace.session.model().analysis) && !is_window && !is_working_;
     if (turns) return click_in_space(workspace, aim, under);
-    if (begins) press(workspace, aim);
+    if (is_pressed()) press(workspace, aim);
     carry_out(workspace.session, workspace.tool_controller.tool().move(work_of(workspace.session), aim));
     if (is_working_ && !ImGui::IsMouseDown(ImGuiMouseButton_Left)) release(workspace, aim, under);
 }
@@ -372,15 +370,14 @@ void Canvas::click_in_space(Workspace& workspace, const Aim& aim, const Pick& un
 // In space the left button turns the model; with the space bar it moves the sheet everywhere.
 void Canvas::move_camera(Session& session)
 {
-    using Left = ui::PictureArea::LeftButton;
     const bool is_in_space = is_seen_in_space(session.model().analysis);
     const bool holds_space = ImGui::IsKeyDown(ImGui::GetKeyIndex(ImGuiKey_Space)) && !ImGui::GetIO().WantTextInput;
-    const Left free_left = holds_space ? Left::MovesViewAtOnce : is_in_space ? Left::MovesView : Left::Works;
-    const ui::ViewMove hand = area_.view_move(is_working_ ? Left::Works : free_left);
-    if (hand.zoom == 1.0 && !hand.is_drag()) return;
+    const bool moves_view = !is_working_ && (holds_space || is_in_space);
+    const ui::ViewMove hand = view_move({.left = moves_view, .move_at_once = holds_space && !is_working_});
+    if (hand.wheel == 0.0 && !hand.is_drag()) return;
     Camera changed = plan_.camera;
-    const ui::Point cursor = area_.pointer() - corner_of_panel(area_.pointer());
-    std::visit([&](auto& camera) { camera.zoom(cursor, hand.zoom); }, changed);
+    const ui::Point cursor = pointer() - corner_of_panel(pointer());
+    std::visit([&](auto& camera) { camera.zoom(cursor, hand.zoom()); }, changed);
     auto* const orbit = std::get_if<ui::OrbitCamera>(&changed);
     if (orbit != nullptr && hand.is_left && !holds_space) orbit->orbit(hand.drag, middle_of(shape_));
     else std::visit([&](auto& camera) { camera.pan(hand.drag); }, changed);
@@ -402,22 +399,6 @@ Highlight highlight(const Selection& selection)
 
 } // namespace
 
-namespace {
-
-// On an empty sheet: how to begin.
-void draw_invitation(ui::Painter& painter, const DrawOptions& options)
-{
-    const ui::Theme theme(options.theme);
-    ui::TextStyle style = theme.text(ui::Role::FaintLabel);
-    style.size = theme.type().large;
-    const ui::Point middle = 0.5 * painter.sheet().max;
-    painter.text(middle, options.tr("M draws members, N nodes, S supports, L loads."), style);
-    painter.text(middle + ui::Point{0.0, 1.6 * style.size}, options.tr("Ctrl+O opens a file, Ctrl+K finds a command."),
-                 style);
-}
-
-} // namespace
-
 DrawState Canvas::state(const Session& session) const
 {
     DrawState state = session.draw_state;
@@ -432,7 +413,10 @@ Subject::Picture Canvas::draw(const Workspace& workspace, const DrawOptions& opt
 {
     const Session& session = workspace.session;
     if (session.model().nodes.empty()) {
-        if (workspace.tool_controller.kind() != ToolKind::Paste) draw_invitation(painter, options);
+        if (workspace.tool_controller.kind() != ToolKind::Paste)
+            ui::draw_invitation(painter, ui::Theme(options.theme),
+                                {options.tr("M draws members, N nodes, S supports, L loads."),
+                                 options.tr("Ctrl+O opens a file, Ctrl+K finds a command.")});
         return {};
     }
     const std::optional<GuessPicture> guess = guess_picture(session, options);
@@ -459,26 +443,22 @@ ui::Picture Canvas::picture_of(const Workspace& workspace) const
 {
     DrawState plain = state(workspace.session);
     plain.hover = plain.selection = {};
-    ui::Painter painter(area_.sheet(), fonts_);
-    draw(workspace, looked_at(workspace.session), plain, painter);
-    return painter.picture();
+    return painted([&](ui::Painter& painter) { draw(workspace, looked_at(workspace.session), plain, painter); });
 }
 
-void Canvas::paint(const Workspace& workspace)
+void Canvas::paint_all(const Workspace& workspace, ui::Painter& painter)
 {
     const Session& session = workspace.session;
     const DrawOptions shown = looked_at(session);
     const DrawState now = state(session);
-    ui::Painter painter(area_.sheet(), fonts_);
     drawn_ = draw(workspace, shown, now, painter);
     if (std::exchange(is_just_fitted_, false)) was_whole_ = drawn_.is_whole;
     if (session.hover && session.hover != session.pin && !is_working_)
         draw_cut(session, shown, drawn_, {*session.hover, hover_panel_}, painter);
     const ui::Theme theme(shown.theme);
-    if (is_over_ && !plan_.panels.empty())
+    if ((is_over() || is_active()) && !plan_.panels.empty())
         draw_hand(painter, session, workspace.tool_controller, Projection(*now.camera, hover_panel_), theme);
     else if (!workspace.tool_controller.typed().empty()) draw_typed(painter, workspace.tool_controller, theme);
-    picture_ = painter.picture();
 }
 
 } // namespace frame

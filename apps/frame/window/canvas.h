@@ -10,10 +10,7 @@
 #include "apps/frame/document/drawing_names.h"
 #include "apps/frame/session/commands.h"
 #include "apps/frame/window/aim.h"
-#include "ui/context/imgui_session.h"
-#include "ui/paint/painter.h"
-#include "ui/paint/picture.h"
-#include "ui/widgets/picture_area.h"
+#include "ui/app/canvas.h"
 
 namespace frame {
 
@@ -25,9 +22,9 @@ namespace frame {
 ///     with Shift in space: a window that selects
 ///     double click on a load, a node, a dimension: its first number is typed in the panel of properties
 ///     right click: the menu of what lies there
-class Canvas {
+class Canvas : public ui::Canvas {
 public:
-    explicit Canvas(const ui::Fonts& fonts) : fonts_(fonts) {}
+    using ui::Canvas::Canvas;
 
     /// Fills what is left of the current window of Dear ImGui's.
     void show(Workspace& workspace, ui::ImGuiSession& gui);
@@ -45,8 +42,6 @@ public:
     ui::Picture picture_of(const Workspace& workspace) const;
     /// A load, a node or a dimension was double clicked: its first number is to be typed. Said once.
     bool takes_number() { return std::exchange(takes_number_, false); }
-    /// The picture that was drawn last, for golden texts.
-    const std::optional<ui::Picture>& picture() const { return picture_; }
 
 private:
     void follow(Workspace& workspace, const Pointer& pointer);
@@ -57,7 +52,7 @@ private:
     void click_in_space(Workspace& workspace, const Aim& aim, const Pick& under);
     static void ask_for_menu(Workspace& workspace, const Aim& aim);
     void move_camera(Session& session);
-    void paint(const Workspace& workspace);
+    void paint_all(const Workspace& workspace, ui::Painter& painter);
     Subject::Picture draw(const Workspace& workspace, const DrawOptions& options, const DrawState& state,
                           ui::Painter& painter) const;
     DrawState state(const Session& session) const;
@@ -75,8 +70,6 @@ private:
     double pixels_along(const Projection& projection, const Cut& cut) const;
     ui::Point corner_of_panel(ui::Point at) const;
 
-    const ui::Fonts& fonts_;
-    ui::PictureArea area_;
     double lent_ = 0.0; ///< of the sheet's height to what is told at the window's foot, which must not move the picture
     /// What the fitted camera was made for: it is made anew when one of these changes, and not when a part, a load or
     /// what is shown does, so that the picture rests under the hand.
@@ -92,20 +85,18 @@ private:
         bool serves(const FittedFor& wanted) const;
     };
     FittedFor wanted_fit(const Session& session, const DrawOptions& options) const;
-    ui::Size whole_sheet() const { return {area_.sheet().width, area_.sheet().height + lent_}; }
+    ui::Size whole_sheet() const { return {sheet().width, sheet().height + lent_}; }
     void hold_still(Session& session, const Subject::Plan& before);
 
     StructureShape shape_;
     Subject::Plan plan_; ///< how the sheet is divided, and the camera of its panels
     std::optional<FittedFor> fitted_for_;
     std::uint64_t session_ = 0, generation_ = 0; ///< that shape_ belongs to
-    std::optional<ui::Picture> picture_;
-    ui::Point hover_panel_{}; ///< corner of the panel that the pointer is in
-    Subject::Picture drawn_;  ///< last
-    bool was_whole_ = false;  ///< the picture that the camera was fitted for
+    ui::Point hover_panel_{};                    ///< corner of the panel that the pointer is in
+    Subject::Picture drawn_;                     ///< last
+    bool was_whole_ = false;                     ///< the picture that the camera was fitted for
     bool is_just_fitted_ = false;
     bool is_working_ = false; ///< the left button was pressed in the picture and is held
-    bool is_over_ = false;    ///< the pointer
     bool takes_number_ = false;
 };
 

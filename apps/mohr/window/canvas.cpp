@@ -2,34 +2,26 @@
 
 #include <imgui.h>
 
-#include "ui/canvas/click.h"
-
 namespace mohr {
-
-namespace {
-
-bool is_dragging() { return ImGui::IsMouseDragging(ImGuiMouseButton_Left, static_cast<float>(ui::click_reach)); }
-
-} // namespace
 
 void Canvas::show(Session& session, ui::ImGuiSession& gui)
 {
-    if (!area_.begin(gui)) return;
-    follow(session, area_.pointer());
-    paint(session);
-    area_.show(*picture_, gui);
+    if (!begin(gui, left_button)) return;
+    follow(session);
+    paint([&](ui::Painter& painter) { drawn_ = draw(painter, session.scene()); });
+    end(gui);
 }
 
-void Canvas::follow(Session& session, ui::Point at)
+void Canvas::follow(Session& session)
 {
     if (!session.held()) {
         const double reach = 14.0 * ui::Theme(session.look.theme).symbol_scale();
-        const bool can_drag = ImGui::IsItemHovered() && !session.is_concealing(); // an exercise keeps its state
-        session.hover = can_drag ? pick(drawn_, at, reach) : std::nullopt;
-        if (session.hover && ImGui::IsItemActivated()) session.grip(*session.hover, drawn_);
-        else if (ImGui::IsItemActive()) turn_eye(session);
-    } else if (ImGui::IsItemActive()) {
-        if (is_dragging()) session.drag_to(at, ImGui::GetIO().KeyShift);
+        const bool can_drag = is_over() && !session.is_concealing(); // an exercise keeps its state
+        session.hover = can_drag ? pick(drawn_, pointer(), reach) : std::nullopt;
+        if (session.hover && is_pressed()) session.grip(*session.hover, drawn_);
+        else if (is_in_space(session.document().subject)) turn_eye(session);
+    } else if (is_active()) {
+        if (is_dragged()) session.drag_to(pointer(), ImGui::GetIO().KeyShift);
     } else {
         session.settle();
     }
@@ -38,31 +30,21 @@ void Canvas::follow(Session& session, ui::Point at)
 
 void Canvas::turn_eye(Session& session)
 {
-    if (!is_in_space(session.document().subject) || !is_dragging()) return;
-    const ImVec2 delta = ImGui::GetIO().MouseDelta;
-    session.eye.orbit({static_cast<double>(delta.x), static_cast<double>(delta.y)}, {});
-}
-
-void Canvas::paint(const Session& session)
-{
-    ui::Painter painter(area_.sheet(), fonts_);
-    drawn_ = draw(painter, session.scene());
-    picture_ = painter.picture();
+    const ui::ViewMove hand = view_move({.left = is_active(), .middle = false, .right = false});
+    if (hand.is_drag()) session.eye.orbit(hand.drag, {});
 }
 
 ui::Picture Canvas::picture_of(const Session& session) const
 {
-    ui::Painter painter(area_.sheet(), fonts_);
     Scene scene = session.scene();
     scene.hover.reset();
-    draw(painter, scene);
-    return painter.picture();
+    return painted([&](ui::Painter& painter) { draw(painter, scene); });
 }
 
 std::optional<ui::Point> Canvas::in_window(Handle handle) const
 {
     for (const Place& place : drawn_.places)
-        if (place.handle == handle) return area_.corner() + place.at;
+        if (place.handle == handle) return corner() + place.at;
     return std::nullopt;
 }
 
