@@ -24,10 +24,7 @@ constexpr double seconds_of_a_double_click = 0.35; // a little more than the win
 
 } // namespace
 
-Session::Session() : OpenDocument(starting_document()), history_(starting_document(), translatable("Begin"))
-{
-    solve_again();
-}
+Session::Session() : EditedDocument(starting_document()) { solve_again(); }
 
 void Session::solve_again(SolveMode mode)
 {
@@ -246,29 +243,19 @@ void Session::change_at_once()
     if (auto waiting = std::exchange(waiting_, std::nullopt)) change(std::move(waiting->model), waiting->label);
 }
 
-void Session::undo()
+void Session::follow(const Document& /*before*/)
 {
-    change_at_once();
-    history_.undo();
-    phase_ = 1.0;
-    solve_again();
-}
-
-void Session::redo()
-{
-    history_.redo();
     phase_ = 1.0;
     solve_again();
 }
 
 void Session::restart_with(Document document)
 {
-    begin(document);
     seen_ = {ShownTurn{{}, document.pupil ? document.pupil->helped : std::vector<bool>{}}};
     present_ = 0;
     cell_.reset();
     worksheet_stage_ = 0;
-    history_ = ui::History<Document>(std::move(document), translatable("Begin"));
+    begin(std::move(document));
     is_playing = false;
     phase_ = 1.0;
     hover.reset();

@@ -10,9 +10,8 @@
 #include "apps/cross/document/solution.h"
 #include "apps/cross/view/scene.h"
 #include "apps/cross/view/worksheet.h"
-#include "ui/history/history.h"
 #include "ui/text/message.h"
-#include "ui/workbench/open_document.h"
+#include "ui/workbench/edited_document.h"
 
 namespace cross {
 
@@ -22,13 +21,11 @@ using ui::Notice;
 enum class Tool : std::uint8_t { None, UniformLoad, PointLoad };
 
 /// What is open, how far it is worked and how it is looked at: the app without its window.
-class Session : public ui::OpenDocument<Document> {
+class Session : public ui::EditedDocument<Document> {
 public:
     Session();
 
-    const Document& document() const { return history_.current(); }
     const Solution& solution() const { return solution_; }
-    const ui::History<Document>& history() const { return history_; }
     const femoop::cross::Sheet* sheet() const { return solution_.sheet(document()); }
     const TurnTree* turn_tree()
         const; ///< of the sheet that is worked on; null where nothing was done, or all are together
@@ -55,8 +52,6 @@ public:
     void change_later(femoop::Model model, const ui::Message& label);
     void change_at_once(); ///< what waits, if anything does
     void drop_waiting() { waiting_.reset(); }
-    void undo();
-    void redo();
 
     // ---- a pupil fills the sheet (pupil.cpp)
 
@@ -106,9 +101,10 @@ public:
 
 private:
     std::optional<Notice> read(const std::filesystem::path& path) override;
-    const Document& current() const override { return document(); }
     std::string file_text() const override; ///< the score goes with it
     std::string about(const ui::Catalogue& tr) const override;
+    void prepare_to_go() override { change_at_once(); }
+    void follow(const Document& before) override;
     bool is_same(const Document& a, const Document& b) const override { return is_same_task(a, b); }
     void solve_again(SolveMode mode = SolveMode::Full);
     void work_again(); ///< the sheets alone
@@ -130,7 +126,6 @@ private:
         double seconds_left;
     };
 
-    ui::History<Document> history_;
     std::optional<WaitingChange> waiting_;
     Solution solution_;
     std::optional<femoop::Results> state_;

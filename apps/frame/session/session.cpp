@@ -48,15 +48,11 @@ Notice about_model(ui::Message sentence, std::vector<femoop::Fault> faults)
     return {ui::lasting(std::move(sentence)), std::move(faults), std::nullopt, true};
 }
 
-Session::Session(Document document) : OpenDocument(document), history_(std::move(document)), number_(next_number())
-{
-    restart(history_.current());
-}
+Session::Session(Document document) : EditedDocument(document), number_(next_number()) { restart(std::move(document)); }
 
 void Session::restart(Document document)
 {
-    begin(document);
-    history_ = ui::History<Document>(std::move(document), translatable("Begin"));
+    begin(std::move(document));
     shown_at_.clear();
     selection.clear();
     prediction.clear();
@@ -234,31 +230,10 @@ void Session::cancel()
     refresh();
 }
 
-void Session::undo()
+void Session::prepare_to_go()
 {
-    const Document before = document();
     settle();
     remember_shown();
-    history_.undo();
-    follow(before);
-}
-
-void Session::redo()
-{
-    const Document before = document();
-    settle();
-    remember_shown();
-    history_.redo();
-    follow(before);
-}
-
-void Session::jump(std::size_t place)
-{
-    const Document before = document();
-    settle();
-    remember_shown();
-    history_.jump(place);
-    follow(before);
 }
 
 namespace {

@@ -23,11 +23,10 @@
 #include "apps/frame/predict/prediction.h"
 #include "apps/frame/tables/table.h"
 #include "femoop/model/fault/fault.h"
-#include "ui/history/history.h"
 #include "ui/text/display_units.h"
 #include "ui/text/message.h"
 #include "ui/text/notice.h"
-#include "ui/workbench/open_document.h"
+#include "ui/workbench/edited_document.h"
 
 namespace frame {
 
@@ -46,14 +45,12 @@ Notice refusal_of(std::vector<femoop::Fault> faults);
 
 /// What is open and how it is looked at: the app without its window. The document changes through `change` alone; its
 /// solution follows.
-class Session : public ui::OpenDocument<Document, Notice> {
+class Session : public ui::EditedDocument<Document, Notice> {
 public:
     explicit Session(Document document);
 
-    const Document& document() const { return history_.current(); }
     const femoop::Model& model() const { return document().model; }
     const Solution& solution() const { return solution_; }
-    const ui::History<Document>& history() const { return history_; }
     /// Counts the solutions: what is derived from one is stale when it has grown.
     std::uint64_t generation() const { return generation_; }
     /// Tells the sessions of one program apart.
@@ -67,9 +64,6 @@ public:
     bool change_soundly(const Change& change);
     void settle() override;
     void cancel();
-    void undo();
-    void redo();
-    void jump(std::size_t place);
 
     /// `Mend` opens a file too that is understood but whose structure has errors, as one that was saved while it was
     /// drawn. What stands beside the model comes from its companion file; what is wrong with that hinders nothing, and
@@ -137,7 +131,8 @@ private:
     void take(const Change& change, Outcome outcome);
     void refresh();
     void notify_dropped(const femoop::Model& before, const femoop::Model& after);
-    void follow(const Document& before);
+    void prepare_to_go() override;
+    void follow(const Document& before) override;
     /// The case that is shown is known by its name.
     void follow_case(const femoop::Model& before, const femoop::Model& after);
     /// What is shown as the present state of the history is left, to be shown again where going back or forth to it
@@ -152,7 +147,6 @@ private:
     std::optional<Notice> read_draft(const std::filesystem::path& path) override { return read(path, Purpose::Mend); }
     std::optional<Notice> read(const std::filesystem::path& path, Purpose purpose);
     Written write_file(const std::filesystem::path& path) override;
-    const Document& current() const override { return document(); }
     std::string file_text() const override;
     std::string about(const ui::Catalogue& in) const override;
     void note_saved() override { is_dirty_ = differs_from_saved(); }
@@ -162,7 +156,6 @@ private:
         bool is_envelope;
     };
 
-    ui::History<Document> history_;
     std::map<std::size_t, Shown> shown_at_; ///< by the places of the history
     Companions before_gesture_;
     bool is_dirty_ = false;

@@ -212,7 +212,7 @@ void history_panel(Workspace& workspace)
         const bool is_chosen = ImGui::Selectable(label.c_str(), i == session.history().place());
         if (is_ahead) ImGui::PopStyleColor();
         if (is_chosen) {
-            session.jump(i);
+            session.go_to_state(i);
             return;
         }
     }

@@ -34,7 +34,7 @@ Message listed(const std::vector<Message>& sentences)
 
 } // namespace
 
-Session::Session() : OpenDocument(textbook_state()), history_(textbook_state())
+Session::Session() : EditedDocument(textbook_state())
 {
     eye.look(0.6, 0.45);
     solve_again();
@@ -83,26 +83,10 @@ void Session::grip(Handle handle, const Drawn& drawn)
 
 void Session::drag_to(ui::Point at, bool is_fine) { drag(dragged(*grip_, at, is_fine), label_of(grip_->handle)); }
 
-void Session::undo()
+std::optional<Message> Session::why_not_here() const
 {
-    path_time_.reset();
-    history_.undo();
-    if (would_leave_exercise(document())) {
-        history_.redo();
-        notify(exercise_keeps_state);
-    }
-    solve_again();
-}
-
-void Session::redo()
-{
-    path_time_.reset();
-    history_.redo();
-    if (would_leave_exercise(document())) {
-        history_.undo();
-        notify(exercise_keeps_state);
-    }
-    solve_again();
+    if (would_leave_exercise(document())) return Message(exercise_keeps_state);
+    return std::nullopt;
 }
 
 std::optional<Message> Session::set_number(NumberId number, std::string_view text)
@@ -199,8 +183,7 @@ void Session::give_up_exercise()
 
 void Session::restart(Document document)
 {
-    begin(document);
-    history_ = ui::History<Document>(std::move(document));
+    begin(std::move(document));
     is_playing = false;
     path_time_.reset();
     practice_.reset();

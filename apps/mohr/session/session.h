@@ -9,8 +9,7 @@
 #include "apps/mohr/document/file.h"
 #include "apps/mohr/session/drag.h"
 #include "apps/mohr/session/practice.h"
-#include "ui/history/history.h"
-#include "ui/workbench/open_document.h"
+#include "ui/workbench/edited_document.h"
 
 namespace mohr {
 
@@ -21,13 +20,11 @@ inline constexpr std::string_view exercise_keeps_state = ui::translatable(
     "an exercise has this state; type the answers into its fields, or end it: Exercises, End the exercise");
 
 /// What is open and how it is looked at: the app without its window.
-class Session : public ui::OpenDocument<Document> {
+class Session : public ui::EditedDocument<Document> {
 public:
     Session();
 
-    const Document& document() const { return history_.current(); }
     const Solution& solution() const { return solution_; }
-    const ui::History<Document>& history() const { return history_; }
 
     /// A step, unless the edit has a fault, or an exercise has the state. \returns why not
     std::optional<ui::Message> apply(Edit edit, const ui::Message& label);
@@ -38,8 +35,6 @@ public:
     void grip(Handle handle, const Drawn& drawn);
     void drag_to(ui::Point at, bool is_fine); ///< \pre it has hold of something
     const std::optional<Grip>& held() const { return grip_; }
-    void undo();
-    void redo();
 
     std::optional<ui::Message> set_number(NumberId number, std::string_view text);
     std::optional<ui::Message> set_angle(double degrees);
@@ -95,16 +90,17 @@ public:
 
 private:
     std::optional<Notice> read(const std::filesystem::path& path) override;
-    const Document& current() const override { return document(); }
     std::string file_text() const override { return mohr::file_text(document()); }
     std::string about(const ui::Catalogue& tr) const override;
     Frame frame() const; ///< of what is drawn now
+    void prepare_to_go() override { path_time_.reset(); }
+    std::optional<ui::Message> why_not_here() const override;
+    void follow(const Document& /*before*/) override { solve_again(); }
     bool would_leave_exercise(const Document& next) const;
     void solve_again();
     void follow_path(double seconds);
     void restart(Document document);
 
-    ui::History<Document> history_;
     Solution solution_;
     std::optional<std::size_t> step_;
     std::optional<Practice> practice_;
