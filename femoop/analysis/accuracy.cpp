@@ -10,12 +10,13 @@ namespace femoop {
 namespace {
 
 constexpr double wanted = 1e-11; // imbalance, at the unknowns: a sum over thousands of nodes then still has nine digits
-constexpr double doubtful = 1e-8; // warned of
-constexpr double useless = 1e-3;  // refused
+constexpr double doubtful = 1e-8;  // warned of
+constexpr double useless = 1e-3;   // refused
+constexpr double rounding = 2e-16; // of the imposed, by which doubles may be wrong though they balance
 
 // Where settlements and heat strain members and nothing holds against them, no force is left but rounding.
-constexpr double least_force = 1e-12; // of the imposed, that a single force is held against
-constexpr double least_sum = 1e-4;    // of the imposed, that the sums of forces are held against
+constexpr double least_force = 1e-8; // of the imposed, that a single force is held against
+constexpr double least_sum = 1e-4;   // of the imposed, that the sums of forces are held against
 // Forces through the origin have no moment there, and those of a far part of the structure only rounding.
 constexpr double least_arm = 1e-4; // of the farthest node's, that a sum of moments is held against
 
@@ -63,7 +64,9 @@ double imbalance(const detail::CaseSolution& solution)
 bool needs_precision(const detail::Solution& solution)
 {
     return std::ranges::any_of(solution.solutions, [](const detail::CaseSolution& each) {
-        return !(at_unknowns(each.balance) <= wanted) || !(of_sums(each.equilibrium, each.balance) <= 10.0 * wanted);
+        const bool is_drowned = rounding * each.balance.imposed > wanted * each.balance.largest;
+        return is_drowned || !(at_unknowns(each.balance) <= wanted) ||
+               !(of_sums(each.equilibrium, each.balance) <= 10.0 * wanted);
     });
 }
 
