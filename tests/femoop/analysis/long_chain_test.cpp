@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <random>
 #include <vector>
 
 #include "femoop/analysis/linear_static.h"
@@ -357,6 +358,31 @@ TEST_SUITE("long chains")
             model.load_cases[0].members.push_back({MemberId(i), TemperatureLoad{.top = 0.0, .bottom = dT}});
         CHECK(analyse(model)[CaseId(0)].displacement(middle)[1] ==
               doctest::Approx(-alpha * dT * L * L / (8.0 * h)).epsilon(1e-8));
+    }
+
+    TEST_CASE(
+        "A row of rigid members of very unlike lengths on springs is held by them, or refused: never by no number")
+    {
+        const double L = 100.0, q = -2.0;
+        Model model = empty(AnalysisKind::Frame2d);
+        Support sprung = held({Dof::ux});
+        sprung.springs = {{Dof::uy, 100.0}};
+        model.add(Node{.id = "N0", .at = {0.0, 0.0, 0.0}, .support = sprung});
+        std::mt19937 dice(5);
+        std::vector<double> places{L};
+        for (int i = 1; i < 3000; ++i) places.push_back(L * std::ldexp(static_cast<double>(dice()), -32));
+        std::ranges::sort(places);
+        for (const double x : places) add_leg(model, {x, 0.0, 0.0}, 1, {.rigid = true});
+        model.nodes.back().support = Support{.springs = {{Dof::uy, 10.0}}};
+        for (std::size_t i = 0; i < model.members.size(); ++i)
+            model.load_cases[0].members.push_back(
+                {MemberId(i), DistributedLoad{.values = {{.dof = Dof::uy, .start = q}}}});
+        try {
+            const CaseResult result = analyse(model)[CaseId(0)];
+            CHECK(result.reaction(NodeId(0))[1] == doctest::Approx(-0.5 * q * L).epsilon(1e-6));
+        } catch (const ModelError& error) {
+            CHECK(error.faults().front().kind == FaultKind::IllConditionedCase);
+        }
     }
 
     TEST_CASE("Heat in a row of 10 000 members held at both ends leaves no residual beside their force")
