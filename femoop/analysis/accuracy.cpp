@@ -10,16 +10,19 @@ namespace femoop {
 namespace {
 
 constexpr double wanted = 1e-11; // imbalance, at the unknowns: a sum over thousands of nodes then still has nine digits
-constexpr double doubtful = 1e-8; // warned of
-constexpr double useless = 1e-3;  // refused
+constexpr double doubtful = 1e-8;  // warned of
+constexpr double useless = 1e-3;   // refused
+constexpr double rounding = 2e-16; // of the imposed, by which doubles may be wrong though they balance
 
 // Where settlements and heat strain members and nothing holds against them, no force is left but rounding.
-constexpr double least_force = 1e-12; // of the imposed, that a single force is held against
-constexpr double least_sum = 1e-4;    // of the imposed, that the sums of forces are held against
+constexpr double least_force = 1e-8; // of the imposed, that a single force is held against
+constexpr double least_sum = 1e-4;   // of the imposed, that the sums of forces are held against
 // Forces through the origin have no moment there, and those of a far part of the structure only rounding.
 constexpr double least_arm = 1e-4; // of the farthest node's, that a sum of moments is held against
 
-double ratio(double part, double whole) { return part > 0.0 ? part / whole : 0.0; }
+// What is no number stays none in both, so that no comparison lets it pass.
+double ratio(double part, double whole) { return part == 0.0 ? 0.0 : part / whole; }
+double larger(double a, double b) { return std::isnan(a) || a > b ? a : b; }
 
 double at_unknowns(const detail::Balance& balance)
 {
@@ -32,13 +35,13 @@ double of_sums(const Equilibrium& equilibrium, const detail::Balance& balance)
     const auto unbalanced = [&](std::size_t first) {
         double sum = 0.0;
         for (std::size_t i = first; i < first + 3; ++i)
-            sum = std::max(sum, std::abs(equilibrium.sum_loads[i] + equilibrium.sum_reactions[i]));
+            sum = larger(sum, std::abs(equilibrium.sum_loads[i] + equilibrium.sum_reactions[i]));
         return sum;
     };
     const double least = least_sum * balance.imposed;
     const double least_moment = balance.reach * std::max(least, least_arm * balance.sum_forces);
-    return std::max(ratio(unbalanced(0), std::max(balance.sum_forces, least)),
-                    ratio(unbalanced(3), std::max(balance.sum_moments, least_moment)));
+    return larger(ratio(unbalanced(0), std::max(balance.sum_forces, least)),
+                  ratio(unbalanced(3), std::max(balance.sum_moments, least_moment)));
 }
 
 std::vector<Fault> worse_than(double limit, FaultKind kind, const detail::Solution& solution)
@@ -47,7 +50,7 @@ std::vector<Fault> worse_than(double limit, FaultKind kind, const detail::Soluti
     for (std::size_t c = 0; c < solution.solutions.size(); ++c) {
         const double error = imbalance(solution.solutions[c]);
         if (error <= limit) continue;
-        const double digits = std::max(0.0, std::floor(-std::log10(error)));
+        const double digits = std::isnan(error) ? 0.0 : std::max(0.0, std::floor(-std::log10(error)));
         faults.push_back({.kind = kind, .arguments = {solution.cases[c].name, number_text(digits)}});
     }
     return faults;
@@ -57,13 +60,15 @@ std::vector<Fault> worse_than(double limit, FaultKind kind, const detail::Soluti
 
 double imbalance(const detail::CaseSolution& solution)
 {
-    return std::max(at_unknowns(solution.balance), of_sums(solution.equilibrium, solution.balance));
+    return larger(at_unknowns(solution.balance), of_sums(solution.equilibrium, solution.balance));
 }
 
 bool needs_precision(const detail::Solution& solution)
 {
     return std::ranges::any_of(solution.solutions, [](const detail::CaseSolution& each) {
-        return !(at_unknowns(each.balance) <= wanted) || !(of_sums(each.equilibrium, each.balance) <= 10.0 * wanted);
+        const bool is_drowned = rounding * each.balance.imposed > wanted * each.balance.largest;
+        return is_drowned || !(at_unknowns(each.balance) <= wanted) ||
+               !(of_sums(each.equilibrium, each.balance) <= 10.0 * wanted);
     });
 }
 

@@ -132,20 +132,19 @@ std::vector<double> Assembler::settlements(const CaseLoads& loads) const
 
 template <class Scalar> auto Assembler::load_vector(const CaseLoads& loads) const -> Vector<Scalar>
 {
-    Eigen::VectorXd forces = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(equations_.n_unknowns()));
-    add_node_loads(loads, forces);
-    if (!loads.first.empty()) add_span_loads(loads, forces);
+    Vector<Scalar> f = Vector<Scalar>::Zero(static_cast<Eigen::Index>(equations_.n_unknowns()));
+    add_node_loads(loads, f);
+    if (!loads.first.empty()) add_span_loads(loads, f);
     for (const CaseLoads::OnElement& on : loads.elements)
-        add_element_loads(on.element, {.edge_loads = on.edge_loads, .body_loads = on.body_loads}, forces);
-    Vector<Scalar> f = forces.template cast<Scalar>();
+        add_element_loads(on.element, {.edge_loads = on.edge_loads, .body_loads = on.body_loads}, f);
     if (!loads.settlements.empty()) add_settlements(loads, f);
     return f;
 }
 
-void Assembler::add_node_loads(const CaseLoads& loads, Eigen::VectorXd& f) const
+template <class Scalar> void Assembler::add_node_loads(const CaseLoads& loads, Vector<Scalar>& f) const
 {
     const std::span<const Dof> dofs = model_dofs(structure_.kind);
-    Eigen::VectorXd value(static_cast<Eigen::Index>(dofs.size()));
+    Vector<Scalar> value(static_cast<Eigen::Index>(dofs.size()));
     for (const CaseLoads::OnNode& load : loads.nodes) {
         for (std::size_t i = 0; i < dofs.size(); ++i) value[static_cast<Eigen::Index>(i)] = load.value[index(dofs[i])];
         axes_.turn_rows({.nodes = std::span(&load.node, 1), .of_each_node = dofs}, value);
@@ -155,7 +154,7 @@ void Assembler::add_node_loads(const CaseLoads& loads, Eigen::VectorXd& f) const
     }
 }
 
-void Assembler::add_span_loads(const CaseLoads& loads, Eigen::VectorXd& f) const
+template <class Scalar> void Assembler::add_span_loads(const CaseLoads& loads, Vector<Scalar>& f) const
 {
     SpanLoading room;
     ElementVector forces;
@@ -173,14 +172,16 @@ void Assembler::add_span_loads(const CaseLoads& loads, Eigen::VectorXd& f) const
     }
 }
 
-void Assembler::add_element_loads(std::size_t element, const ElementLoads& loads, Eigen::VectorXd& f) const
+template <class Scalar>
+void Assembler::add_element_loads(std::size_t element, const ElementLoads& loads, Vector<Scalar>& f) const
 {
     ElementVector forces;
     elements_[element].equivalent_forces(loads, forces);
     add_element_forces(element, forces, f);
 }
 
-void Assembler::add_element_forces(std::size_t element, const ElementVector& forces, Eigen::VectorXd& f) const
+template <class Scalar>
+void Assembler::add_element_forces(std::size_t element, const ElementVector& forces, Vector<Scalar>& f) const
 {
     const std::span<const std::int32_t> rows = equations_.of_element(element);
     const ElementDofs dofs = elements_[element].dofs();

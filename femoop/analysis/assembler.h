@@ -41,7 +41,8 @@ public:
     /// Own stiffness of what constraints take from members, over all unknowns; zero where there is no constraint.
     template <class Scalar> Sparse<Scalar> constrained_stiffness() const;
 
-    /// Forces on the unknowns from loads on nodes and elements, settlements and grounds of springs that moved.
+    /// Forces on the unknowns from loads on nodes and elements, settlements and grounds of springs that moved. Loads
+    /// on one node add up to as many digits as Scalar has.
     template <class Scalar> Vector<Scalar> load_vector(const CaseLoads& loads) const;
 
     /// Displacements of blocked and grounds of sprung degrees of freedom, node axes, every node; empty when none moves.
@@ -66,10 +67,12 @@ private:
     template <class Scalar> using Dense = Eigen::Matrix<Scalar, Eigen::Dynamic, Eigen::Dynamic>;
     template <class Add> void visit_springs(Add&& add) const;
     template <class Scalar> Dense<Scalar> stiffness(std::size_t element) const;
-    void add_node_loads(const CaseLoads& loads, Eigen::VectorXd& f) const;
-    void add_span_loads(const CaseLoads& loads, Eigen::VectorXd& f) const;
-    void add_element_loads(std::size_t element, const ElementLoads& loads, Eigen::VectorXd& f) const;
-    void add_element_forces(std::size_t element, const ElementVector& forces, Eigen::VectorXd& f) const;
+    template <class Scalar> void add_node_loads(const CaseLoads& loads, Vector<Scalar>& f) const;
+    template <class Scalar> void add_span_loads(const CaseLoads& loads, Vector<Scalar>& f) const;
+    template <class Scalar>
+    void add_element_loads(std::size_t element, const ElementLoads& loads, Vector<Scalar>& f) const;
+    template <class Scalar>
+    void add_element_forces(std::size_t element, const ElementVector& forces, Vector<Scalar>& f) const;
     template <class Scalar> void add_settlements(const CaseLoads& loads, Vector<Scalar>& f) const;
 
     const Discretisation& structure_;

@@ -212,17 +212,6 @@ Mechanism member_mechanism(const Model& model, const Discretisation& structure, 
     return mechanism;
 }
 
-bool is_driven(const ArtificialRestraint& rotation, const Eigen::MatrixXd& F)
-{
-    constexpr double rounding = 1e-9;
-    Eigen::MatrixXd moments(static_cast<Eigen::Index>(rotation.parts.size()), F.cols());
-    for (Eigen::Index i = 0; i < moments.rows(); ++i)
-        moments.row(i) = F.row(rotation.parts[static_cast<std::size_t>(i)].row);
-    if (moments.size() == 0) return false;
-    const double drive = (rotation.direction.transpose() * moments).cwiseAbs().maxCoeff();
-    return drive > rounding * moments.cwiseAbs().maxCoeff();
-}
-
 Mechanism rotation_mechanism(const Model& model, const Discretisation& structure, const ArtificialRestraint& rotation)
 {
     std::vector<NodeVector> motion(structure.positions.size());

@@ -18,9 +18,6 @@ std::vector<Mechanism> mechanisms_of(const Model& model, const std::shared_ptr<c
 
 Mechanism member_mechanism(const Model& model, const Discretisation& structure, const LooseMember& loose);
 
-/// Does a load vector [unknowns x cases] drive a restrained rotation?
-bool is_driven(const ArtificialRestraint& rotation, const Eigen::MatrixXd& F);
-
 /// A restrained rotation that loads drive.
 Mechanism rotation_mechanism(const Model& model, const Discretisation& structure, const ArtificialRestraint& rotation);
 

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "femoop/analysis/compatibility.h"
+#include "femoop/analysis/driven_rotation.h"
 #include "femoop/analysis/equilibrium.h"
 #include "femoop/analysis/mechanism_description.h"
 #include "femoop/analysis/overflow_check.h"
@@ -133,8 +134,9 @@ void MechanismReport::add_members(const std::vector<LooseMember>& members, Found
 void MechanismReport::add_driven(const std::vector<CaseLoads>& loads, const Eigen::MatrixXd& F, Found& found) const
 {
     std::size_t n = 0;
+    DrivenRotations driven(system_.assembler(), loads, F);
     for (const ArtificialRestraint& rotation : system_.restraints().rotations)
-        if (is_driven(rotation, F) && n++ < static_cast<std::size_t>(most_described))
+        if (driven.contains(rotation) && n++ < static_cast<std::size_t>(most_described))
             found.mechanisms.push_back(rotation_mechanism(model_, structure_, rotation));
     found.n_more += n - static_cast<std::size_t>(n_described(n));
     add_members(loaded_twists(system_.assembler(), loads), found);

@@ -1,7 +1,9 @@
 #include "femoop/analysis/static_system.h"
 
 #include <algorithm>
+#include <cmath>
 #include <iterator>
+#include <limits>
 #include <utility>
 
 #include "femoop/analysis/constraints.h"
@@ -30,6 +32,43 @@ void balance(detail::CaseSolution& solution, const Eigen::VectorXd& F, double ou
     const double largest = F.size() > 0 ? F.cwiseAbs().maxCoeff() : 0.0;
     solution.balance = {.out_of_balance = out_of_balance, .imposed = largest};
     solution.equilibrium.residual = largest > 0.0 ? out_of_balance / largest : 0.0;
+}
+
+/// The softest part of a structure, a rotation counted by its arm: what resists an imposed displacement of 1 at least.
+double softest_part(const Discretisation& structure)
+{
+    const double size = structure.size(), none = std::numeric_limits<double>::infinity();
+    double softest = none;
+    const auto add = [&](double stiffness) {
+        if (stiffness > 0.0) softest = std::min(softest, stiffness);
+    };
+    const auto add_joint = [&](std::size_t axis, double stiffness) {
+        add(axis < 3 ? stiffness : stiffness / (size * size));
+    };
+    for (std::size_t i = 0; i < structure.members.size(); ++i) {
+        const MemberProperties& p = structure.properties_of(MemberId(i));
+        add(p.axial.EA / size);
+        for (const Beam& beam : {p.xy, p.xz}) {
+            add(beam.EI / std::pow(size, 3));
+            add(beam.foundation * structure.geometry(MemberId(i)).length);
+        }
+        if (const MemberEndConditions* conditions = structure.end_conditions_of(MemberId(i)))
+            for (const JointStiffness& joint : conditions->joints)
+                for (std::size_t axis = 0; axis < joint.size(); ++axis) add_joint(axis, joint[axis]);
+    }
+    for (const Discretisation::SupportRow& support : structure.supports)
+        for (const Dof dof : all_dofs) add_joint(index(dof), support.springs[index(dof)]);
+    return softest < none ? softest : 0.0;
+}
+
+/// The largest displacement, a rotation as it moves the other end of the structure.
+double largest_settlement(const CaseLoads& loads, double size)
+{
+    double largest = 0.0;
+    for (const CaseLoads::OnNode& settlement : loads.settlements)
+        for (const Dof dof : all_dofs)
+            largest = std::max(largest, std::abs(settlement.value[index(dof)]) * (is_rotation(dof) ? size : 1.0));
+    return largest;
 }
 
 /// Column c of the constraint displacements; empty without constraints.
@@ -126,8 +165,20 @@ std::vector<detail::CaseSolution> StaticSystem::solve_precisely(const std::vecto
         solution.precise = motions<DoubleDouble>(loads[c], u->all.col(column), column_of(u->constraint, column));
         static_cast<detail::Motions<double>&>(solution) = rounded_motions(solution.precise);
         balance(solution, rounded(F.col(column)), u->out_of_balance[column]);
+        if (!loads[c].settlements.empty()) solution.balance.imposed = imposed_force(loads[c]);
     }
     return found;
+}
+
+/// Of loads, or of settlements alone. What a settlement brings to a very short or stiff member beside it is no measure:
+/// in 32 digits little is left of that, and it may be any number of times what the structure makes of the settlement.
+double StaticSystem::imposed_force(CaseLoads loads) const
+{
+    const double by_settlements = softest_part(*structure_) * largest_settlement(loads, structure_->size());
+    loads.settlements.clear();
+    const Eigen::VectorXd f = assembler_->load_vector<double>(loads);
+    const double by_loads = f.size() > 0 ? f.cwiseAbs().maxCoeff() : 0.0;
+    return by_loads > 0.0 ? by_loads : by_settlements;
 }
 
 PreciseSystem& StaticSystem::precise()

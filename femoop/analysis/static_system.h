@@ -63,6 +63,7 @@ private:
 
     PreciseSystem& precise();
     template <class Scalar> Dense<Scalar> load_vectors_of(const std::vector<CaseLoads>& loads) const;
+    double imposed_force(CaseLoads loads) const;
     template <class Scalar>
     detail::Motions<Scalar> motions(const CaseLoads& loads, const Column<Scalar>& all,
                                     const Column<Scalar>& constraint) const;

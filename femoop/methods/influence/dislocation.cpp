@@ -1,5 +1,6 @@
 #include "femoop/methods/influence/dislocation.h"
 
+#include <Eigen/Geometry>
 #include <Eigen/LU>
 #include <algorithm>
 
@@ -46,6 +47,22 @@ void add(LocalDisplacement& d, const NodeVector& slip)
     d.rx += slip[3];
     d.ry += slip[4];
     d.rz += slip[5];
+}
+
+/// Of the nodes on a member when its second node moves, to 32 digits.
+template <AnalysisKind kind> PreciseVector forces_of(const MemberElement<kind>& element, const NodeVector& second_node)
+{
+    constexpr int m = MemberElement<kind>::m, n = MemberElement<kind>::n;
+    PreciseMatrix T = PreciseMatrix::Zero(2 * m, 2 * n);
+    for (int end = 0; end < 2; ++end)
+        T.block(end * m, end * n, m,
+                n) = element.transformation(static_cast<std::size_t>(end)).template cast<DoubleDouble>();
+    PreciseVector u = PreciseVector::Zero(2 * n);
+    for (int i = 0; i < n; ++i) u[n + i] = second_node[index(AnalysisModel<kind>::global[static_cast<std::size_t>(i)])];
+    const StrainForm form = element.strains();
+    const PreciseMatrix strains = form.B.template cast<DoubleDouble>() * T;
+    const PreciseVector stresses = form.S.template cast<DoubleDouble>() * PreciseVector(strains * u);
+    return strains.transpose() * stresses;
 }
 
 bool bends(AnalysisKind kind, BendingPlane plane)
@@ -128,6 +145,17 @@ std::array<NodeVector, 2> Dislocation::fixed_end_forces() const
             NodeVector{-pull, -xy[2], -xz[2], -torque, xz[3], -xy[3]}};
 }
 
+/// As the part beyond the section, which its end goes with.
+NodeVector Dislocation::second_node_moved(const MemberGeometry& geometry, const Eigen::Vector3d& arm) const
+{
+    const Step xy = is_simple(BendingPlane::xy) ? Step() : step(BendingPlane::xy);
+    const Step xz = is_simple(BendingPlane::xz) ? Step() : step(BendingPlane::xz);
+    const Eigen::Vector3d shift(gap(), xy.v + xy.phi * (L_ - x_), xz.v + xz.phi * (L_ - x_));
+    const Eigen::Vector3d turn = geometry.axes.transpose() * Eigen::Vector3d(is_bar_ ? 0.0 : twist(), -xz.phi, xy.phi);
+    const Eigen::Vector3d moved = geometry.axes.transpose() * shift - turn.cross(arm);
+    return {moved[0], moved[1], moved[2], turn[0], turn[1], turn[2]};
+}
+
 void Dislocation::follow_joints(const Discretisation& structure, MemberId member)
 {
     const std::array<NodeVector, 2> held = fixed_end_forces();
@@ -146,12 +174,20 @@ void Dislocation::follow_joints(const Discretisation& structure, MemberId member
             slips = element.end_displacements(Element::LocalVector::Zero(), forces);
             forces = element.end_forces(Element::LocalVector::Zero(), forces);
         }
+        const Eigen::Vector3d arm = conditions == nullptr ? Eigen::Vector3d::Zero() : conditions->offsets[1];
+        const PreciseVector moved = xy_.foundation > 0.0 ? PreciseVector()
+                                                         : forces_of(element, second_node_moved(geometry, arm));
         for (std::size_t end = 0; end < 2; ++end) {
             const auto first = static_cast<Eigen::Index>(end) * Element::m;
             const Eigen::VectorXd at_node = -(element.transformation(end).transpose() *
                                               forces.template segment<Element::m>(first));
-            for (std::size_t i = 0; i < Model::global.size(); ++i)
-                node_loads_[end][index(Model::global[i])] = at_node[static_cast<Eigen::Index>(i)];
+            for (std::size_t i = 0; i < Model::global.size(); ++i) {
+                const auto row = static_cast<Eigen::Index>(i),
+                           of_both = static_cast<Eigen::Index>(end) * Element::n + row;
+                const DoubleDouble force = moved.size() == 0 ? DoubleDouble(at_node[row]) : moved[of_both];
+                node_loads_[end].high[index(Model::global[i])] = force.hi;
+                node_loads_[end].low[index(Model::global[i])] = force.lo;
+            }
             for (std::size_t i = 0; i < Model::local.size(); ++i)
                 slips_[end][index(Model::local[i])] = slips[first + static_cast<Eigen::Index>(i)];
         }

@@ -26,8 +26,13 @@ class Dislocation {
 public:
     Dislocation(const Discretisation& structure, MemberId member, MemberComponent force, double x);
 
-    /// Loads on its two nodes that move the rest of the structure as the dislocation does, global axes.
-    const std::array<NodeVector, 2>& node_loads() const { return node_loads_; }
+    /// A load as the sum of its doubles and what these leave of 32 digits.
+    struct NodeLoad {
+        NodeVector high{}, low{};
+    };
+    /// Loads on its two nodes that move the rest of the structure as the dislocation does, global axes. Those of a short
+    /// member are large beside what they do, and what rounding would leave of their sum moves long chains.
+    const std::array<NodeLoad, 2>& node_loads() const { return node_loads_; }
 
     /// The member's own motion when its nodes move its ends, inside their joints, so far if nothing else moved them.
     MemberMotion motion(std::array<LocalDisplacement, 2> ends) const;
@@ -53,6 +58,7 @@ private:
     std::array<NodeVector, 2> fixed_end_forces() const;
     PlaneEnds end_forces(BendingPlane plane) const;
     void follow_joints(const Discretisation& structure, MemberId member);
+    NodeVector second_node_moved(const MemberGeometry& geometry, const Eigen::Vector3d& arm) const;
     std::vector<PlaneMotion> motion(BendingPlane plane, const PlaneEnds& ends) const;
     std::vector<PlaneMotion> simple_beam(BendingPlane plane, const PlaneEnds& ends) const;
     std::vector<PlaneMotion> elastic_beam(BendingPlane plane, const PlaneEnds& ends) const;
@@ -65,8 +71,8 @@ private:
     bool is_bar_;
     Bar axial_, torsion_;
     Beam xy_, xz_;
-    std::array<NodeVector, 2> node_loads_{}; ///< global axes
-    std::array<NodeVector, 2> slips_{};      ///< of its ends in flexible joints while its nodes are held, member axes
+    std::array<NodeLoad, 2> node_loads_{}; ///< global axes
+    std::array<NodeVector, 2> slips_{};    ///< of its ends in flexible joints while its nodes are held, member axes
 };
 
 } // namespace femoop::influence

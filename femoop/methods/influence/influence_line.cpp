@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <optional>
 #include <utility>
 
@@ -19,6 +20,9 @@ namespace {
 
 constexpr double end_of_curve = 1e-9; // of its length
 constexpr double negligible = 1e-14;  // of the largest ordinate: a coefficient that adds less is rounding
+constexpr double doubtful = 1e-8;     // of the largest ordinate: a load on the path should not say more against it
+constexpr double least_effect = 1e-6; // of a unit load: a line with smaller ordinates is held against this
+constexpr double golden_ratio = 0.6180339887498949;
 
 Model without_loads(Model model)
 {
@@ -112,6 +116,40 @@ bool is_on_foundation(const Discretisation& structure, MemberId member)
     return bends && structure.properties_of(member).xy.foundation > 0.0;
 }
 
+/// Is a member so short or stiff beside the structure that its forces are differences of what doubles round?
+bool loses_digits(const Discretisation& structure)
+{
+    constexpr double bearable = 1e5; // times the stiffness of the structure
+    const double size = structure.size();
+    double softest = std::numeric_limits<double>::infinity(), stiffest = 0.0;
+    for (std::size_t i = 0; i < structure.members.size(); ++i) {
+        const double EI = structure.properties_of(MemberId(i)).xy.EI;
+        if (!(EI > 0.0)) continue;
+        softest = std::min(softest, EI);
+        stiffest = std::max(stiffest, EI * std::pow(size / structure.geometry(MemberId(i)).length, 3));
+    }
+    return stiffest > bearable * softest;
+}
+
+LoadCase load_at(const PathLayout& path, double s, const NodeVector& load)
+{
+    const PathPlace place = path.place(s);
+    return {.id = "path",
+            .members = {{place.member, PointLoad{.at = Quantity(place.x), .components = components_of(load)}}}};
+}
+
+/// Where loads on a path prove its lines: inside a member near its begin, middle and end.
+std::vector<double> proof_places(const PathLayout& path)
+{
+    std::vector<double> places;
+    const std::size_t last = path.members.size() - 1;
+    for (const std::size_t i : {last / 5, last / 2, last - last / 7}) {
+        const double s = path.members[i].s_of(golden_ratio * path.members[i].length);
+        if (places.empty() || places.back() != s) places.push_back(s);
+    }
+    return places;
+}
+
 /// At the place of an effect along its member; at the end the - side.
 double along_member(const MovingEffect& effect, const Curve& curve)
 {
@@ -131,10 +169,11 @@ double effect_in(const MovingEffect& effect, const CaseResult& result)
 }
 
 InfluenceAnalysis::InfluenceAnalysis(const Model& model, const AnalysisOptions& options)
-    : model_(without_loads(model)), analysis_(model_, options), structure_(discretise(model_))
-{
-    note(analysis_.solve(model_).warnings());
-}
+    : model_(without_loads(model)),
+      analysis_(model_, options),
+      structure_(discretise(model_)),
+      loses_digits_(loses_digits(structure_))
+{}
 
 void InfluenceAnalysis::note(const std::vector<Fault>& warnings)
 {
@@ -157,13 +196,16 @@ void InfluenceAnalysis::require_undriven(const PathLayout& path, const NodeVecto
     std::vector<MemberId> members;
     for (const PathMember& on : path.members) members.push_back(on.member);
     if (members == undriven_path_ && load == undriven_load_) return;
-    std::vector<LoadCase> cases;
+    LoadCase everywhere{.id = "path"};
+    double factor = 1.0;
     for (const PathMember& on : path.members)
-        for (const double share : {0.0, 0.3, 0.8, 1.0})
-            cases.push_back(
-                {.id = "path",
-                 .members = {{on.member, PointLoad{.at = Percent{100.0 * share}, .components = components_of(load)}}}});
-    solve(std::move(cases));
+        for (const double share : {0.0, 0.3, 0.8, 1.0}) {
+            factor = std::fmod(factor + golden_ratio, 1.0); // no two alike, whose moments might cancel
+            const std::vector<Component> components = components_of(load, 1.0 + factor);
+            everywhere.members.push_back(
+                {on.member, PointLoad{.at = Percent{100.0 * share}, .components = components}});
+        }
+    solve({std::move(everywhere)});
     undriven_path_ = std::move(members);
     undriven_load_ = load;
 }
@@ -191,8 +233,8 @@ InfluenceAnalysis::Adjoint InfluenceAnalysis::adjoint(const MovingEffect& effect
     } else if (is_section_force(effect)) {
         const Dislocation dislocation(structure_, *effect.member, *effect.component, place(effect));
         for (std::size_t end = 0; end < 2; ++end)
-            load_case.nodes.push_back(
-                {model_[*effect.member].nodes[end], components_of(dislocation.node_loads()[end])});
+            for (const NodeVector& part : {dislocation.node_loads()[end].high, dislocation.node_loads()[end].low})
+                load_case.nodes.push_back({model_[*effect.member].nodes[end], components_of(part)});
     } else {
         const Component unit{.dof = displacement_dof(*effect.component), .value = 1.0};
         load_case.members.push_back(
@@ -228,11 +270,30 @@ std::vector<InfluenceLine> InfluenceAnalysis::adjoint_lines(const PathLayout& pa
 {
     std::vector<LoadCase> cases;
     for (const Adjoint& each : adjoints) cases.push_back(each.load_case);
+    const std::vector<double> places = loses_digits_ ? proof_places(path) : std::vector<double>();
+    for (const double s : places) cases.push_back(load_at(path, s, load));
     const Results results = solve(std::move(cases));
     std::vector<InfluenceLine> lines;
-    for (std::size_t i = 0; i < adjoints.size(); ++i)
-        lines.push_back(line_of(path, load, *adjoints[i].effect, results[CaseId(i)]));
+    for (std::size_t i = 0; i < adjoints.size(); ++i) {
+        const MovingEffect& effect = *adjoints[i].effect;
+        InfluenceLine line = line_of(path, load, effect, results[CaseId(i)]);
+        const double largest = std::max(line.ordinates.largest(), least_effect * unit_effect(effect, load));
+        bool is_proved = true;
+        for (std::size_t k = 0; k < places.size(); ++k) {
+            const double direct = effect_in(effect, results[CaseId(adjoints.size() + k)]);
+            is_proved = is_proved && std::abs(line.ordinates.value(places[k]) - direct) <= doubtful * largest;
+        }
+        lines.push_back(is_proved ? std::move(line) : direct_line(path, load, effect));
+    }
     return lines;
+}
+
+/// What an effect might be, of a unit load.
+double InfluenceAnalysis::unit_effect(const MovingEffect& effect, const NodeVector& load) const
+{
+    const bool is_turning = effect.member ? is_moment(*effect.component) : is_rotation(*effect.dof);
+    const double size = structure_.size();
+    return (is_turning ? size : 1.0) / (is_couple(load) ? size : 1.0);
 }
 
 // Loads on the path may do what the dislocation cannot: a couple spins a node that hinges leave free in part.

@@ -56,7 +56,8 @@ double effect_in(const MovingEffect& effect, const CaseResult& result);
 /// Method    Mueller-Breslau: the line is the displacement of the path along the load, where the structure is loaded by
 ///           nothing but a unit dislocation (section force), a support moved by 1 against its reaction, or a unit force
 ///           (displacement). Where a constraint (inextensible, rigid) stands against such a motion, or nothing holds
-///           against it, the line is put together from unit loads on the path, as many as make it exact.
+///           against it, the line is put together from unit loads on the path, as many as make it exact; and where a
+///           member is very short beside the structure and such loads contradict the line.
 /// Accuracy  that of `analyse`; along the path closed forms, nothing is sampled
 /// Source    [Kassimali, ch. 8-9]
 /// Reference courseware/reference/moving-loads.md
@@ -92,6 +93,7 @@ private:
     void note(const std::vector<Fault>& warnings);
     void require_undriven(const PathLayout& path, const NodeVector& load);
     bool is_direct(const MovingEffect& effect) const;
+    double unit_effect(const MovingEffect& effect, const NodeVector& load) const;
     double place(const MovingEffect& effect) const; ///< along the member
     Adjoint adjoint(const MovingEffect& effect) const;
     std::vector<InfluenceLine> adjoint_lines(const PathLayout& path, const NodeVector& load,
@@ -106,6 +108,7 @@ private:
     Model model_;
     LinearStatic analysis_;
     Discretisation structure_;
+    bool loses_digits_;
     std::vector<Fault> warnings_;
     std::vector<MemberId> undriven_path_; ///< the last one that was looked at, with its load
     NodeVector undriven_load_{};

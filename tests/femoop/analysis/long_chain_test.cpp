@@ -1,8 +1,11 @@
 // Chains of thousands of members, which doubles alone get wrong: the same closed forms hold as for one member.
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <random>
+#include <vector>
 
 #include "femoop/analysis/linear_static.h"
 #include "femoop/solver/solver_kind.h"
@@ -285,6 +288,112 @@ TEST_SUITE("long chains")
             CHECK(result.reaction(NodeId(0))[5] == close_to(-P * L));
             CHECK(result.displacement(last(model))[1] == close_to(P * L * L * L / (3.0 * EI)));
         }
+    }
+
+    TEST_CASE("A support that settles beside a very short member is resisted by 12 E I d / L^3, or it is refused")
+    {
+        const double L = 8.0, d = 0.01;
+        for (const double first : {1e-3, 1e-5, 1e-7, 1e-8, 1e-9, 1e-11}) {
+            CAPTURE(first);
+            Model model = row(AnalysisKind::Frame2d, 1, first);
+            add_leg(model, {L, 0.0, 0.0}, 1);
+            model.nodes[2].support = Support{.kind = SupportKind::Fixed};
+            model.load_cases[0].settlements.push_back(
+                {.node = NodeId(0), .components = {{.dof = Dof::uy, .value = -d}}});
+            try {
+                const Results results = analyse(model);
+                const CaseResult result = results[CaseId(0)];
+                const double exact = 12.0 * EI * d / (L * L * L), close = results.warnings().empty() ? 1e-6 : 1e-2;
+                CHECK(result.reaction(NodeId(0))[1] == doctest::Approx(-exact).epsilon(close));
+                CHECK(result.reaction(NodeId(0))[5] == doctest::Approx(-0.5 * exact * L).epsilon(close));
+                CHECK(result.reaction(NodeId(2))[1] == doctest::Approx(exact).epsilon(close));
+            } catch (const ModelError& error) {
+                CHECK(first < 1e-7);
+                CHECK(error.faults().front().kind == FaultKind::IllConditionedCase);
+            }
+        }
+    }
+
+    TEST_CASE("A settlement that drowns the loads in a beam of enormous stiffness is refused, or its sums balance")
+    {
+        for (const double stiffer : {1.0, 1e10, 1e20, 1e30, 1e60}) {
+            CAPTURE(stiffer);
+            Model model = row(AnalysisKind::Frame2d, 1, 4.0);
+            model.sections[0].Iz = I * stiffer;
+            add_leg(model, {9.0, 0.0, 0.0}, 1);
+            model.nodes[0].support = Support{.kind = SupportKind::Pin};
+            model.nodes[2].support = Support{.fixed = DofSet({Dof::uy}), .springs = {{Dof::rz, 100.0}}};
+            model.load_cases[0].settlements.push_back(
+                {.node = NodeId(0), .components = {{.dof = Dof::uy, .value = 0.001}}});
+            for (const double load : {-3.0, 0.0}) {
+                model.load_cases[0].nodes.clear();
+                if (load != 0.0) pull(model, NodeId(1), Dof::uy, load);
+                try {
+                    const Equilibrium sums = analyse(model)[CaseId(0)].equilibrium();
+                    CHECK(std::abs(sums.sum_reactions[1] + load) < 1e-6);
+                    CHECK(stiffer < 1e29);
+                } catch (const ModelError& error) {
+                    CHECK(stiffer > 1e11);
+                    CHECK(error.faults().front().kind == FaultKind::IllConditionedCase);
+                }
+            }
+        }
+    }
+
+    TEST_CASE("Heat bends a simple beam of 3 000 members of unlike lengths by alpha dT L^2 / 8 h")
+    {
+        const double L = 100.0, dT = 20.0;
+        Model model = empty(AnalysisKind::Frame2d);
+        model.add(Node{.id = "N0", .at = {0.0, 0.0, 0.0}, .support = Support{.kind = SupportKind::Pin}});
+        std::vector<double> places{0.5 * L, L};
+        for (int i = 1; i < 3000; ++i) places.push_back(L * std::fmod(0.6180339887498949 * i * i, 1.0));
+        std::ranges::sort(places);
+        NodeId middle(0);
+        for (const double x : places) {
+            const NodeId node = add_leg(model, {x, 0.0, 0.0}, 1);
+            if (x == 0.5 * L) middle = node;
+        }
+        model.nodes.back().support = Support{.kind = SupportKind::Roller};
+        for (std::size_t i = 0; i < model.members.size(); ++i)
+            model.load_cases[0].members.push_back({MemberId(i), TemperatureLoad{.top = 0.0, .bottom = dT}});
+        CHECK(analyse(model)[CaseId(0)].displacement(middle)[1] ==
+              doctest::Approx(-alpha * dT * L * L / (8.0 * h)).epsilon(1e-8));
+    }
+
+    TEST_CASE(
+        "A row of rigid members of very unlike lengths on springs is held by them, or refused: never by no number")
+    {
+        const double L = 100.0, q = -2.0;
+        Model model = empty(AnalysisKind::Frame2d);
+        Support sprung = held({Dof::ux});
+        sprung.springs = {{Dof::uy, 100.0}};
+        model.add(Node{.id = "N0", .at = {0.0, 0.0, 0.0}, .support = sprung});
+        std::mt19937 dice(5);
+        std::vector<double> places{L};
+        for (int i = 1; i < 3000; ++i) places.push_back(L * std::ldexp(static_cast<double>(dice()), -32));
+        std::ranges::sort(places);
+        for (const double x : places) add_leg(model, {x, 0.0, 0.0}, 1, {.rigid = true});
+        model.nodes.back().support = Support{.springs = {{Dof::uy, 10.0}}};
+        for (std::size_t i = 0; i < model.members.size(); ++i)
+            model.load_cases[0].members.push_back(
+                {MemberId(i), DistributedLoad{.values = {{.dof = Dof::uy, .start = q}}}});
+        try {
+            const CaseResult result = analyse(model)[CaseId(0)];
+            CHECK(result.reaction(NodeId(0))[1] == doctest::Approx(-0.5 * q * L).epsilon(1e-6));
+        } catch (const ModelError& error) {
+            CHECK(error.faults().front().kind == FaultKind::IllConditionedCase);
+        }
+    }
+
+    TEST_CASE("Heat in a row of 10 000 members held at both ends leaves no residual beside their force")
+    {
+        Model model = row(AnalysisKind::Frame2d, 10000, 100.0);
+        model.nodes.back().support = Support{.kind = SupportKind::Fixed};
+        for (std::size_t i = 0; i < model.members.size(); ++i)
+            model.load_cases[0].members.push_back({MemberId(i), TemperatureLoad{.top = 10.0, .bottom = 30.0}});
+        const CaseResult result = analyse(model)[CaseId(0)];
+        CHECK(result.reaction(NodeId(0))[0] == doctest::Approx(E * A * alpha * 20.0).epsilon(1e-8));
+        CHECK(result.equilibrium().residual < 1e-9);
     }
 
     TEST_CASE("A member of 0.1 mm at the middle of a beam of 8 m bends it by P L^3 / 48 E I, and nothing is warned of")

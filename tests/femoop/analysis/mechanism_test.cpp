@@ -715,6 +715,32 @@ TEST_SUITE("mechanisms")
         CHECK(result.equilibrium().sum_reactions[1] == doctest::Approx(-0.5 * P));
     }
 
+    TEST_CASE("What rounding leaves of a load about a chain's axis does not spin it, however its section is turned")
+    {
+        Model model = frame({{0, 0}, {0, 3}, {0, 6}}, {{0, 1}, {1, 2}}); // rises square to x
+        model.analysis = AnalysisKind::Frame3d;
+        model.sections[0].Iy = 0.7e-4;
+        model.sections[0].J = 0.3e-4;
+        for (Node& node : model.nodes) node.at[2] = node.at[1] / 1.5;
+        for (Member& member : model.members) member.up = {0.31, 0.17, 0.9};
+        for (const std::size_t end : {0U, 2U}) hold(model, end, SupportKind::Pin);
+        model.nodes[2].hinge = true;
+        DistributedLoad weight{.values = {{.dof = Dof::uz, .start = -11.28}}};
+        model.load_cases[0].members.push_back({.member = MemberId(0), .load = weight});
+        CHECK(mechanisms(model).empty());
+    }
+
+    TEST_CASE("Moments on an idle joint that sum up to nothing do not turn it")
+    {
+        Model model = frame({{0, 0}, {4, 0}, {9, 0}}, {{0, 1}, {1, 2}});
+        hold(model, 0, SupportKind::Fixed);
+        hold(model, 2, SupportKind::Fixed);
+        model.nodes[1].hinge = true;
+        for (const double moment : {0.1, 0.2, -0.3}) // leave 5.6e-17
+            model.load_cases[0].nodes.push_back({.node = NodeId(1), .components = {{.dof = Dof::rz, .value = moment}}});
+        CHECK(mechanisms(model).empty());
+    }
+
     TEST_CASE("A torque that spins a chain is a mechanism of all its nodes, two that twist it are none")
     {
         Model model = skew_chain(2.5);

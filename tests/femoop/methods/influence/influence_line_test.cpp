@@ -218,3 +218,36 @@ TEST_CASE("A dozen lines are found at once as one by one")
         CHECK(together[i].ordinates.value(7.7) == doctest::Approx(alone.ordinates.value(7.7)));
     }
 }
+
+TEST_CASE("The lines of a cantilever of a thousand members, or with one of a millimetre, are those of one member")
+{
+    std::vector<double> thousand, millimetre{0.0, 3.33, 3.331, 10.0};
+    for (int i = 0; i <= 1000; ++i) thousand.push_back(0.01 * i);
+    for (const std::vector<double>& places : {thousand, millimetre})
+        for (const double slope : {0.0, 0.75}) {
+            CAPTURE(places.size());
+            CAPTURE(slope);
+            FrameMaker made;
+            for (std::size_t i = 0; i < places.size(); ++i) {
+                made.node(std::to_string(i), places[i], slope * places[i]);
+                if (i > 0) made.member(std::to_string(i - 1), std::to_string(i), "-");
+            }
+            made.model.nodes[0].support = Support{.kind = SupportKind::Fixed};
+            const std::size_t m = places.size() > 4 ? 333 : 1;
+            const std::string member = std::to_string(m) + "-" + std::to_string(m + 1);
+            InfluenceAnalysis analysis(made.model);
+            const PathLayout path = lay_out(made.model, all_members(made.model));
+            const std::vector<MovingEffect> effects{force(made.model, member, MemberComponent::Mz, 0.0),
+                                                    force(made.model, member, MemberComponent::Vy, 0.0)};
+            const auto lines = analysis.lines(path, unit_load(made.model.analysis, {}), effects);
+            const double s = std::hypot(1.0, slope);
+            const PiecewiseLine &M = lines[0].ordinates, &V = lines[1].ordinates;
+            CHECK(M.value(10.0 * s) == doctest::Approx(-6.67).epsilon(1e-9));
+            CHECK(M.value(5.0 * s) == doctest::Approx(-1.67).epsilon(1e-9));
+            CHECK(std::abs(M.value(2.0 * s)) < 1e-9);
+            CHECK(V.value(10.0 * s) == doctest::Approx(1.0 / s).epsilon(1e-9));
+            CHECK(V.value(4.0 * s) == doctest::Approx(1.0 / s).epsilon(1e-9));
+            CHECK(std::abs(V.value(2.0 * s)) < 1e-9);
+            CHECK(analysis.warnings().empty());
+        }
+}
