@@ -37,7 +37,8 @@ bool MemberTool::ends_at(const Aim& at) const
 // Where the hand was, whatever the places were drawn to: the first to the grid, the second to the member that came.
 bool MemberTool::is_clicked_again(const Aim& at) const
 {
-    if (!click_ || at.is_dragged_from(*click_)) return false;
+    constexpr double reach = 2.0 * ui::click_reach; // two clicks lie farther apart than a press and its release
+    if (!click_ || distance(at.on_sheet, click_->on_sheet) > reach) return false;
     return distance(at.projection(*start_), click_->projection(*start_)) <= ui::click_reach; // the picture has rested
 }
 
