@@ -202,7 +202,8 @@ float status_height() { return ImGui::GetFrameHeight(); }
 void begin_status_bar()
 {
     begin_foot(status_height(), ImGuiCol_MenuBarBg);
-    ImGui::Begin("###status", nullptr, fixed_panel | ImGuiWindowFlags_NoScrollbar);
+    ImGui::Begin("###status", nullptr,
+                 fixed_panel | ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoFocusOnAppearing);
 }
 
 void end_status_bar() { end_foot(); }

@@ -28,6 +28,7 @@ struct BottomView {
     TableKind table = TableKind::Nodes; ///< where it is one
     BottomContent content = BottomContent::Table;
     std::optional<WantedCell> wanted{}; ///< until the panel has gone there
+    bool asks_for_keyboard = false;     ///< until the panel has it
 
     bool shows(BottomContent what) const { return is_open && content == what; }
 };

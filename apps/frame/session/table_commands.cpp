@@ -36,14 +36,13 @@ constexpr std::array table_entries{
     TableEntry{TableKind::ReactionEnvelope, "view.table.reaction_envelope"},
 };
 
-bool shows(const Workspace& workspace, TableKind kind)
-{
-    return workspace.bottom.shows(BottomContent::Table) && workspace.bottom.table == kind;
-}
-
 bool shows_member(const Workspace& workspace) { return workspace.bottom.shows(BottomContent::Member); }
 
-void show_table(Workspace& workspace, TableKind kind) { workspace.bottom = {!shows(workspace, kind), kind}; }
+// One that is shown already is chosen to be typed into.
+void show_table(Workspace& workspace, TableKind kind)
+{
+    workspace.bottom = {.is_open = true, .table = kind, .asks_for_keyboard = true};
+}
 
 // From the solver to the tables it is one key.
 void open_or_close(Workspace& workspace)

@@ -21,6 +21,7 @@ std::optional<Change> MemberTool::press(const Work&, const Aim& at)
         start_.reset();
         return std::nullopt;
     }
+    click_ = at;
     if (start_) return draw_to(place, at.crossings());
     start_ = place;
     press_ = at;
@@ -30,7 +31,15 @@ std::optional<Change> MemberTool::press(const Work&, const Aim& at)
 // The second click at one place ends the line; nobody means a member of a few pixels.
 bool MemberTool::ends_at(const Aim& at) const
 {
-    return start_ && (at.place() - *start_).norm() <= ui::click_reach * at.pixel;
+    return start_ && (is_clicked_again(at) || (at.place() - *start_).norm() <= ui::click_reach * at.pixel);
+}
+
+// Where the hand was, whatever the places were drawn to: the first to the grid, the second to the member that came.
+bool MemberTool::is_clicked_again(const Aim& at) const
+{
+    constexpr double reach = 2.0 * ui::click_reach; // two clicks lie farther apart than a press and its release
+    if (!click_ || distance(at.on_sheet, click_->on_sheet) > reach) return false;
+    return distance(at.projection(*start_), click_->projection(*start_)) <= ui::click_reach; // the picture has rested
 }
 
 std::optional<Change> MemberTool::move(const Work&, const Aim& to)
@@ -56,6 +65,7 @@ std::optional<Change> MemberTool::type(const Work& work, const Vector2d& place)
 
 std::optional<Change> MemberTool::type_in_space(const Work&, const Vector3d& place)
 {
+    click_.reset();
     if (start_ && *start_ != place) return draw_to(place, Crossings::Cut);
     start_ = place;
     return std::nullopt;

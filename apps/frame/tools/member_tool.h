@@ -21,11 +21,13 @@ public:
 
 private:
     bool ends_at(const Aim& at) const;
+    bool is_clicked_again(const Aim& at) const;
     std::optional<Change> draw_to(const Eigen::Vector3d& place, femoop::Crossings crossings);
 
     std::optional<Eigen::Vector3d> start_;
     Eigen::Vector3d pointer_ = Eigen::Vector3d::Zero();
     std::optional<Aim> press_; ///< that began the line and is still held
+    std::optional<Aim> click_; ///< that the line goes on from, where its place was not typed
 };
 
 } // namespace frame

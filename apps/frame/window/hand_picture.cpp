@@ -103,10 +103,11 @@ public:
     /// Its length beside its end, and in the plane its angle.
     void line(const Eigen::Vector3d& start, const Eigen::Vector3d& end, bool is_in_space)
     {
+        constexpr double least = 0.5; // [px]; the pointer drawn to where the line begins differs from it by rounding
+        if (ui::distance(projection_(start), projection_(end)) < least) return;
         const ui::Stroke stroke{.color = theme_.stroke(Role::Selection).color, .width = 2.5, .dash = {8.0, 5.0}};
         painter_.line(projection_(start), projection_(end), stroke);
         const Eigen::Vector3d arm = end - start;
-        if (arm.norm() == 0.0) return;
         std::string text = units_.text(arm.norm(), ui::Measure::Length);
         if (!is_in_space)
             text += "   " + with_minus(ui::number_text(direction_of(arm.head<2>()), units_.format())) + "°";

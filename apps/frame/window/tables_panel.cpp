@@ -92,11 +92,12 @@ void TablesPanel::follow_selection(const Workspace& workspace)
 }
 
 // What is opened has the keyboard, though the click on a menu took it away.
-void TablesPanel::grab_keyboard_if_opened(const Workspace& workspace)
+void TablesPanel::grab_keyboard_if_opened(Workspace& workspace)
 {
     const std::pair now{workspace.bottom.content, workspace.bottom.table};
     const bool is_other = std::exchange(shown_, now) != now;
-    if (!std::exchange(was_open_, true) || is_other) has_keyboard_ = true;
+    const bool is_asked = std::exchange(workspace.bottom.asks_for_keyboard, false);
+    if (!std::exchange(was_open_, true) || is_other || is_asked) has_keyboard_ = true;
 }
 
 void TablesPanel::go_to_wanted(Workspace& workspace)

@@ -45,7 +45,7 @@ public:
 private:
     void follow(const Workspace& workspace);
     void follow_selection(const Workspace& workspace);
-    void grab_keyboard_if_opened(const Workspace& workspace);
+    void grab_keyboard_if_opened(Workspace& workspace);
     void go_to_wanted(Workspace& workspace);
     void show_splitter(float room);
     void show_tabs(Workspace& workspace);
