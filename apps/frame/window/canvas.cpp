@@ -3,9 +3,11 @@
 #include <imgui.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <functional>
 #include <optional>
+#include <string>
 #include <utility>
 #include <variant>
 
@@ -23,6 +25,7 @@
 #include "apps/frame/window/banner.h"
 #include "apps/frame/window/blank_picture.h"
 #include "apps/frame/window/hand_picture.h"
+#include "ui/paint/wrapped_lines.h"
 
 namespace frame {
 
@@ -414,10 +417,15 @@ void draw_invitation(ui::Painter& painter, const DrawOptions& options)
     const ui::Theme theme(options.theme);
     ui::TextStyle style = theme.text(ui::Role::FaintLabel);
     style.size = theme.type().large;
-    const ui::Point middle = 0.5 * painter.sheet().max;
-    painter.text(middle, options.tr("M draws members, N nodes, S supports, L loads."), style);
-    painter.text(middle + ui::Point{0.0, 1.6 * style.size}, options.tr("Ctrl+O opens a file, Ctrl+K finds a command."),
-                 style);
+    ui::Point at = 0.5 * painter.sheet().max;
+    const std::array sentences{options.tr("M draws members, N nodes, S supports, L loads."),
+                               options.tr("Ctrl+O opens a file, Ctrl+K finds a command.")};
+    const double width = painter.size().width - 2.0 * style.size;
+    for (const std::string& sentence : sentences)
+        for (const std::string& line : ui::wrapped_lines(painter.fonts(), sentence, style, width)) {
+            painter.text(at, line, style);
+            at.y += 1.6 * style.size;
+        }
 }
 
 } // namespace
