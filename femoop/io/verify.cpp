@@ -4,7 +4,6 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <map>
 #include <stdexcept>
 #include <string_view>
 #include <utility>
@@ -15,6 +14,7 @@
 #include "femoop/io/train/train_check.h"
 #include "femoop/load/place_along.h"
 #include "femoop/model/quantity/number_text.h"
+#include "femoop/result/case_magnitudes.h"
 #include "femoop/result/magnitudes.h"
 
 namespace femoop {
@@ -113,25 +113,7 @@ double result_of(const Expected& check, const CaseResult& result)
     throw std::logic_error("verify: not a result of the linear analysis");
 }
 
-/// The results of a model, and how large those of each case are that is asked for.
-class Sizes {
-public:
-    explicit Sizes(const Results& results) : results_(results) {}
-
-    const Magnitudes& operator[](CaseId id)
-    {
-        const auto found = known_.find(id.index);
-        return found != known_.end() ? found->second
-                                     : known_.emplace(id.index, results_[id].magnitudes()).first->second;
-    }
-    const Results& results() const { return results_; }
-
-private:
-    const Results& results_;
-    std::map<std::size_t, Magnitudes> known_;
-};
-
-CheckOutcome verify_one(const Model& model, Sizes* sizes, const Expected& check, const Translator& tr)
+CheckOutcome verify_one(const Model& model, CaseMagnitudes* sizes, const Expected& check, const Translator& tr)
 {
     const std::string what = describe_check(model, check, tr);
     const double tolerance = std::max(check.atol ? check.atol->value() : 0.0,
@@ -182,7 +164,7 @@ bool needs_linear_analysis(const Model& model)
 std::vector<CheckOutcome> verify(const Model& model, const std::optional<Results>& results, const Translator& tr)
 {
     std::vector<CheckOutcome> outcomes;
-    std::optional<Sizes> sizes;
+    std::optional<CaseMagnitudes> sizes;
     if (results) sizes.emplace(*results);
     for (const Expected& check : model.expected)
         outcomes.push_back(verify_one(model, sizes ? &*sizes : nullptr, check, tr));

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "ui/canvas/click.h"
+#include "ui/paint/wrapped_lines.h"
 
 namespace ui {
 
@@ -73,12 +74,12 @@ void draw_invitation(Painter& painter, const Theme& theme, const std::vector<std
     TextStyle style = theme.text(Role::FaintLabel);
     style.size = theme.type().large;
     const double room = 0.94 * painter.sheet().width();
-    for (const std::string& line : lines) style.size *= std::min(1.0, room / painter.measure(line, style).width);
     Point at = 0.5 * painter.sheet().max;
-    for (const std::string& line : lines) {
-        painter.text(at, line, style);
-        at = at + Point{0.0, 1.6 * style.size};
-    }
+    for (const std::string& line : lines)
+        for (const std::string& part : wrapped_lines(painter.fonts(), line, style, room)) {
+            painter.text(at, part, style);
+            at = at + Point{0.0, 1.6 * style.size};
+        }
 }
 
 } // namespace ui

@@ -91,7 +91,7 @@ private:
     ImVec2 corner_pixel_{}, room_{}; ///< [pixels of the window]
 };
 
-/// How to begin, in the middle of an empty sheet; smaller where there is no room.
+/// How to begin, in the middle of an empty sheet, in more lines where it is narrow.
 void draw_invitation(Painter& painter, const Theme& theme, const std::vector<std::string>& lines);
 
 } // namespace ui

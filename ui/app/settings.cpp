@@ -79,7 +79,9 @@ Settings settings_of(std::string_view text)
 Settings read_settings(const std::filesystem::path& file)
 {
     std::ifstream stream(file, std::ios::binary);
-    return settings_of(std::string{std::istreambuf_iterator<char>(stream), {}});
+    std::ostringstream text;
+    text << stream.rdbuf(); // what cannot be read on, such as a folder's name, is no reason not to begin
+    return settings_of(text.str());
 }
 
 } // namespace ui

@@ -16,7 +16,7 @@ void CommandPalette::open()
 bool CommandPalette::begin(const Catalogue& tr, std::size_t n_found)
 {
     const ImGuiViewport& viewport = *ImGui::GetMainViewport();
-    const float width = std::min(0.5F * viewport.WorkSize.x, 40.0F * ImGui::GetFontSize());
+    const float width = std::min(0.9F * viewport.WorkSize.x, 40.0F * ImGui::GetFontSize()); // name and keys of a line
     const ImVec2 top(viewport.WorkPos.x + 0.5F * viewport.WorkSize.x, viewport.WorkPos.y + 0.1F * viewport.WorkSize.y);
     ImGui::SetNextWindowPos(top, ImGuiCond_Always, {0.5F, 0.0F});
     ImGui::SetNextWindowSize({width, 0.0F});

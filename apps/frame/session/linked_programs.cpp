@@ -1,15 +1,18 @@
 #include "apps/frame/session/linked_programs.h"
 
 #include <algorithm>
+#include <set>
 #include <utility>
 #include <variant>
 
 #include "apps/cross/document/file.h"
+#include "apps/frame/document/fault/place.h"
 #include "apps/frame/session/other_programs.h"
 #include "apps/mohr/document/file.h"
 #include "femoop/edit/excerpt.h"
 #include "femoop/edit/moving_load_change.h"
 #include "femoop/io/model_file.h"
+#include "femoop/model/check/check.h"
 
 namespace frame {
 
@@ -81,6 +84,20 @@ std::vector<femoop::Expected> carried(const std::vector<femoop::Expected>& expec
     return found;
 }
 
+/// What is expected where nothing of the kind is left, such as a reaction of a support that is gone.
+void erase_what_lost_its_place(femoop::Model& model)
+{
+    std::set<std::size_t> lost;
+    for (const femoop::Fault& fault : femoop::check(model)) {
+        const std::optional<FaultPlace> place = place_of(fault);
+        const bool is_error = femoop::severity(fault.kind) == femoop::Severity::Error;
+        if (is_error && place && place->steps.front().key == "expected" && place->steps.front().index)
+            lost.insert(*place->steps.front().index);
+    }
+    std::size_t i = 0;
+    std::erase_if(model.expected, [&](const femoop::Expected&) { return lost.contains(i++); });
+}
+
 /// What was not handed over stays as it is here.
 void keep_what_is_beside(femoop::Model& next, const femoop::Model& now)
 {
@@ -89,6 +106,7 @@ void keep_what_is_beside(femoop::Model& next, const femoop::Model& now)
     next.expected = carried(now.expected, now, next);
     next.moving_loads = femoop::carried_over(now, next);
     next.extra = now.extra;
+    erase_what_lost_its_place(next);
 }
 
 /// Faulty cases were handed over empty, so they keep what they have.

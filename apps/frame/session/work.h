@@ -5,11 +5,17 @@
 
 namespace frame {
 
-/// What the tool in the hand works on.
-inline Work work_of(Session& session)
+/// What a tool works on in a document of the session's.
+inline Work work_on(const Document& document, Session& session)
 {
     Prediction* const sketched = session.hidden && session.solution().results ? &session.prediction : nullptr;
-    return {session.history().settled(), session.selection, sketched, &session.influence, session.units()};
+    return {document, session.selection, sketched, &session.influence, session.units()};
 }
+
+/// What the tool in the hand works on: its own gesture counts from what was there before.
+inline Work work_of(Session& session) { return work_on(session.history().settled(), session); }
+
+/// What it points at before it is pressed: what is seen, such as a typical structure that is not inserted yet.
+inline Work work_seen(Session& session) { return work_on(session.document(), session); }
 
 } // namespace frame

@@ -141,7 +141,7 @@ void aim_in_space(Aim& aim, const femoop::Model& model, const ToolController& to
 
 double grid_of(const Projection& projection) { return round_grid(grid_spacing / projection.scale()); }
 
-Aim aim_at(const Session& session, const ToolController& tool_controller, const Projection& projection,
+Aim aim_at(const Document& document, const ToolController& tool_controller, const Projection& projection,
            const Pointer& pointer, const Pick& under, const Grips& grips)
 {
     Aim aim;
@@ -159,7 +159,6 @@ Aim aim_at(const Session& session, const ToolController& tool_controller, const 
         aim.grip = grip_at(projection, pointer.at, grips.loads);
         aim.cut.reset(); // what is read at a distance is not touched
     }
-    const Document& document = session.history().settled();
     aim.pointer = place_in_plane(projection, pointer.at).value_or(Vector2d::Zero());
     if (femoop::is_3d(document.model.analysis)) {
         aim_in_space(aim, document.model, tool_controller);

@@ -4,8 +4,8 @@
 #include "apps/drawing/geometry/structure_shape.h"
 #include "apps/drawing/pick.h"
 #include "apps/drawing/sketch/sketch.h"
+#include "apps/frame/document/document.h"
 #include "apps/frame/document/drawing_names.h"
-#include "apps/frame/session/session.h"
 #include "apps/frame/tools/tool_controller.h"
 
 namespace frame {
@@ -25,9 +25,9 @@ struct Pointer {
 std::optional<Eigen::Vector3d> place_in_working_plane(const Projection& projection, const WorkingPlane& plane,
                                                       ui::Point at);
 
-/// What the tool in the hand is told of the pointer. Places are drawn to the model as it was before the gesture that is
-/// under way.
-Aim aim_at(const Session& session, const ToolController& tool_controller, const Projection& projection,
+/// What the tool in the hand is told of the pointer. Places are drawn to the document that it works on.
+/// \pre what is under the pointer is in that document
+Aim aim_at(const Document& document, const ToolController& tool_controller, const Projection& projection,
            const Pointer& pointer, const Pick& under, const Grips& grips);
 
 /// The distance of the grid's lines at this scale, where none was typed [length].

@@ -3,9 +3,11 @@
 #include <imgui.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <functional>
 #include <optional>
+#include <string>
 #include <utility>
 #include <variant>
 
@@ -259,7 +261,8 @@ void Canvas::follow(Workspace& workspace, const Pointer& pointer)
     if (under.cut) under.cut = snapped(session, shape_, *under.cut, pixels_along(projection, *under.cut));
     const bool asks_for_menu = ImGui::IsMouseReleased(ImGuiMouseButton_Right) && !is_moving_view();
     move_camera(session);
-    const Aim aim = aim_at(session, workspace.tool_controller, projection, pointer, under, drawn_.grips);
+    const Aim aim = aim_at(work_in_hand(session).document, workspace.tool_controller, projection, pointer, under,
+                           drawn_.grips);
     workspace.tool_controller.point_at(aim);
     if (asks_for_menu) ask_for_menu(workspace, aim);
     if (is_moving_view()) return;
@@ -276,6 +279,9 @@ void Canvas::follow(Workspace& workspace, const Pointer& pointer)
     if (const auto member = workspace.tool_controller.tool().preview().member)
         session.draw_state.hover.members = {*member};
 }
+
+// A stroke goes on from what was there before it; until one begins the hand points at what is seen.
+Work Canvas::work_in_hand(Session& session) const { return is_working_ ? work_of(session) : work_seen(session); }
 
 // A right click that was no drag: the menu of what lies there, and of what is selected together with it.
 void Canvas::ask_for_menu(Workspace& workspace, const Aim& aim)
@@ -319,7 +325,7 @@ void Canvas::work(Workspace& workspace, const Aim& aim, const Pick& under)
     const bool turns = is_seen_in_space(workspace.session.model().analysis) && !is_window && !is_working_;
     if (turns) return click_in_space(workspace, aim, under);
     if (is_pressed()) press(workspace, aim);
-    carry_out(workspace.session, workspace.tool_controller.tool().move(work_of(workspace.session), aim));
+    carry_out(workspace.session, workspace.tool_controller.tool().move(work_in_hand(workspace.session), aim));
     if (is_working_ && !ImGui::IsMouseDown(ImGuiMouseButton_Left)) release(workspace, aim, under);
 }
 
@@ -361,7 +367,7 @@ void Canvas::release(Workspace& workspace, const Aim& aim, const Pick& under)
 void Canvas::click_in_space(Workspace& workspace, const Aim& aim, const Pick& under)
 {
     if (workspace.tool_controller.can_type())
-        carry_out(workspace.session, workspace.tool_controller.tool().move(work_of(workspace.session), aim));
+        carry_out(workspace.session, workspace.tool_controller.tool().move(work_in_hand(workspace.session), aim));
     if (!ImGui::IsMouseReleased(ImGuiMouseButton_Left)) return;
     press(workspace, aim);
     release(workspace, aim, under);

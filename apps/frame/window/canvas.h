@@ -45,6 +45,7 @@ public:
 
 private:
     void follow(Workspace& workspace, const Pointer& pointer);
+    Work work_in_hand(Session& session) const;
     void work(Workspace& workspace, const Aim& aim, const Pick& under);
     void press(Workspace& workspace, const Aim& aim);
     static void ask_at_diagram(Workspace& workspace, Aim aim);

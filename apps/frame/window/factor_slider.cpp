@@ -40,10 +40,12 @@ bool is_over(const ImVec2& least, const ImVec2& most)
     return ImGui::IsWindowHovered() && ImGui::IsMouseHoveringRect(least, most);
 }
 
+bool is_double_click() { return ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left); }
+
 Gesture gesture(const SliderCorners& rows)
 {
     if (!is_over(rows.name, rows.end) || !ImGui::IsMouseClicked(ImGuiMouseButton_Left)) return Gesture::None;
-    if (ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left)) return Gesture::Reset;
+    if (is_double_click()) return Gesture::Reset;
     const bool is_on_number = is_over(rows.number, {rows.end.x, rows.slider.y});
     const bool is_on_slider = is_over(rows.slider, rows.end);
     return is_on_number || (is_on_slider && ImGui::GetIO().KeyCtrl) ? Gesture::Type : Gesture::None;
@@ -74,19 +76,24 @@ std::optional<double> factor_typed(std::string_view text)
     return ui::number_typed(text);
 }
 
-void type(const FactorSlider& slider, const FactorLook& look, double& factor)
+std::string refusal(std::string_view text, const FactorSlider& slider, const FactorLook& look)
 {
     const auto number = [&](double x) { return ui::number_text(x, {exact_digits, look.format.mark}); };
+    const std::string least = number(slider.least_typed), most = number(slider.most_typed);
+    if (text.find_first_not_of(' ') == std::string_view::npos)
+        return look.tr("wanted a factor above zero, from {least} to {most}", {{"least", least}, {"most", most}});
+    return look.tr("found {text}, wanted a factor above zero, from {least} to {most}",
+                   {{"text", std::string(text)}, {"least", least}, {"most", most}});
+}
+
+void type(const FactorSlider& slider, const FactorLook& look, double& factor)
+{
     const ui::NumberFieldEvent event = look.fields.show(slider.id,
                                                         {.text = "", .exact_text = "", .value = factor, .width = 0.0F});
     if (event.kind != Kind::Typed) return;
     const auto typed = factor_typed(event.text);
     if (typed && *typed >= slider.least_typed && *typed <= slider.most_typed) factor = *typed;
-    else
-        look.fields.reject(event, look.tr("found {text}, wanted a factor above zero, from {least} to {most}",
-                                          {{"text", event.text},
-                                           {"least", number(slider.least_typed)},
-                                           {"most", number(slider.most_typed)}}));
+    else look.fields.reject(event, refusal(event.text, slider, look));
 }
 
 } // namespace
@@ -96,6 +103,8 @@ bool show(const FactorSlider& slider, const FactorLook& look, double& factor)
     const SliderCorners rows = write_name(slider.name, "× " + ui::number_text(factor, look.format));
     if (look.fields.is_open(slider.id)) {
         type(slider, look, factor);
+        // The first click on the number has opened the field.
+        if (is_double_click() && is_over(rows.name, {rows.end.x, rows.slider.y})) factor = slider.usual;
         return false;
     }
     const Gesture pressed = gesture(rows);

@@ -13,7 +13,8 @@ namespace femoop {
 inline constexpr std::size_t usual_n_stations = 21;
 
 /// A table as comma-separated values (RFC 4180): the first line names the columns with their units, "ux [m]";
-/// decimal points; numbers are the shortest that read back as the same double.
+/// decimal points; numbers are the shortest that read back as the same double, and what is nothing but rounding beside
+/// the other numbers of its case is 0 (magnitudes.h).
 struct CsvFile {
     std::string name; ///< "displacements.csv"
     std::string text;

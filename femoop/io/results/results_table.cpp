@@ -10,6 +10,7 @@
 #include "femoop/model/quantity/dimension.h"
 #include "femoop/model/quantity/number_text.h"
 #include "femoop/model/quantity/unit_signs.h"
+#include "femoop/result/case_magnitudes.h"
 #include "femoop/result/components.h"
 #include "femoop/result/envelope.h"
 #include "femoop/result/structure_words.h"
@@ -191,14 +192,6 @@ std::string sign_legend(AnalysisKind kind, const Translator& tr)
     return tr("N is positive in tension, M when it stretches the -y' fibre; V = dM/dx");
 }
 
-/// The largest distance of a node from the origin.
-double reach(const Model& model)
-{
-    double most = 0.0;
-    for (const Node& node : model.nodes) most = std::max(most, std::hypot(node.at[0], node.at[1], node.at[2]));
-    return most;
-}
-
 std::string equilibrium_text(const Model& model, const Equilibrium& equilibrium, const Magnitudes& most,
                              const Translator& tr)
 {
@@ -208,9 +201,9 @@ std::string equilibrium_text(const Model& model, const Equilibrium& equilibrium,
 
     tabular::Table table(headers);
     std::vector<tabular::Cell> loads{tr("loads")}, reactions{tr("reactions")}, sums{tr("sum")};
-    const double moment = std::max(most.moment, most.force * reach(model)); // about the origin
+    const Magnitudes largest = of_sums(most, model);
     for (const Dof dof : dofs) {
-        const double size = is_rotation(dof) ? moment : most.force;
+        const double size = largest.force_of(dof);
         const double load = equilibrium.sum_loads[index(dof)], reaction = equilibrium.sum_reactions[index(dof)];
         loads.emplace_back(without_rounding(load, size));
         reactions.emplace_back(without_rounding(reaction, size));

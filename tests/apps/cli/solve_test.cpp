@@ -265,7 +265,7 @@ TEST_CASE("--trace-solver draws the step: its words stand in the SVG as text, in
     const Run run = cremona({"solve", "examples/storey_frame.json", "--trace-solver", "--ordering", "nested-dissection",
                              "--step", "24", "--size", "1000x700", "--lang", "pt", "-o", folder.path("front.svg")});
     REQUIRE(run.status == 0);
-    CHECK(has(run.err, "escrito: "));
+    CHECK(has(run.err, "gravado: "));
     const std::string svg = folder.read("front.svg");
     for (const char* words : {"Frente 24 de 24, dissecção aninhada", "Árvore de eliminação", "864 de preenchimento"})
         CHECK_MESSAGE(has(svg, words), words);

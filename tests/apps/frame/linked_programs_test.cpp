@@ -230,6 +230,36 @@ TEST_SUITE("frame session")
         CHECK_FALSE(other.copy.offered());
     }
 
+    TEST_CASE("With a support that moment distribution has taken away go the reactions that were expected of it")
+    {
+        Workspace workspace = workspace_with_beam();
+        const auto reaction = [](std::size_t node) {
+            return femoop::Expected{.quantity = femoop::ExpectedQuantity::Reaction,
+                                    .load_case = femoop::CaseId(0),
+                                    .node = femoop::NodeId(node),
+                                    .dof = femoop::Dof::uy,
+                                    .value = femoop::Quantity(5.0)};
+        };
+        workspace.session.change({ui::Message("words"), [&](Document& document) {
+                                      document.model.expected = {reaction(2), reaction(1)};
+                                  }});
+        LinkedPrograms linked;
+        auto other = started<cross::Session>(workspace, linked, moment_distribution(workspace.session));
+        femoop::Model next = other.session.document().model;
+        next.nodes[2].support.reset();
+        next.expected.clear(); // as after every change by hand
+        other.session.change(next, ui::Message("support"));
+        exchange(workspace, linked, other);
+        REQUIRE_FALSE(linked.offering(workspace).empty());
+        linked.adopt(workspace);
+        const femoop::Model& now = workspace.session.model();
+        CHECK_FALSE(now.nodes[2].support);
+        CHECK(now.expected == std::vector{reaction(1)});
+        REQUIRE(workspace.session.notice);
+        CHECK(workspace.session.tr()(workspace.session.notice->sentence).find("were deleted with the parts") !=
+              std::string::npos);
+    }
+
     TEST_CASE("A faulty case keeps its loads when the structure of moment distribution is taken over")
     {
         Workspace workspace = workspace_with_beam();

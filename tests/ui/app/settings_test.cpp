@@ -41,4 +41,10 @@ TEST_SUITE("ui app")
         const Folder folder;
         CHECK(ui::read_settings(folder.path() / "settings") == Settings{});
     }
+
+    TEST_CASE("Where settings cannot be read there are none")
+    {
+        const Folder folder;
+        CHECK(ui::read_settings(folder.path()) == Settings{}); // a folder opens, and fails at the first byte
+    }
 }

@@ -199,8 +199,7 @@ TEST_CASE("A picture that cannot be written is told with the file and the reason
                                           {.background = ui::rgb(0xFFFFFF)});
     REQUIRE(reason);
     CHECK(ui::Catalogue()(*reason) == "a.svg was not written: No such file or directory");
-    CHECK(ui::Catalogue(ui::Language::Portuguese)(*reason) ==
-          "a.svg não foi gravado: o arquivo ou diretório não existe");
+    CHECK(ui::Catalogue(ui::Language::Portuguese)(*reason) == "a.svg não foi gravado: o arquivo ou a pasta não existe");
 }
 
 TEST_CASE("A PNG that cannot be written is an error that names the file")
