@@ -25,6 +25,18 @@ bool SideWindow::begin(bool is_open, const char* id, const std::string& title)
     return ImGui::BeginPopupModal((title + id).c_str(), nullptr, flags);
 }
 
+void SideWindow::begin_content()
+{
+    const float foot = ImGui::GetFrameHeightWithSpacing() + ImGui::GetStyle().ItemSpacing.y;
+    ImGui::BeginChild("###content", {0.0F, -foot});
+}
+
+void SideWindow::end_content()
+{
+    ImGui::EndChild();
+    ImGui::Separator();
+}
+
 void SideWindow::end(bool is_open)
 {
     if (!is_open) ImGui::CloseCurrentPopup();

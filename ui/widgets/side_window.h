@@ -10,6 +10,9 @@ class SideWindow {
 public:
     /// Whether it is there and its content is to be shown; then `end` must follow. \param id "###section"
     bool begin(bool is_open, const char* id, const std::string& title);
+    /// Around what stands above its buttons, which follow and rest at its foot.
+    static void begin_content();
+    static void end_content();
     /// Closes it where it is open no longer.
     void end(bool is_open);
 

@@ -25,6 +25,24 @@ void show_line(std::string_view line, float wrap_at)
     ImGui::TextUnformatted(shown.data(), shown.data() + shown.size());
 }
 
+// On the button that was drawn last, as Dear ImGui draws it on a list of its own.
+void draw_arrow_of_list()
+{
+    const ImVec2 padding = ImGui::GetStyle().FramePadding, least = ImGui::GetItemRectMin(),
+                 most = ImGui::GetItemRectMax();
+    const ImVec2 corner{most.x - ImGui::GetFrameHeight() + padding.y, 0.5F * (least.y + most.y - ImGui::GetFontSize())};
+    ImGui::RenderArrow(ImGui::GetWindowDrawList(), corner, ImGui::GetColorU32(ImGuiCol_Text), ImGuiDir_Down);
+}
+
+// The list that is opened next stands below what was drawn last, where the window has room for so many rows there.
+void put_below(std::size_t n_rows)
+{
+    const ImVec2 foot{ImGui::GetItemRectMin().x, ImGui::GetItemRectMax().y};
+    const float height = static_cast<float>(n_rows) * ImGui::GetTextLineHeightWithSpacing() +
+                         2.0F * ImGui::GetStyle().WindowPadding.y;
+    if (foot.y + height < ImGui::GetIO().DisplaySize.y) ImGui::SetNextWindowPos(foot, ImGuiCond_Appearing);
+}
+
 } // namespace
 
 void wrapped_text(std::string_view utf8, float wrap_at)
@@ -95,7 +113,7 @@ bool begin_wrapped_combo(std::string_view chosen, const std::vector<std::string>
     }
     float height = 0.0F;
     const auto lines = [&](std::string_view name) {
-        const std::string broken = in_lines(name, room - padding);
+        const std::string broken = in_lines(name, room - padding - ImGui::GetFrameHeight());
         height = std::max(height, ImGui::CalcTextSize(broken.c_str()).y + 2.0F * ImGui::GetStyle().FramePadding.y);
         return broken;
     };
@@ -106,6 +124,8 @@ bool begin_wrapped_combo(std::string_view chosen, const std::vector<std::string>
     if (ImGui::Button(shown.c_str(), {-1.0F, height})) ImGui::OpenPopup(list.c_str());
     ImGui::PopStyleVar();
     ImGui::PopStyleColor();
+    draw_arrow_of_list();
+    put_below(names.size());
     return ImGui::BeginPopup(list.c_str());
 }
 

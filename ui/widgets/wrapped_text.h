@@ -24,8 +24,8 @@ std::string label_beside_box(std::string_view name, std::string_view id);
 bool wrapped_button(std::string_view name, std::string_view id);
 
 /// A list that is as wide as its panel and shows the chosen name whole: one that is too long stands in lines, on a
-/// button that opens the list. It is as high as the longest of the names asks for, so that what stands below rests
-/// whichever is chosen. \returns whether the list is open; then `ImGui::EndCombo` ends it
+/// button with an arrow that opens the list below it. It is as high as the longest of the names asks for, so that what
+/// stands below rests whichever is chosen. \returns whether the list is open; then `ImGui::EndCombo` ends it
 bool begin_wrapped_combo(std::string_view chosen, const std::vector<std::string>& names, const char* id);
 
 /// What comes next stands beside what came last, in a new line where it has no room.

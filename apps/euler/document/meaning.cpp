@@ -45,12 +45,12 @@ std::string_view sentence(std::string_view word, const EulerCounts& before, cons
 {
     if (word == "kfmrh")
         return after.S < before.S
-                   ? translatable("Face {3} dies and becomes a ring of {2}: their two shells are joined, S - 1.")
+                   ? translatable("Face {3} dies and becomes a ring of {2}: their two shells are joined, S − 1.")
                    : translatable("Face {3} dies and becomes a ring of {2}: their one shell gets a handle, G + 1.");
     if (word == "mfkrh")
         return after.S > before.S
                    ? translatable("The ring at {3} bounds the new face {4}: nothing else held the two parts, S + 1.")
-                   : translatable("The ring at {3} bounds the new face {4}: its shell loses a handle, G - 1.");
+                   : translatable("The ring at {3} bounds the new face {4}: its shell loses a handle, G − 1.");
     const auto* found = std::find_if(meanings.begin(), meanings.end(),
                                      [&](const Meaning& m) { return m.word == word; });
     return found == meanings.end() ? std::string_view() : found->sentence;

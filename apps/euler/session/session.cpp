@@ -311,6 +311,7 @@ std::optional<ui::Message> Session::choose(const Choice& choice)
 {
     if (!pending_operator_ || pending_operator_->is_complete()) return translatable("nothing is asked for");
     if (auto reason = pending_operator_->choose(stepper_.runner(), choice)) return reason;
+    forget_passing_notice(); // of what was refused before
     fill_in_suggestions();
     return std::nullopt;
 }

@@ -67,7 +67,7 @@ void entity_panel(Session& session, ui::ImGuiSession& gui, const ui::Fonts& font
     int row = 0;
     for (const topology::Pointer& pointer : topology::pointers(solid, part.entity)) {
         ImGui::TableNextColumn();
-        ImGui::TextDisabled("%s", std::string(pointer.label).c_str());
+        ImGui::TextDisabled("%s", link_name(pointer.label, session.tr()).c_str());
         ImGui::TableNextColumn();
         const Part to{part.subject, pointer.to};
         const std::string words = ui::shortened(describe(session, to), most_letters);

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <string>
+#include <string_view>
 
 #include "ui/widgets/command_menu.h"
 #include "ui/widgets/wrapped_text.h"
@@ -97,10 +98,25 @@ void count_table(const StepReport& step, const ui::ImGuiSession& gui, const ui::
     ImGui::EndTable();
 }
 
+// No line of it ends within brackets, nor beside their factor 2.
+std::string with_whole_brackets(const std::string& formula)
+{
+    constexpr std::string_view no_break_space = "\u00a0";
+    std::string text;
+    bool is_within = false;
+    for (std::size_t i = 0; i < formula.size(); ++i) {
+        if (formula[i] == '(' || formula[i] == ')') is_within = formula[i] == '(';
+        const bool is_beside_factor = formula.substr(0, i).ends_with(" 2") || formula.substr(i + 1).starts_with("2 (");
+        if (formula[i] == ' ' && (is_within || is_beside_factor)) text += no_break_space;
+        else text += formula[i];
+    }
+    return text;
+}
+
 void show_formula(const EulerCounts& counts)
 {
-    ui::wrapped_text("V − E + F − (L − F) − 2 (S − G)");
-    ui::wrapped_text("= " + formula_text(counts));
+    ui::wrapped_text(with_whole_brackets("V − E + F − (L − F) − 2 (S − G)"));
+    ui::wrapped_text(with_whole_brackets("= " + formula_text(counts)));
 }
 
 const OperatorForm* form_of(const StepReport& step)
@@ -207,30 +223,50 @@ std::string caption_comment(const Session& session)
     return odd + (odd.empty() || why.empty() ? "" : " ") + why;
 }
 
-// What stands beside the six letters. \returns its height in a room so broad
-float height_beside_table(const StepReport& step, const std::string& meaning, const ui::ImGuiSession& gui, float room)
+float height_in_lines(const std::string& words, float room)
 {
-    const auto height = [room](const std::string& words) {
-        return ImGui::CalcTextSize(words.c_str(), nullptr, false, room).y;
-    };
-    const std::string formula = formula_text(step.after);
-    const float top = fits_large(formula, gui, room) ? gui.large()->FontSize : height(formula);
-    return top + ImGui::GetStyle().ItemSpacing.y + height(meaning);
+    return words.empty() ? 0.0F : ImGui::CalcTextSize(words.c_str(), nullptr, false, room).y;
 }
 
-// The same from step to step, so that the picture rests; a long comment makes it higher, and a small window.
-float caption_height(const Session& session, const std::string& comment, const ui::ImGuiSession& gui)
+// What stands in the caption, and how high it is.
+struct Caption {
+    std::string meaning, comment;
+    bool is_meaning_beside = true; // of the six letters; else below them, where it has the whole width
+    float height = 0.0F;
+};
+
+float height_of_table(const ui::ImGuiSession& gui)
+{
+    return 2.0F * (gui.large()->FontSize + 2.0F * ImGui::GetStyle().CellPadding.y);
+}
+
+// Of the formula beside the six letters, in a room so broad.
+float height_of_formula(const StepReport& step, const ui::ImGuiSession& gui, float room)
+{
+    const std::string formula = with_whole_brackets(formula_text(step.after));
+    return fits_large(formula, gui, room) ? gui.large()->FontSize : height_in_lines(formula, room);
+}
+
+// As high from step to step, so that the picture rests; a long comment makes it higher, and a small window.
+Caption caption_of(const Session& session, const ui::ImGuiSession& gui)
 {
     constexpr float usual_lines = 2.0F;
     const ImGuiStyle& style = ImGui::GetStyle();
     const StepReport* const step = session.report();
     const float room = ImGui::GetContentRegionAvail().x - 2.0F * style.WindowPadding.x;
-    const float lines = ImGui::CalcTextSize(comment.c_str(), nullptr, false, room).y;
-    float rows = 2.0F * (gui.large()->FontSize + 2.0F * style.CellPadding.y);
-    if (step != nullptr)
-        rows = std::max(rows, height_beside_table(*step, session.tr()(step->meaning), gui,
-                                                  room - table_width(*step, gui) - gap_beside_table()));
-    return rows + 2.0F * style.WindowPadding.y + std::max(usual_lines * ImGui::GetTextLineHeight(), lines);
+    Caption caption{.meaning = {}, .comment = caption_comment(session)};
+    float top = height_of_table(gui), below = height_in_lines(caption.comment, room);
+    if (step != nullptr) {
+        caption.meaning = session.tr()(step->meaning);
+        const float beside = room - table_width(*step, gui) - gap_beside_table();
+        const float formula = height_of_formula(*step, gui, beside);
+        const float with_meaning = formula + style.ItemSpacing.y + height_in_lines(caption.meaning, beside);
+        caption.is_meaning_beside = with_meaning <= top;
+        top = std::max(top, formula);
+        if (!caption.is_meaning_beside) below += height_in_lines(caption.meaning, room) + style.ItemSpacing.y;
+    }
+    caption.height = top + 2.0F * style.WindowPadding.y + std::max(usual_lines * ImGui::GetTextLineHeight(), below);
+    return caption;
 }
 
 } // namespace
@@ -238,20 +274,21 @@ float caption_height(const Session& session, const std::string& comment, const u
 void step_caption(const Session& session, const ui::ImGuiSession& gui)
 {
     const StepReport* const step = session.report();
-    const std::string comment = caption_comment(session);
     const float em = ImGui::GetFontSize();
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {0.7F * em, 0.4F * em});
-    ImGui::BeginChild("###caption", {0.0F, caption_height(session, comment, gui)}, false,
+    const Caption caption = caption_of(session, gui);
+    ImGui::BeginChild("###caption", {0.0F, caption.height}, false,
                       ImGuiWindowFlags_AlwaysUseWindowPadding | ImGuiWindowFlags_NoScrollbar);
     if (step != nullptr) {
         caption_table(*step, gui);
         ImGui::SameLine(0.0F, gap_beside_table());
         ImGui::BeginGroup();
-        large_text(formula_text(step->after), gui);
-        ui::wrapped_text(session.tr()(step->meaning));
+        large_text(with_whole_brackets(formula_text(step->after)), gui);
+        if (caption.is_meaning_beside) ui::wrapped_text(caption.meaning);
         ImGui::EndGroup();
+        if (!caption.is_meaning_beside) ui::wrapped_text(caption.meaning);
     }
-    if (!comment.empty()) ui::wrapped_text(comment);
+    if (!caption.comment.empty()) ui::wrapped_text(caption.comment);
     ImGui::EndChild();
     ImGui::PopStyleVar();
 }

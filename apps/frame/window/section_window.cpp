@@ -161,10 +161,6 @@ void SectionWindow::show_buttons(Workspace& workspace, const ui::NumberFields& f
     ImGui::EndDisabled();
     ImGui::SameLine();
     const bool is_cancelled = ImGui::Button((tr("Cancel") + "###cancel").c_str()) || is_pressed(ImGuiKey_Escape);
-    if (reason) {
-        ImGui::SameLine();
-        ui::wrapped_text(tr(*reason));
-    }
     if (is_accepted) draft.accept(workspace.session);
     else if (is_cancelled) draft.cancel(workspace.session);
 }
@@ -189,20 +185,28 @@ void SectionWindow::show(Workspace& workspace, ui::ImGuiSession& gui, ui::Number
         filter_.clear();
     }
     if (!window_.begin(draft.is_open(), "###section", workspace.session.view.tr("Section"))) return;
+    ui::SideWindow::begin_content();
+    show_content(workspace, gui, fields);
+    ui::SideWindow::end_content();
+    show_buttons(workspace, fields);
+    window_.end(draft.is_open());
+}
+
+void SectionWindow::show_content(Workspace& workspace, ui::ImGuiSession& gui, ui::NumberFields& fields)
+{
+    const SectionDraft& draft = workspace.section;
     show_name(workspace);
     show_target(workspace);
     show_shapes(workspace, gui);
     show_families(workspace);
     if (lists_profiles(draft)) show_profiles(workspace);
     else show_dimensions(workspace, fields);
+    if (const auto reason = why_not_accept(draft)) ui::wrapped_text(workspace.session.view.tr(*reason));
     const float line = ImGui::GetTextLineHeightWithSpacing();
     const auto properties = section_properties(draft.section(), workspace.session.model().units);
-    const float below = (properties.Iyz != 0.0 ? 7.5F : 5.5F) * line + 2.0F * ImGui::GetFrameHeightWithSpacing();
+    const float below = (properties.Iyz != 0.0 ? 7.5F : 5.5F) * line;
     show_picture(workspace, gui, std::max(ImGui::GetContentRegionAvail().y - below, 7.0F * line));
     show_properties_of(properties, workspace.session.units());
-    ImGui::Separator();
-    show_buttons(workspace, fields);
-    window_.end(draft.is_open());
 }
 
 void SectionWindow::show_name(Workspace& workspace)

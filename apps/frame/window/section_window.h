@@ -23,6 +23,7 @@ public:
     void show(Workspace& workspace, ui::ImGuiSession& gui, ui::NumberFields& fields);
 
 private:
+    void show_content(Workspace& workspace, ui::ImGuiSession& gui, ui::NumberFields& fields);
     void show_name(Workspace& workspace);
     void show_shapes(Workspace& workspace, ui::ImGuiSession& gui);
     void show_families(Workspace& workspace);

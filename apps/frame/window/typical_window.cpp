@@ -148,13 +148,14 @@ void TypicalWindow::show(Workspace& workspace, ui::ImGuiSession& gui, ui::Number
 {
     TypicalDraft& draft = workspace.typical;
     if (!window_.begin(draft.is_open(), "###typical", workspace.session.view.tr("Typical structures"))) return;
+    ui::SideWindow::begin_content();
     const float line = ImGui::GetFrameHeightWithSpacing();
-    const float below = (static_cast<float>(draft.numbers().size()) + 5.5F) * line;
+    const float below = (static_cast<float>(draft.numbers().size()) + 4.5F) * line - ImGui::GetStyle().ItemSpacing.y;
     show_list(workspace, gui, std::max(ImGui::GetContentRegionAvail().y - below, 6.0F * line));
     ImGui::Separator();
     show_numbers_of(workspace, fields);
     show_setting(workspace);
-    ImGui::Separator();
+    ui::SideWindow::end_content();
     show_buttons(workspace, fields);
     window_.end(draft.is_open());
     if (generation_ != workspace.session.generation()) workspace.asked.push_back(ui::Request::Fit);

@@ -249,7 +249,8 @@ Message sentence(const femoop::Fault& fault)
     for (std::size_t i = 0; i < fault.arguments.size(); ++i) {
         std::string text = fault.arguments[i];
         text.erase(0, text.find_first_not_of(' ')); // of a component that is named without its state
-        words.arguments.emplace_back(std::to_string(i), std::move(text));
+        if (femoop::is_word(fault.kind, i)) words.arguments.emplace_back(std::to_string(i), Message(text));
+        else words.arguments.emplace_back(std::to_string(i), std::move(text));
     }
     return words;
 }

@@ -159,6 +159,13 @@ Reason why_no_path(const Workspace& workspace)
     return translatable("a loading path needs two states; add them with R");
 }
 
+Reason why_not_clear(const Workspace& workspace)
+{
+    if (Reason reason = why_not_record(workspace)) return reason;
+    if (!workspace.session.document().path().empty()) return std::nullopt;
+    return translatable("there is no loading path; add states with R");
+}
+
 void add_path_commands(CommandTable& table)
 {
     Menu menu(table, translatable("Loading path"));
@@ -170,7 +177,7 @@ void add_path_commands(CommandTable& table)
         [](Workspace& workspace) { workspace.session.play_path(); }, why_no_path);
     menu.step(
         {"path.clear", translatable("Clear it")}, [](Workspace& workspace) { workspace.session.clear_path(); },
-        why_not_record);
+        why_not_clear);
 }
 
 constexpr std::array exercise_topic_entries{

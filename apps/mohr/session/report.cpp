@@ -1,5 +1,6 @@
 #include "apps/mohr/session/report.h"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -196,17 +197,26 @@ private:
 
 std::vector<tabular::Table> result_tables(const Session& session) { return Teller(session).tables(); }
 
+std::string given_number(const Session& session, std::size_t place)
+{
+    const Document& document = session.document();
+    std::string number = ui::with_minus_signs(printed_unit(document.state()[place]));
+    if (session.look.format().mark == ui::DecimalMark::Comma) std::ranges::replace(number, '.', ',');
+    return std::string(names(document.subject)[place]) + " = " +
+           with_unit(number, std::string(bare_unit(document.subject, place)));
+}
+
 std::string description(const Session& session)
 {
     const ui::Catalogue& tr = session.tr();
-    std::string words;
+    const Document& document = session.document();
+    std::string words, given;
     for (const SubjectEntry& entry : subjects())
-        if (entry.value == session.document().subject) words += tr(entry.label) + ":";
-    const auto parts = names(session.document().subject);
-    for (std::size_t i = 0; i < parts.size(); ++i)
-        words += (i == 0 ? " " : ", ") + std::string(parts[i]) + " = " +
-                 ui::with_minus_signs(session.document().state()[i]);
-    words += "\n";
+        if (entry.value == document.subject) words += tr(entry.label) + ": ";
+    if (document.subject == Subject::Section) given = document.section;
+    for (std::size_t i = 0; i < document.state().size(); ++i)
+        given += (given.empty() ? "" : ", ") + given_number(session, i);
+    words += given + "\n";
     if (session.is_concealing()) return words + "\n" + tr("The results are shown when the exercise is done.") + "\n";
     for (const tabular::Table& group : result_tables(session)) {
         words += "\n" + group.title + "\n";

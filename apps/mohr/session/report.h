@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <string>
 #include <vector>
 
@@ -12,7 +13,10 @@ namespace mohr {
 /// the value with its unit as panels and texts show it, and the unit.
 std::vector<tabular::Table> result_tables(const Session& session);
 
-/// The same as a text, with the remarks on a special state.
+/// "σx = 50 MPa": a number of the state as it was typed, as it is printed in the session's language.
+std::string given_number(const Session& session, std::size_t place);
+
+/// What is given and the same tables as a text, with the remarks on a special state.
 std::string description(const Session& session);
 /// The line at the window's foot.
 std::string status_text(const Session& session);

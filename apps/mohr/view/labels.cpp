@@ -3,7 +3,11 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <numbers>
+#include <optional>
+#include <span>
+#include <utility>
 
 namespace mohr {
 
@@ -76,17 +80,77 @@ ui::Point middle_of_box(ui::Point target, ui::Point side, ui::Size size)
 
 void Labels::add(ui::Point target, ui::Point away, std::string text, const ui::TextStyle& style, double priority)
 {
-    const ui::Size size = ui::label_size(fonts_, text, style);
+    free_.push_back({target, away, {std::move(text), style}, priority});
+}
+
+ui::Label Labels::label(const Wish& wish) const
+{
+    const ui::Size size = ui::label_size(fonts_, wish.words.text, wish.words.style);
     constexpr double reach = 120.0; // px: a far place is better than one on a line
-    ui::Label label{.target = target, .size = size, .priority = priority, .reach = reach};
-    const double start = std::atan2(away.y, away.x);
+    ui::Label label{.target = wish.target, .size = size, .priority = wish.priority, .reach = reach};
+    const double start = std::atan2(wish.away.y, wish.away.x);
     for (const double turn : {0.0, 0.6, -0.6, 1.2, -1.2, 1.9, -1.9, 2.6, -2.6}) {
         const ui::Point along{std::cos(start + turn), std::sin(start + turn)};
-        label.wishes.push_back(target +
+        label.wishes.push_back(wish.target +
                                ui::Point{along.x * (0.5 * size.width + 8.0), along.y * (0.5 * size.height + 8.0)});
     }
-    free_.labels.push_back(std::move(label));
-    free_.words.push_back({std::move(text), style});
+    return label;
+}
+
+Labels::Group Labels::free_group(double largest) const
+{
+    Group group;
+    for (Wish wish : free_) {
+        wish.words.style.size = std::min(wish.words.style.size, largest);
+        group.labels.push_back(label(wish));
+        group.words.push_back(std::move(wish.words));
+    }
+    return group;
+}
+
+bool Labels::has_place_alone(const ui::Label& label) const
+{
+    return placer_.place(std::span(&label, 1)).n_left_out == 0;
+}
+
+// The more important ones choose first, but what one of them leaves may be taken by a less important one.
+Labels::Group Labels::with_room(Group group) const
+{
+    for (;;) {
+        const ui::LabelPlacement placed = placer_.place(group.labels);
+        double most_homeless = -1.0;
+        std::optional<std::size_t> least;
+        for (std::size_t i = 0; i < group.labels.size(); ++i) {
+            const ui::Label& label = group.labels[i];
+            if (placed.labels[i]) {
+                if (!least || label.priority <= group.labels[*least].priority) least = i;
+            } else if (label.priority > most_homeless && has_place_alone(label)) {
+                most_homeless = label.priority;
+            }
+        }
+        if (!least || most_homeless <= group.labels[*least].priority) return group;
+        group.labels.erase(group.labels.begin() + static_cast<std::ptrdiff_t>(*least));
+        group.words.erase(group.words.begin() + static_cast<std::ptrdiff_t>(*least));
+    }
+}
+
+std::size_t Labels::n_numbers_placed(const Group& group) const
+{
+    const ui::LabelPlacement placed = placer_.place(group.labels);
+    std::size_t n = 0;
+    for (std::size_t i = 0; i < group.labels.size(); ++i)
+        if (placed.labels[i] && group.labels[i].priority >= least_number) ++n;
+    return n;
+}
+
+Labels::Group Labels::free_with_room(double small) const
+{
+    Group usual = with_room(free_group(std::numeric_limits<double>::max()));
+    const std::size_t n_usual = n_numbers_placed(usual);
+    const auto n_numbers = std::ranges::count_if(free_, [](const Wish& wish) { return wish.priority >= least_number; });
+    if (n_usual == static_cast<std::size_t>(n_numbers)) return usual;
+    Group smaller = with_room(free_group(small));
+    return n_numbers_placed(smaller) > n_usual ? smaller : usual;
 }
 
 void Labels::add_fixed(ui::Point target, const std::vector<ui::Point>& sides, std::string text,
@@ -109,7 +173,7 @@ void Labels::draw(ui::Painter& painter, const ui::Theme& theme)
 {
     keep_clear_of(painter.picture(), theme);
     draw(fixed_, painter, theme);
-    draw(free_, painter, theme);
+    draw(free_with_room(theme.type().small), painter, theme);
 }
 
 void Labels::draw(const Group& group, ui::Painter& painter, const ui::Theme& theme)
@@ -119,11 +183,14 @@ void Labels::draw(const Group& group, ui::Painter& painter, const ui::Theme& the
     for (std::size_t i = 0; i < group.labels.size(); ++i) {
         const auto& place = placed.labels[i];
         if (!place) continue;
+        // Other words beside the title of an axis would read as a part of it.
+        const bool is_title = &group == &fixed_ && group.labels[i].priority > 0.0;
         if (place->leader) painter.line(place->leader->from, place->leader->to, theme.stroke(ui::Role::Leader));
         ui::TextStyle style = group.words[i].style;
         if (place->is_over_soft) style.plate = ui::with_opacity(theme.background(), 0.8);
         ui::draw_label(painter, *place, group.words[i].text, style);
-        obstacles().add_box(ui::OrientedBox(place->center, group.labels[i].size).bounds());
+        const ui::Box box = ui::OrientedBox(place->center, group.labels[i].size).bounds();
+        obstacles().add_box(is_title ? box.grown(0.4 * style.size) : box);
     }
 }
 

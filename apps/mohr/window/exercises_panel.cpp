@@ -2,14 +2,12 @@
 
 #include <imgui.h>
 
-#include <algorithm>
 #include <string>
 
 #include "apps/mohr/exercise/words.h"
-#include "apps/mohr/view/names.h"
+#include "apps/mohr/session/report.h"
 #include "apps/mohr/window/choice.h"
 #include "ui/paint/theme.h"
-#include "ui/text/language_manner.h"
 #include "ui/widgets/command_menu.h"
 #include "ui/widgets/wrapped_text.h"
 
@@ -29,17 +27,12 @@ ImVec4 color_of(Verdict verdict, ui::ThemeName name)
     return {part(c.r), part(c.g), part(c.b), 1.0F};
 }
 
-/// "σx = 50 MPa": the numbers that the exercise gives, a line each.
+/// The numbers that the exercise gives, a line each.
 std::string given_text(const Session& session)
 {
-    const Document& document = session.document();
     std::string words;
-    for (std::size_t i = 0; i < document.state().size(); ++i) {
-        const std::string unit(bare_unit(document.subject, i));
-        words += (i == 0 ? "" : "\n") + std::string(names(document.subject)[i]) + " = " +
-                 with_unit(ui::with_minus_signs(printed_unit(document.state()[i])), unit);
-    }
-    if (ui::decimal_mark(session.tr().language()) == ui::DecimalMark::Comma) std::ranges::replace(words, '.', ',');
+    for (std::size_t i = 0; i < session.document().state().size(); ++i)
+        words += (i == 0 ? "" : "\n") + given_number(session, i);
     return words;
 }
 

@@ -41,6 +41,25 @@ TEST_SUITE("gallery")
         }
     }
 
+    TEST_CASE("A lesson subtracts with minus signs")
+    {
+        const auto has_hyphen = [](const ui::Message& said) {
+            for (const ui::Language language : ui::all_languages)
+                if (ui::Catalogue(language)(said).find(" - ") != std::string::npos) return true;
+            return false;
+        };
+        for (const GalleryItem& item : gallery()) {
+            const Stepper lesson(item.script);
+            CAPTURE(item.name);
+            CHECK_FALSE(has_hyphen(lesson.heading()));
+            for (std::size_t step = 1; step <= lesson.n_steps(); ++step) {
+                CAPTURE(step);
+                CHECK_FALSE(has_hyphen(lesson.report(step).meaning));
+                CHECK_FALSE(has_hyphen(lesson.report(step).explanation));
+            }
+        }
+    }
+
     TEST_CASE("A cube takes one MVFS, seven MEV and five MEF")
     {
         const Stepper lesson(gallery().front().script);

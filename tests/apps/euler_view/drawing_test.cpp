@@ -64,6 +64,24 @@ TEST_CASE("No name lies on another, whatever is named")
     }
 }
 
+TEST_CASE("What is said on the sheet stands in lines, whole")
+{
+    const ui::Fonts fonts;
+    constexpr ui::Size narrow{280.0, 240.0};
+    Shapes shapes;
+    for (const ui::Language language : ui::all_languages) {
+        CAPTURE(static_cast<int>(language));
+        shapes.sentences = {
+            ui::Catalogue(language)("A shell has genus {genus}: it cannot be drawn in the plane without "
+                                    "crossings. Its plane model shows it.",
+                                    {{"genus", "1"}})};
+        const std::vector<ui::Box> lines = picture(shapes, {}, {}, narrow, fonts).text_boxes(fonts);
+        CHECK(lines.size() > 1);
+        CHECK_FALSE(overlap_anywhere(lines));
+        for (const ui::Box& line : lines) CHECK(line.max.x <= narrow.width);
+    }
+}
+
 TEST_CASE("Random solids of every topology are drawn without a place that is not finite")
 {
     const ui::Fonts fonts;

@@ -46,4 +46,29 @@ TEST_CASE("Links of one entity to another are one arrow with all their names")
     CHECK(has("start"));
 }
 
+TEST_CASE("Every link has a name in Portuguese")
+{
+    const ui::Catalogue portuguese(ui::Language::Portuguese);
+    const ui::Fonts fonts;
+    const Made block(example("through_hole")); // a face of it has a ring
+    const topology::Solid& solid = block.solid();
+    const auto check = [&](topology::Entity entity) {
+        for (const topology::Pointer& pointer : topology::pointers(solid, entity)) {
+            CAPTURE(pointer.label);
+            CHECK(portuguese.has(pointer.label));
+        }
+    };
+    for (const auto h : solid.half_edges()) check(h);
+    for (const auto f : solid.faces()) check(f);
+    check(*solid.vertices().begin());
+    check(*solid.edges().begin());
+    check(*solid.loops().begin());
+    const Made edge(example("cube", 2));
+    const auto graph = topology::pointer_graph(edge.solid(), topology::HalfEdgeId{0});
+    Look look;
+    look.tr = portuguese;
+    const PointerDrawing drawing(graph, edge.subjects().front(), look, pointer_sheet, fonts);
+    CHECK(std::ranges::count(drawing.arrows(), "próxima, anterior, oposta", &PointerDrawing::Arrow::label) == 1);
+}
+
 TEST_SUITE_END();

@@ -147,6 +147,8 @@ TEST_CASE("A fibre of a section has the stresses of Navier and Jourawski and oth
     CHECK(reason(with_number(d, state(3), "101 mm")) ==
           "the fibre lies outside the section, which goes from −100 to 100 mm");
     CHECK(reason(with_number(d, state(0), "3 MPa")).find("measures stress") != std::string::npos);
+    CHECK(ui::Catalogue(ui::Language::Portuguese)(with_number(d, state(0), "3 MPa").fault->reason) ==
+          "N: \"3 MPa\" mede tensão ou força por área, esperado força, por exemplo em N");
     CHECK(with_plane(d, {1.0, 2.0, 3.0}).fault);
 }
 

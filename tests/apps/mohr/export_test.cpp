@@ -81,6 +81,23 @@ TEST_CASE("Indices of Greek letters stand below them in LaTeX")
     CHECK(has(text, "\\ensuremath{\\tau_{x'y'}}"));
 }
 
+TEST_CASE("A description begins with all that is given, as it is printed")
+{
+    const auto given = [](Subject subject, ui::Language language) {
+        Session session;
+        session.look.tr = ui::Catalogue(language);
+        session.set_subject(subject);
+        const std::string text = description(session);
+        return text.substr(0, text.find('\n'));
+    };
+    CHECK(given(Subject::Section, ui::Language::English) ==
+          "Fibre of a section: IPE 300, N = 30 kN, V = 70 kN, M = 40 kN·m, y′ = 90 mm");
+    CHECK(given(Subject::Strain, ui::Language::English) == "Strain: εx = −800 10⁻⁶, εy = 400 10⁻⁶, γxy = −1200 10⁻⁶");
+    CHECK(given(Subject::SpaceStress, ui::Language::Portuguese) ==
+          "Estado triplo de tensões: σx = −19 MPa, σy = 4,6 MPa, σz = −8,3 MPa, τxy = −4,7 MPa, τyz = 11,8 MPa, "
+          "τzx = 6,45 MPa");
+}
+
 TEST_CASE("An exercise tells its answers neither in words nor in a sheet nor by turning its plane")
 {
     Session session;

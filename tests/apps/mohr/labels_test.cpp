@@ -93,6 +93,7 @@ struct Sheet {
     ui::Size size;
     ui::ThemeName theme;
     ui::Language language;
+    bool both_rules = false;
 };
 
 const ui::Fonts& fonts()
@@ -106,6 +107,7 @@ LinesAndWords drawn(const Document& document, const Sheet& sheet, std::optional<
     Look look;
     look.theme = sheet.theme;
     look.tr = ui::Catalogue(sheet.language);
+    look.both_rules = sheet.both_rules;
     const Solution solution = solve(document, look.rule);
     ui::OrbitCamera eye;
     eye.look(0.6, 0.45);
@@ -201,6 +203,43 @@ TEST_CASE("No axis ends as a minus sign before the words that lie on it")
                                                 [&](const Segment& line) { return line.is_minus_of(word.box); }));
             }
         }
+}
+
+TEST_CASE("In a small window on the projector no number of the pictures is left out")
+{
+    const Document document = textbook_state(); // a plane stress
+    const auto missing = [](const LinesAndWords& picture, std::string_view begin, std::ptrdiff_t n) {
+        const auto begins = [&](const Word& word) { return word.text.starts_with(begin); };
+        return std::ranges::count_if(picture.words, begins) < n ? std::string(begin) : std::string();
+    };
+    for (const ui::Language language : {ui::Language::English, ui::Language::Portuguese})
+        for (const bool both_rules : {false, true}) {
+            CAPTURE(static_cast<int>(language));
+            CAPTURE(both_rules);
+            const auto picture = drawn(document, {{900.0, 540.0}, ui::ThemeName::Projector, language, both_rules});
+            for (const char* of_a_circle : {"X (", "Y (", "N (", "σ1 = ", "σ2 = ", "C = ", "R = "})
+                CHECK(missing(picture, of_a_circle, both_rules ? 2 : 1) == "");
+            for (const char* elsewhere : {"σx′ = ", "σy′ = ", "τx′y′ = ", "θ = ", "σ = ", "τ = "})
+                CHECK(missing(picture, elsewhere, 1) == "");
+        }
+}
+
+TEST_CASE("No words stand so near to an axis's title that they look like a part of it")
+{
+    Document document = textbook_state();
+    document.state() = {"-100 MPa", "0 MPa", "0 MPa"}; // σ1 = 0 and Y lie where the title does
+    for (const bool both_rules : {false, true}) {
+        CAPTURE(both_rules);
+        const auto picture = drawn(document, {{725.0, 757.0}, ui::ThemeName::Light, ui::Language::English, both_rules});
+        for (const Word& title : picture.words) {
+            if (title.text != "σ [MPa]") continue;
+            const ui::Box around = title.box.grown(0.3 * title.box.height());
+            for (const Word& word : picture.words) {
+                CAPTURE(word.text);
+                CHECK((&word == &title || !word.box.overlaps(around) || word.text.find('=') == std::string::npos));
+            }
+        }
+    }
 }
 
 TEST_CASE("What lies under the pointer moves no words")

@@ -70,13 +70,15 @@ TEST_CASE("A choice that is too long for its list is shown in lines, and a click
     for (const char* const name : {"short", "a choice that is much too long for a panel of this width"}) {
         CAPTURE(name);
         ui_test::WidgetStage stage{1.0};
-        ImVec2 middle{};
-        float height = 0.0F, row = 0.0F;
+        ImVec2 middle{}, list{};
+        float height = 0.0F, row = 0.0F, foot = 0.0F;
         bool is_open = false;
         const auto frame = [&](const ui::Input& input) {
             stage.frame(input, [&] {
                 const ImVec2 corner = ImGui::GetCursorScreenPos();
                 is_open = ui::begin_wrapped_combo(name, {name}, "###choice");
+                if (is_open) list = ImGui::GetWindowPos();
+                else foot = ImGui::GetItemRectMax().y;
                 if (is_open) {
                     ImGui::Selectable("another");
                     ImGui::EndCombo();
@@ -93,6 +95,7 @@ TEST_CASE("A choice that is too long for its list is shown in lines, and a click
         frame({.pointer = at, .is_button_down = {true}});
         frame({.pointer = at});
         CHECK(is_open);
+        CHECK(list.y >= foot - 1.0F); // what is chosen stays in sight
     }
 }
 

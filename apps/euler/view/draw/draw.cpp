@@ -8,7 +8,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string>
 #include <vector>
+
+#include "ui/paint/wrapped_lines.h"
 
 namespace euler {
 
@@ -172,10 +175,15 @@ private:
 void write_sentences(ui::Painter& painter, const Shapes& shapes, const ui::Theme& theme)
 {
     const double line = 1.6 * theme.type().normal;
+    ui::TextStyle style = theme.text(ui::Role::Label, ui::Anchor::Left);
+    style.plate = ui::with_opacity(theme.background(), 0.8); // maps of other shells lie below
     ui::Point at{line, line};
     for (const std::string& sentence : shapes.sentences) {
-        painter.text(at, sentence, theme.text(ui::Role::Label, ui::Anchor::Left));
-        at.y += line;
+        const double room = painter.sheet().width() - 2.0 * line;
+        for (const std::string& words : ui::wrapped_lines(painter.fonts(), sentence, style, room)) {
+            painter.text(at, words, style);
+            at.y += line;
+        }
     }
 }
 

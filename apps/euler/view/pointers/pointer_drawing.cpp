@@ -57,6 +57,17 @@ ui::Point border(const ui::Box& box, ui::Point toward)
 
 } // namespace
 
+std::string link_name(std::string_view label, const ui::Catalogue& tr)
+{
+    using ui::translatable;
+    static constexpr std::array names{translatable("start"), translatable("loop"),      translatable("next"),
+                                      translatable("prev"),  translatable("mate"),      translatable("edge"),
+                                      translatable("outer"), translatable("ring"),      translatable("plus"),
+                                      translatable("minus"), translatable("half-edge"), translatable("face")};
+    const auto* const found = std::ranges::find(names, label);
+    return found == names.end() ? std::string(label) : tr(*found);
+}
+
 PointerDrawing::PointerDrawing(const topology::PointerGraph& graph, const Subject& subject, const Look& look,
                                ui::Size sheet, const ui::Fonts& fonts)
     : theme_(look.full_theme())
@@ -70,7 +81,7 @@ PointerDrawing::PointerDrawing(const topology::PointerGraph& graph, const Subjec
         nodes_.push_back({graph.nodes[i], name, ui::box_at({}, size), level[i]});
     }
     place_nodes(graph, sheet);
-    add_arrows(graph);
+    add_arrows(graph, look.tr);
 }
 
 /// Neighbours on an ellipse; those of neighbours on one farther out.
@@ -101,13 +112,13 @@ void PointerDrawing::place_nodes(const topology::PointerGraph& graph, ui::Size s
     }
 }
 
-void PointerDrawing::add_arrows(const topology::PointerGraph& graph)
+void PointerDrawing::add_arrows(const topology::PointerGraph& graph, const ui::Catalogue& tr)
 {
     std::map<std::pair<Entity, Entity>, std::string> labels;
     for (const topology::Pointer& pointer : graph.pointers) {
         std::string& label = labels[{pointer.from, pointer.to}];
         if (!label.empty()) label += ", ";
-        label += pointer.label;
+        label += link_name(pointer.label, tr);
     }
     const auto node = [&](Entity entity) -> const Node& {
         return *std::find_if(nodes_.begin(), nodes_.end(), [&](const Node& n) { return n.entity == entity; });

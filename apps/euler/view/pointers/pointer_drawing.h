@@ -7,9 +7,13 @@
 
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace euler {
+
+/// A link as `topology::Pointer` labels it, in the reader's language.
+std::string link_name(std::string_view label, const ui::Catalogue& tr);
 
 /// The links of an entity as boxes and arrows. The entity stands in the middle, a half-edge's neighbours where one
 /// looks for them: prev on the left, next on the right, the mate below, the loop above.
@@ -47,7 +51,7 @@ public:
 
 private:
     void place_nodes(const topology::PointerGraph& graph, ui::Size sheet);
-    void add_arrows(const topology::PointerGraph& graph);
+    void add_arrows(const topology::PointerGraph& graph, const ui::Catalogue& tr);
     Arrow arrow(const Node& from, const Node& to, bool has_return) const;
     Arrow around(const Node& node) const;
     ui::Stroke stroke(const Node& node) const;
