@@ -47,7 +47,8 @@ double length_of(const Model& model, femoop::MemberId member)
     return (place_of(model, nodes[1]) - place_of(model, nodes[0])).norm();
 }
 
-/// The outermost node of a side where a level member ends alone: a foot is no end of a span.
+} // namespace
+
 std::optional<NodeId> end_of_spans(const Model& model, Side side)
 {
     const auto end = end_node(model, side);
@@ -56,8 +57,6 @@ std::optional<NodeId> end_of_spans(const Model& model, Side side)
     const Eigen::Vector2d along = place_of(model, *end) - place_of(model, before);
     return std::abs(along.y()) <= 1e-6 * along.norm() ? end : std::nullopt;
 }
-
-} // namespace
 
 Model with_next_support(const Model& model, NodeId node)
 {

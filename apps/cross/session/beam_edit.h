@@ -8,6 +8,9 @@ namespace cross {
 
 // What a hand changes of the spans of a beam; of a frame where its members lie level.
 
+/// The outermost node of a side where a level member ends alone: a foot is no end of a span.
+std::optional<femoop::NodeId> end_of_spans(const femoop::Model& model, Side side);
+
 /// The end is pinned, then fixed, then free; an inner node is held by a roller, then fixed, then free. \pre a node of
 /// the model
 femoop::Model with_next_support(const femoop::Model& model, femoop::NodeId node);

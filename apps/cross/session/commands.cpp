@@ -39,15 +39,15 @@ constexpr std::array topic_entries{
 
 Reason why_no_end(const Workspace& workspace, Side side)
 {
-    if (end_node(workspace.session.document().model, side)) return std::nullopt;
-    return Message(translatable("several members meet at this end"));
+    if (end_of_spans(workspace.session.document().model, side)) return std::nullopt;
+    return Message(translatable("no span ends alone at this side"));
 }
 
 void add_end(Menu& menu, ui::CommandName name, Side side)
 {
     const auto run = [side](Workspace& workspace) {
         const femoop::Model& model = workspace.session.document().model;
-        workspace.session.change(with_next_support(model, *end_node(model, side)), translatable("Change an end"));
+        workspace.session.change(with_next_support(model, *end_of_spans(model, side)), translatable("Change an end"));
     };
     menu.step(std::move(name), run, [side](const Workspace& workspace) { return why_no_end(workspace, side); });
 }

@@ -99,7 +99,7 @@ private:
 
     ui::Box at(const EndPlace& place, ui::Point side, double shift, double drop) const
     {
-        const double gap = 0.55 * type_;
+        const double gap = column_gap * type_;
         const ui::Size size = size_of(place);
         const ui::Point middle = place.joint + (gap + shift + 0.5 * extent(place.along, size)) * place.along +
                                  (gap + drop + 0.5 * extent(side, size)) * side;

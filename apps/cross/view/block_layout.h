@@ -44,6 +44,7 @@ struct BlockRequest {
 };
 
 inline constexpr double line_height = 1.32;      ///< of the size of type
+inline constexpr double column_gap = 0.55;       ///< between a joint and its columns
 inline constexpr double head_height = 2.75;      ///< name and box of the factor
 inline constexpr double bare_head_height = 1.15; ///< name alone
 inline constexpr double total_height = 1.55;     ///< the sum

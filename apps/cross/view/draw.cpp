@@ -65,6 +65,7 @@ Arrangement of_beam(ui::Painter& painter, const drawing::StructureShape& shape, 
     Arrangement arrangement;
     const Panels whole = panels_for(shape, painter.size(), scene.look.full_theme(), arrangement);
     arrangement.bays = sheet_bays(painter, whole.sheet, scene);
+    arrangement.loaded = view_of_loads(whole.structure, scene, painter.fonts());
     return arrangement;
 }
 
@@ -81,7 +82,7 @@ Arrangement of_frame(ui::Painter& painter, const drawing::StructureShape& shape,
         if (is_better(other.layout, fitted.layout)) best = above, fitted = std::move(other);
     }
     best.room = fitted.room;
-    best.loaded = camera_around_loads(panels_for(shape, painter.size(), theme, best).structure, scene, painter.fonts());
+    best.loaded = view_of_loads(panels_for(shape, painter.size(), theme, best).structure, scene, painter.fonts());
     return best;
 }
 

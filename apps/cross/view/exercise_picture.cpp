@@ -35,6 +35,8 @@ constexpr double most_magnified_cells = 3.0;     // of cells that a zoom enlarge
 constexpr double least_cells = 7.0;              // [px]
 constexpr std::size_t lines_of_head_and_sum = 2; // that a block has besides those that it is asked for
 
+std::string worksheet_title_of(const Scene& scene);
+
 /// Writes the cells of one sheet into their boxes.
 class WorksheetWriter {
 public:
@@ -60,7 +62,8 @@ public:
             if (layout_.boxes[e] && !columns_[e].cells.empty()) draw_column(columns_[e], *layout_.boxes[e]);
         if (scene_.worksheet_stage == worksheet_.n_sheets()) draw_superposition();
         draw_legend();
-        for (const Ratio& ratio : ratios()) painter_.text(free_place(ratio), ratio.text, ratio_style());
+        for (const Ratio& ratio : ratios())
+            if (const auto place = free_place(ratio)) painter_.text(*place, ratio.text, ratio_style());
         for (const Arrow& arrow : arrows()) draw(arrow);
     }
 
@@ -191,17 +194,18 @@ private:
         return a + t * (b - a) + side * (is_upright ? ui::Point{1.6 * em, 0.0} : ui::Point{0.0, -0.9 * em});
     }
 
-    /// Near the middle of its member, where no column stands.
-    ui::Point free_place(const Ratio& ratio) const
+    /// Near the middle of its member, where neither a column stands nor the heading; nothing where they are everywhere.
+    std::optional<ui::Point> free_place(const Ratio& ratio) const
     {
+        const ui::Box heading = title_box(painter_, panel_, worksheet_title_of(scene_), theme_in(panel_, scene_.look));
         for (const double t : {0.5, 0.4, 0.6, 0.3, 0.7, 0.2, 0.8})
             for (const double side : {1.0, -1.0}) {
                 const ui::Point at = beside(ratio.member, t, side);
                 const ui::Box box = box_of(ratio, at);
                 const auto is_hit = [&](const std::optional<ui::Box>& other) { return other && other->overlaps(box); };
-                if (std::ranges::none_of(layout_.boxes, is_hit)) return at;
+                if (!box.overlaps(heading) && std::ranges::none_of(layout_.boxes, is_hit)) return at;
             }
-        return beside(ratio.member, 0.5, 1.0);
+        return std::nullopt;
     }
 
     ui::TextStyle ratio_style() const { return marks_.text(ui::Role::Label, ui::Anchor::Center); }
@@ -516,7 +520,7 @@ Drawn draw_exercise(ui::Painter& painter, const Scene& scene)
     const ui::Theme theme = scene.look.full_theme();
     const drawing::StructureShape shape = drawing::shape_of(scene.document.model);
     Panels panels = best_panels(painter, scene);
-    if (!is_beam(shape)) panels.structure.camera = camera_around_loads(panels.structure, scene, painter.fonts());
+    panels.structure.take(view_of_loads(panels.structure, scene, painter.fonts()));
     look_closer(panels, shape, scene.look.zoom);
     const ui::Box& first = panels.structure.box;
     {

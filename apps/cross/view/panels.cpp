@@ -16,6 +16,7 @@ constexpr double slender = 0.12;     // height of a beam's picture, of its lengt
 constexpr double title_ems = 1.7;    // height of a title, of the size of type
 constexpr double usual_arrow = 34.0; // [px] of the largest load, in the theme's symbols
 constexpr double edge = 3.0;         // [px] that labels keep from the border of their panel
+constexpr double least_afar = 14.0;  // [px] of type that the last row reads in a small picture
 
 struct Extent {
     ui::World2 low, high;
@@ -68,14 +69,38 @@ void draw_out(Panel& panel, Extent extent, double em, const SheetRoom& room = {}
     panel.camera = camera_over(extent, panel.box.size(), margins);
 }
 
+constexpr double lines_of_loads = 14.2; // title, value, arrows, beam, dimension lines
+
+/// What a beam's sheet lacks on a low projector for columns that the last row reads.
+double lacking(double height, const ui::Theme& theme)
+{
+    constexpr double lines = 12.2; // title, beam, head, three numbers and the sum
+    return legible_type(theme) > 0.0 ? std::max(0.0, lines * theme.type().normal - height) : 0.0;
+}
+
+/// Of the three pictures over the sheet of a beam, which give it what they can spare.
+std::array<double, 3> heights_above(double height, const ui::Theme& theme)
+{
+    constexpr std::array least_lines{10.5, 4.7, 6.5}; // of type that the last row reads
+    const double first_share = std::clamp(lines_of_loads * theme.type().normal / height, 0.24, 0.305);
+    const double less = 0.25 * (first_share - 0.24);
+    std::array heights{first_share * height, (0.16 - less) * height, (0.20 - less) * height};
+    std::array<double, 3> spare{};
+    double all = 0.0, all_spare = 0.0;
+    for (std::size_t i = 0; i < heights.size(); ++i) {
+        all += heights[i];
+        all_spare += spare[i] = std::max(0.0, heights[i] - least_lines[i] * least_afar);
+    }
+    const double share = std::min(1.0, lacking(height - all, theme) / std::max(all_spare, 1e-9));
+    for (std::size_t i = 0; i < heights.size(); ++i) heights[i] -= share * spare[i];
+    return heights;
+}
+
 Panels stacked(const Extent& extent, ui::Size sheet, const ui::Theme& theme)
 {
     const double em = theme.type().normal, margin = std::min(4.6 * em, 0.1 * sheet.width);
-    constexpr double lines_of_loads = 14.2;  // title, value, arrows, beam, dimension lines
     constexpr double lines_below_beam = 7.1; // supports, dimension lines and the text of the lower one
-    const double first_share = std::clamp(lines_of_loads * em / sheet.height, 0.24, 0.305);
-    const double less = 0.25 * (first_share - 0.24);
-    const std::array shares{first_share, 0.16 - less, 0.20 - less};
+    constexpr double usual_beam = 2.9, high_beam = 2.45, long_title = 30.0; // ems below the top of the sheet, in width
     Panels panels{.is_stacked = true};
     double top = 0.0;
     const auto next = [&](Panel& panel, double height, double middle) {
@@ -83,11 +108,12 @@ Panels stacked(const Extent& extent, ui::Size sheet, const ui::Theme& theme)
         panel.camera = beam_camera(extent, panel.box.size(), margin, middle);
         top += height;
     };
-    const double first = shares[0] * sheet.height; // dimension lines keep their size
+    const auto [first, second, third] = heights_above(sheet.height, theme); // dimension lines keep their size
     next(panels.structure, first, first - lines_below_beam * std::min(em, first / lines_of_loads));
-    next(panels.deformed, shares[1] * sheet.height, 0.56 * shares[1] * sheet.height);
-    next(panels.moments, shares[2] * sheet.height, 0.56 * shares[2] * sheet.height);
-    next(panels.sheet, sheet.height - top, 2.9 * em);
+    next(panels.deformed, second, 0.56 * second);
+    next(panels.moments, third, 0.56 * third);
+    const bool is_low = lacking(sheet.height - top, theme) > 0.0 && sheet.width > long_title * em;
+    next(panels.sheet, sheet.height - top, (is_low ? high_beam : usual_beam) * em);
     panels.structure.ems_high = lines_of_loads;
     panels.deformed.ems_high = 7.0;
     panels.moments.ems_high = 9.0;
@@ -97,7 +123,7 @@ Panels stacked(const Extent& extent, ui::Size sheet, const ui::Theme& theme)
 /// Of the theme's type, where there is little room; on the projector the last row reads it.
 double share_of_type(const Panel& panel, const ui::Theme& theme)
 {
-    constexpr double enough = 24.0, least_type = 11.0, least_afar = 14.0; // of the panel's width in ems
+    constexpr double enough = 24.0, least_type = 11.0; // of the panel's width in ems
     const double em = theme.type().normal;
     const double least = theme.name() == ui::ThemeName::Projector ? least_afar : least_type;
     const double room = std::min(panel.box.width() / enough, panel.box.height() / panel.ems_high);
@@ -256,7 +282,7 @@ Panels panels_for(const drawing::StructureShape& shape, ui::Size sheet, const ui
 {
     const Extent extent = extent_of(shape);
     Panels panels = is_flat(extent) ? stacked(extent, sheet, theme) : beside(extent, sheet, theme, arrangement);
-    if (arrangement.loaded) panels.structure.camera = *arrangement.loaded;
+    if (arrangement.loaded) panels.structure.take(*arrangement.loaded);
     panels.sheet.bays = arrangement.bays;
     look_closer(panels, shape, arrangement.zoom);
     return panels;
@@ -371,22 +397,48 @@ void draw_borders(ui::Painter& painter, const Panels& panels, const ui::Theme& t
     painter.line({x, panels.sheet.box.min.y}, {x, panels.sheet.box.max.y}, stroke);
 }
 
-double draw_title(ui::Painter& painter, const Panel& panel, const std::string& title, const ui::Theme& theme)
+namespace {
+
+/// A title as it is written: in one line, or in several.
+struct Title {
+    ui::TextStyle style;
+    std::vector<std::string> lines;
+};
+
+Title title_in(const ui::Painter& painter, const Panel& panel, const std::string& title, const ui::Theme& theme)
 {
+    constexpr double least = 0.85; // of the size of type; else there are two lines
     ui::TextStyle style = theme.text(ui::Role::FaintLabel, ui::Anchor::TopLeft);
     style.weight = ui::Weight::Bold;
     if (panel.is_zoomed) style.plate = theme.background(); // the structure may lie there
     const double room = panel.box.width() - 1.2 * style.size;
     const double shrunk = room / std::max(1.0, painter.measure(title, style).width);
-    constexpr double least = 0.85; // of the size of type; else there are two lines
     style.size *= std::clamp(shrunk, least, 1.0);
+    return {style, ui::wrapped_lines(painter.fonts(), title, style, room + 1.0)};
+}
+
+} // namespace
+
+double draw_title(ui::Painter& painter, const Panel& panel, const std::string& title, const ui::Theme& theme)
+{
+    const auto [style, lines] = title_in(painter, panel, title, theme);
     const ui::LayerScope layer(painter, panel.is_zoomed ? ui::Layer::Overlay : ui::Layer::Labels);
     ui::Point at = panel.box.min + ui::Point{0.6 * style.size, 0.4 * style.size};
-    for (const std::string& line : ui::wrapped_lines(painter.fonts(), title, style, room + 1.0)) {
+    for (const std::string& line : lines) {
         painter.text(at, line, style);
         at.y += 1.15 * style.size;
     }
     return at.y - panel.box.min.y + 0.35 * style.size;
+}
+
+ui::Box title_box(const ui::Painter& painter, const Panel& panel, const std::string& title, const ui::Theme& theme)
+{
+    const Title written = title_in(painter, panel, title, theme);
+    double width = 0.0;
+    for (const std::string& line : written.lines) width = std::max(width, painter.measure(line, written.style).width);
+    const double size = written.style.size;
+    return ui::box_at(panel.box.min,
+                      {width + 1.2 * size, (0.6 + 1.15 * static_cast<double>(written.lines.size())) * size});
 }
 
 namespace {
@@ -438,7 +490,7 @@ Sketched sketched(ui::Painter& painter, const Panel& panel, const Scene& scene, 
                             .symbol_factor = detail.symbol_share(),
                             .is_reduced = detail.is_reduced(),
                             .is_measured = pass == Pass::Measure});
-    options.load_factor = load_factor(shape, projection, sketch.px(usual_arrow));
+    options.load_factor = panel.arrows * load_factor(shape, projection, sketch.px(usual_arrow));
     const ui::DisplayUnits units = units_of(scene.document.model, scene.look.tr);
     marks({model, shape, projection, options, state, units, sketch, detail, look.show});
     if (pass == Pass::Write) sketch.write_captions();
@@ -483,6 +535,25 @@ ui::PlaneCamera camera_around(const Marks& marks, const Panel& panel, const Scen
                           margins_of(*bounds, structure, panel.box.size(), title));
     }
     return fitted.camera;
+}
+
+LoadedView beam_around(const Marks& marks, const Panel& panel, const Scene& scene, const StructureLook& look,
+                       const ui::Fonts& fonts)
+{
+    ui::Box room = panel.box.grown(-edge);
+    room.min.y += title_ems * theme_in(panel, scene.look).type().normal;
+    Panel fitted = panel;
+    std::optional<ui::Box> bounds;
+    for (const double arrows : {1.0, 0.8, 0.65, 0.5}) {
+        fitted.arrows = arrows;
+        ui::Painter scratch(panel.box.size(), fonts);
+        bounds = sketched(scratch, fitted, scene, look, marks, Pass::Measure).bounds;
+        if (!bounds || bounds->height() <= room.height()) break;
+    }
+    if (!bounds) return {panel.camera};
+    const double above = bounds->min.y - room.min.y, below = bounds->max.y - room.max.y; // free, lacking
+    if (below > 0.0) fitted.camera.pan({0.0, -std::min(below, std::max(0.0, above))});
+    return {fitted.camera, fitted.arrows};
 }
 
 drawing::Grips draw_structure_in(ui::Painter& painter, const Panel& panel, const Scene& scene,

@@ -12,6 +12,12 @@
 
 namespace cross {
 
+/// How the structure's picture finds room for its marks.
+struct LoadedView {
+    ui::PlaneCamera camera;
+    double arrows = 1.0; ///< height of the largest load, of the usual
+};
+
 /// Where one of the four pictures stands, and how it looks at the structure.
 struct Panel {
     ui::Box box;
@@ -23,7 +29,9 @@ struct Panel {
     ui::Box whole;         ///< what of the picture would be seen of the whole structure, at this zoom
     double ems_high = 1.0; ///< how many of the usual lines of type its marks need
     double title = 0.0;    ///< height of its title, where it is known: labels stand below
+    double arrows = 1.0;   ///< as in LoadedView
 
+    void take(const LoadedView& loaded) { camera = loaded.camera, arrows = loaded.arrows; }
     ui::Point at(const Eigen::Vector3d& place) const
     {
         return box.min + camera.to_sheet({bays(place.x()), stretch * place.y()});
@@ -59,9 +67,9 @@ struct Arrangement {
     Zoom zoom{};
     double small_share = 0.34;
     SmallPictures small = SmallPictures::Left;
-    BayScale bays{};                         ///< of a beam's sheet
-    SheetRoom room{};                        ///< of a frame's sheet
-    std::optional<ui::PlaneCamera> loaded{}; ///< of the structure's picture, where its marks are known
+    BayScale bays{};                    ///< of a beam's sheet
+    SheetRoom room{};                   ///< of a frame's sheet
+    std::optional<LoadedView> loaded{}; ///< where the marks are known
 };
 /// A structure so much longer than high is drawn as a beam, each picture below the other, which zooms along its axis.
 Panels panels_for(const drawing::StructureShape& shape, ui::Size sheet, const ui::Theme& theme,
@@ -96,6 +104,8 @@ Drawn::View view_of(const Panel& panel);
 void draw_borders(ui::Painter& painter, const Panels& panels, const ui::Theme& theme);
 /// What a picture shows, at its top left. \returns its height
 double draw_title(ui::Painter& painter, const Panel& panel, const std::string& title, const ui::Theme& theme);
+/// Where it is written.
+ui::Box title_box(const ui::Painter& painter, const Panel& panel, const std::string& title, const ui::Theme& theme);
 
 /// What of a structure is shown, and the scale that its results keep.
 struct StructureLook {
@@ -107,6 +117,10 @@ using Marks = std::function<void(const drawing::Scene&)>;
 /// The structure as large as its marks leave room for, below a title.
 ui::PlaneCamera camera_around(const Marks& marks, const Panel& panel, const Scene& scene, const StructureLook& look,
                               const ui::Fonts& fonts);
+
+/// A beam keeps its length: it is moved up, and its loads are drawn lower, as far as its marks need that.
+LoadedView beam_around(const Marks& marks, const Panel& panel, const Scene& scene, const StructureLook& look,
+                       const ui::Fonts& fonts);
 
 /// Draws marks of a structure in one panel through the drawing library's symbols. \returns what a hand can take hold of
 drawing::Grips draw_structure_in(ui::Painter& painter, const Panel& panel, const Scene& scene,

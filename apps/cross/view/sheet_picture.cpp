@@ -26,6 +26,7 @@ constexpr std::size_t most_ends_at_once = 80;
 constexpr std::size_t least_lines = 4; // of a column, which grows by so many at once
 constexpr double most_magnified = 4.0; // of numbers that a zoom enlarges
 constexpr double usual_above = 1.8;    // ems that columns keep from the top, for the title
+constexpr double foot = 0.5;           // ems that a beam's columns keep from the bottom
 constexpr double balances_until = 0.6; // of a turn's phase; then the carry-overs fly
 
 std::string title_of(const Scene& scene, bool has_key);
@@ -102,7 +103,11 @@ public:
     }
 
     /// Size of the least numbers.
-    double legible() const { return std::max(BlockRequest().least_type, legible_type(scene_.look.full_theme())); }
+    double legible() const
+    {
+        const double least = legible_type(scene_.look.full_theme());
+        return std::max(BlockRequest().least_type, is_beam(shape_) ? std::min(least, type_below_beam()) : least);
+    }
 
 private:
     /// Numbers are written there: of the sheet's half, where it is one.
@@ -163,15 +168,13 @@ private:
         request.largest_type = largest_type();
         request.least_type = least_type;
         request.n_rows = 3;
-        const bool is_read_from_afar = legible_type(scene_.look.full_theme()) > 0.0;
         const bool is_enlarged = scene_.look.zoom.is_of_sheet; // a beam along its axis
-        if (is_beam(shape_) && (is_read_from_afar || is_enlarged)) request.n_rows = 1;
+        if (is_beam(shape_) && (is_read_from_afar() || is_enlarged)) request.n_rows = 1;
         if (is_beam(shape_) && is_enlarged)
-            request.room.max.y = std::min(request.room.max.y, panel_.box.max.y - 0.5 * em);
+            request.room.max.y = std::min(request.room.max.y, panel_.box.max.y - foot * em);
         if (is_beam(shape_)) request.hardly_smaller = 0.65; // columns of a beam are read along it
         request.most_lines = n_lines;
-        // Rather in larger type than with more lines.
-        request.fewest_lines = std::min(n_lines, is_read_from_afar ? least_lines - 1 : least_lines);
+        request.fewest_lines = std::min(n_lines, fewest_lines());
         request.width_of = [this](double type) { return column_width(type); };
         request.middle = middle_of(panel_, shape_);
         layout_ = laid_out(request);
@@ -180,6 +183,15 @@ private:
         std::vector<std::optional<ui::Box>> by_end(problem_.ends.size());
         for (std::size_t i = 0; i < request.places.size(); ++i) by_end[request.places[i].end.index] = layout_.boxes[i];
         layout_.boxes = std::move(by_end);
+    }
+
+    /// Of the shortest columns that reach from a beam to the foot of its picture, which no zoom makes higher.
+    double type_below_beam() const
+    {
+        const double em = theme_in(panel_, scene_.look).type().normal;
+        const double height = panel_.box.max.y - foot * em - panel_.at(shape_.nodes.front()).y;
+        const double ems = column_gap + head_height + line_height * static_cast<double>(fewest_lines()) + total_height;
+        return (height - 1.0) / ems; // a pixel to spare
     }
 
     double largest_type() const
@@ -201,6 +213,11 @@ private:
         if (sheet_ == nullptr) return std::clamp<std::size_t>(n_levels(), 1, most); // it does not grow
         return std::clamp((n_levels() + least_lines - 1) / least_lines * least_lines, least_lines, most);
     }
+
+    bool is_read_from_afar() const { return legible_type(scene_.look.full_theme()) > 0.0; }
+
+    /// From afar rather in larger type than with more lines.
+    std::size_t fewest_lines() const { return is_read_from_afar() ? least_lines - 1 : least_lines; }
 
     double column_width(double type) const { return type * (widest_ + 0.9); }
 
@@ -258,6 +275,14 @@ private:
     }
     std::size_t n_shown() const { return std::min(n_levels(), layout_.n_lines); }
 
+    /// Lines above the first level that is still there: the fixed-end moment and one that says what is gone. In the
+    /// shortest column the moment goes too after all joints at once, which leave a balance and a carry-over.
+    std::size_t n_head_lines() const
+    {
+        const bool is_of_all = sheet_ != nullptr && !sheet_->steps.empty() && !sheet_->steps.back().joint;
+        return is_of_all && layout_.n_lines < least_lines ? 1 : 2;
+    }
+
     /// First level below the fixed-end moments that is still there, for a joint's columns together.
     std::size_t first_shown(const Column& column) const
     {
@@ -265,7 +290,7 @@ private:
         std::size_t used = column.n_levels;
         if (const auto joint = problem_[column.end].joint)
             for (const fc::EndId end : problem_[*joint].ends) used = std::max(used, columns_[end.index].n_levels);
-        return used <= room ? 1 : used - (room - 2); // one line says that some are gone
+        return used <= room ? 1 : used - (room - n_head_lines());
     }
 
     /// Middle of the right end of a line.
@@ -279,14 +304,14 @@ private:
     ui::Point place_of(const Column& column, const Cell& cell) const
     {
         if (cell.level == 0) return line_at(column.end, 0.0);
-        const std::size_t first = first_shown(column);
-        const double skipped = first > 1 ? 2.0 : 1.0;
-        return line_at(column.end, skipped + static_cast<double>(cell.level - first));
+        const std::size_t first = first_shown(column), above = first > 1 ? n_head_lines() : 1;
+        return line_at(column.end, static_cast<double>(above + cell.level - first));
     }
 
     bool is_shown(const Column& column, const Cell& cell) const
     {
-        return cell.level == 0 || cell.level >= first_shown(column);
+        const std::size_t first = first_shown(column);
+        return cell.level >= first || (cell.level == 0 && (first == 1 || n_head_lines() > 1));
     }
 
     bool is_last_turn(const Cell& cell) const
@@ -323,8 +348,9 @@ private:
     void draw_cells(const Column& column)
     {
         if (first_shown(column) > 1)
-            painter_.text(line_at(column.end, 1.0) - ui::Point{0.8 * layout_.type, 0.0}, "⋮",
-                          style(ui::Role::FaintLabel, ui::Anchor::Right));
+            painter_.text(line_at(column.end, static_cast<double>(n_head_lines() - 1)) -
+                              ui::Point{0.8 * layout_.type, 0.0},
+                          "⋮", style(ui::Role::FaintLabel, ui::Anchor::Right));
         for (const Cell& cell : column.cells) {
             if (!is_shown(column, cell)) continue;
             const ui::Point at = place_of(column, cell);

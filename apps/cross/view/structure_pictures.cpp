@@ -221,7 +221,7 @@ namespace {
 
 constexpr std::size_t most_stiffnesses = 24; // of members that have theirs written
 
-/// "EI", "2EI" at the middle of every member.
+/// "EI", "2EI" at the middle of every member, or along it.
 void write_stiffnesses(const Scene& scene, const drawing::Scene& in)
 {
     const std::size_t n = scene.document.model.members.size();
@@ -229,12 +229,14 @@ void write_stiffnesses(const Scene& scene, const drawing::Scene& in)
         const femoop::MemberId id(m);
         const ui::Point a = in.projection(in.shape[id].start_node), b = in.projection(in.shape[id].end_node);
         const ui::Point below = std::abs(b.x - a.x) > std::abs(b.y - a.y) ? ui::Point{0.0, 1.0} : ui::Point{1.0, 0.0};
+        const auto at = [&](double share) { return a + share * (b - a); };
         in.sketch.caption({.text = stiffness_text(*scene.solution.task, id, in.units.format()),
                            .role = ui::Role::FaintLabel,
-                           .target = 0.5 * (a + b),
+                           .target = at(0.5),
                            .toward = below,
                            .rank = drawing::Rank::Minor,
                            .size = in.sketch.theme().type().small,
+                           .others = {at(0.35), at(0.65), at(0.2), at(0.8)}, // loads and their values come first
                            .reach = 16.0});
     }
 }
@@ -245,23 +247,33 @@ namespace {
 
 const StructureLook with_loads{{Show::Loads, Show::Values, Show::NodeNames, Show::Dimensions}};
 
-Marks marks_of_loads(const Scene& scene)
+/// In a narrow picture the lengths of spans and storeys alone: so the structure is larger.
+drawing::Totals totals_in(const Panel& panel, const Scene& scene)
 {
-    return [&scene](const drawing::Scene& in) {
+    constexpr double narrow = 16.0; // ems
+    const bool is_narrow = panel.box.width() < narrow * scene.look.full_theme().type().normal;
+    return is_narrow ? drawing::Totals::LeftOut : drawing::Totals::Drawn;
+}
+
+Marks marks_of_loads(const Scene& scene, drawing::Totals totals)
+{
+    return [&scene, totals](const drawing::Scene& in) {
         drawing::draw_members(in, drawing::Presence::Subject);
         draw_supports_and_joints(in);
         drawing::draw_loads(in);
         drawing::draw_names(in);
         write_stiffnesses(scene, in);
-        drawing::draw_dimensions(in);
+        drawing::draw_dimensions(in, totals);
     };
 }
 
 } // namespace
 
-ui::PlaneCamera camera_around_loads(const Panel& panel, const Scene& scene, const ui::Fonts& fonts)
+LoadedView view_of_loads(const Panel& panel, const Scene& scene, const ui::Fonts& fonts)
 {
-    return camera_around(marks_of_loads(scene), panel, scene, with_loads, fonts);
+    const Marks marks = marks_of_loads(scene, totals_in(panel, scene));
+    if (is_beam(drawing::shape_of(scene.document.model))) return beam_around(marks, panel, scene, with_loads, fonts);
+    return {camera_around(marks, panel, scene, with_loads, fonts)};
 }
 
 drawing::Grips draw_loaded(ui::Painter& painter, const Panel& panel, const Scene& scene)
@@ -269,7 +281,7 @@ drawing::Grips draw_loaded(ui::Painter& painter, const Panel& panel, const Scene
     const std::string& name = scene.document.model.case_name(scene.document.method.load_case);
     draw_title(painter, panel, scene.look.tr("Structure and loads: {case}", {{"case", name}}),
                theme_in(panel, scene.look));
-    return draw_structure_in(painter, panel, scene, with_loads, marks_of_loads(scene));
+    return draw_structure_in(painter, panel, scene, with_loads, marks_of_loads(scene, totals_in(panel, scene)));
 }
 
 void draw_deformed_state(ui::Painter& painter, const Panel& panel, const Scene& scene)

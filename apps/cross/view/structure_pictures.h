@@ -4,8 +4,8 @@
 
 namespace cross {
 
-/// As large as the marks of its loads and lengths leave room for.
-ui::PlaneCamera camera_around_loads(const Panel& panel, const Scene& scene, const ui::Fonts& fonts);
+/// A frame as large as the marks of its loads and lengths leave room for, a beam at the height where they all have it.
+LoadedView view_of_loads(const Panel& panel, const Scene& scene, const ui::Fonts& fonts);
 /// The structure with the loads of its case. \returns what a hand can take hold of
 drawing::Grips draw_loaded(ui::Painter& painter, const Panel& panel, const Scene& scene);
 

@@ -52,17 +52,17 @@ void draw_chain(const Scene& scene, const Chain& chain)
                      .length = chain.levels[i + 1] - chain.levels[i]});
 }
 
-void draw_with_total(const Scene& scene, const Chain& chain, double step)
+void draw_with_total(const Scene& scene, const Chain& chain, double step, Totals totals)
 {
     if (chain.levels.size() < 2) return;
-    if (chain.levels.size() == 2) return draw_chain(scene, chain);
     draw_chain(scene, chain);
+    if (chain.levels.size() == 2 || totals == Totals::LeftOut) return;
     draw_chain(scene, {{chain.levels.front(), chain.levels.back()},
                        [&](double level) { return chain.at(level) + step * chain.outward; },
                        chain.outward});
 }
 
-void draw_in_plane(const Scene& scene)
+void draw_in_plane(const Scene& scene, Totals totals)
 {
     Sketch& sketch = scene.sketch;
     if (!sketch.bounds()) return;
@@ -76,7 +76,7 @@ void draw_in_plane(const Scene& scene)
                          return ui::Point{sheet(x, 0.0).x, around.max.y + gap};
                      },
                      ui::Point{0.0, 1.0}},
-                    step);
+                    step, totals);
     const std::vector<double> heights = levels(scene, 1);
     draw_with_total(scene,
                     {heights,
@@ -84,10 +84,10 @@ void draw_in_plane(const Scene& scene)
                          return ui::Point{around.min.x - gap, sheet(0.0, y).y};
                      },
                      ui::Point{-1.0, 0.0}},
-                    std::max(step, text_width(scene, heights) + sketch.px(14.0)));
+                    std::max(step, text_width(scene, heights) + sketch.px(14.0)), totals);
 }
 
-void draw_in_space(const Scene& scene)
+void draw_in_space(const Scene& scene, Totals totals)
 {
     Sketch& sketch = scene.sketch;
     const double unit = sketch.px(34.0) / scene.projection.scale();
@@ -97,7 +97,7 @@ void draw_in_space(const Scene& scene)
     if (x.empty()) return;
     const auto at = [&](double px, double py, double pz) { return scene.projection(Vector3d(px, py, pz)); };
     const auto chain = [&](std::vector<double> list, std::function<ui::Point(double)> place, ui::Point outward) {
-        draw_with_total(scene, {std::move(list), std::move(place), outward}, sketch.px(26.0));
+        draw_with_total(scene, {std::move(list), std::move(place), outward}, sketch.px(26.0), totals);
     };
     chain(
         x, [&](double v) { return at(v, y.front() - unit, z.front()); },
@@ -123,11 +123,11 @@ std::vector<Eigen::Vector3d> dimensioned_corners(const StructureShape& shape)
     return {least, {most.x(), least.y(), least.z()}, {most.x(), most.y(), least.z()}, {least.x(), least.y(), most.z()}};
 }
 
-void draw_dimensions(const Scene& scene)
+void draw_dimensions(const Scene& scene, Totals totals)
 {
     const ui::LayerScope layer(scene.sketch.painter(), ui::Layer::Symbols);
-    if (scene.is_flat()) draw_in_plane(scene);
-    else draw_in_space(scene);
+    if (scene.is_flat()) draw_in_plane(scene, totals);
+    else draw_in_space(scene, totals);
 }
 
 } // namespace drawing

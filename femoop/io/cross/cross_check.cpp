@@ -32,7 +32,8 @@ void check_sheet(SheetCheck& check)
     const std::vector<Block::Row>& wanted = check.block().sheet;
     if (wanted.empty()) return;
     const Problem& half = check.problem().of_sheet(0);
-    check.sheet(wanted, half, check.worked(half, check.problem().loading, wanted), check.tr()("cross"));
+    check.sheet(wanted, half, check.worked(half, check.problem().loading, wanted),
+                {"cross.sheet", check.tr()("cross")});
 }
 
 void check_final(SheetCheck& check)

@@ -91,15 +91,15 @@ Sheet SheetCheck::worked(const Problem& half, const Loading& loading, const std:
 }
 
 void SheetCheck::sheet(const std::vector<Block::Row>& wanted, const Problem& half, const Sheet& sheet,
-                       const std::string& whose)
+                       const Place& place)
 {
     const std::vector<Row> rows = rows_of(half, sheet);
     if (rows.size() != wanted.size())
         throw ModelError({{FaultKind::CrossSheetTooLong,
-                           {"cross.sheet", std::to_string(wanted.size()), std::to_string(rows.size())}}});
+                           {place.in_file, std::to_string(wanted.size()), std::to_string(rows.size())}}});
     for (std::size_t i = 0; i < rows.size(); ++i) {
         const std::string_view step = step_names[static_cast<std::size_t>(rows[i].kind)];
-        row(fill(tr_("{0}: row {1} {2}"), {whose, std::to_string(i + 1), std::string(step)}), wanted[i].values,
+        row(fill(tr_("{0}: row {1} {2}"), {place.in_words, std::to_string(i + 1), std::string(step)}), wanted[i].values,
             rows[i].values, of_sheet());
         if (wanted[i].step != step && !wanted[i].values.empty()) outcomes_.back().verdict = Verdict::Failed;
     }

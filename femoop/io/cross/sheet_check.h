@@ -39,9 +39,12 @@ public:
     void row(const std::string& what, const Labelled& wanted, const Exact& values);
     /// An exact value, \param largest  of its kind
     void number(const std::string& what, double wanted, double found, double largest);
+    /// Which sheet of a file is meant: "cross.stages[1].sheet", "cross: stage 2".
+    struct Place {
+        std::string in_file, in_words;
+    };
     /// Every row of a sheet. \throws ModelError (CrossSheetTooLong)
-    void sheet(const std::vector<Block::Row>& wanted, const Problem& half, const Sheet& sheet,
-               const std::string& whose);
+    void sheet(const std::vector<Block::Row>& wanted, const Problem& half, const Sheet& sheet, const Place& place);
     /// The sheet as far as the file's goes.
     Sheet worked(const Problem& half, const Loading& loading, const std::vector<Block::Row>& wanted) const;
 

@@ -160,7 +160,7 @@ private:
         check_.row(fill(tr_("{0}: fixed-end moments"), {whose_}), stage_->fixed_end, loading.fixed_end,
                    check_.of_sheet());
         Sheet sheet = check_.worked(half, loading, stage_->sheet);
-        if (!stage_->sheet.empty()) check_.sheet(stage_->sheet, half, sheet, whose_);
+        if (!stage_->sheet.empty()) check_.sheet(stage_->sheet, half, sheet, {place_of(number_, "sheet"), whose_});
         return sheet;
     }
 

@@ -74,6 +74,7 @@ TEST_CASE("A frame's feet are no ends of spans, so none is added below them or t
         REQUIRE(session.open(path));
         const Model& frame = session.document().model;
         for (const Side side : {Side::Left, Side::Right}) {
+            CHECK_FALSE(end_of_spans(frame, side));
             CHECK_FALSE(with_span_added(frame, side));
             CHECK_FALSE(with_span_removed(frame, side));
         }

@@ -1,9 +1,12 @@
 // Golden pictures of a pupil's sheet: empty, on the way with mistakes, solved; beams and frames.
 #include <doctest/doctest.h>
 
+#include <algorithm>
+
 #include "apps/cross/document/file.h"
 #include "apps/cross/view/numbers.h"
 #include "apps/cross/view/scene.h"
+#include "tests/apps/cross/strings.h"
 #include "tests/golden/scene.h"
 
 using namespace cross;
@@ -97,6 +100,29 @@ TEST_CASE("Cells of a portal's feet stand beside them, as high as the projector'
             CHECK(foot - cells_of(end).max.y < 60.0);
         }
     }
+}
+
+TEST_CASE("No stiffness of an exercise's spans is written under the heading of its sheet")
+{
+    const ui::Fonts fonts;
+    for (const fc::Difficulty difficulty : {fc::Difficulty::Overhang, fc::Difficulty::SeveralSpans})
+        for (const ui::Size size : {ui::Size{900.0, 540.0}, ui::Size{1280.0, 740.0}}) {
+            CAPTURE(size.width);
+            const Document document = exercise(difficulty, 1);
+            const Solution solution = solve(document);
+            const std::optional<Worksheet> worksheet = worksheet_of(document);
+            REQUIRE(worksheet);
+            const Look look{.theme = ui::ThemeName::Projector, .zoom = {.factor = 1.4, .is_of_sheet = true}};
+            ui::Painter painter(size, fonts);
+            draw(painter, {document, solution, nullptr, 1.0, {}, look, &*worksheet});
+            Strings strings(fonts);
+            painter.picture().draw_on(strings);
+            const auto heading = std::ranges::find_if(
+                strings.all, [](const auto& string) { return string.words.starts_with("Fill the sheet"); });
+            REQUIRE(heading != strings.all.end());
+            for (const Strings::String& string : strings.all)
+                if (string.words.ends_with("EI")) CHECK_FALSE(string.box.overlaps(heading->box));
+        }
 }
 
 TEST_CASE("A zoom makes the cells of a sheet larger")

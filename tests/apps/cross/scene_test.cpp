@@ -8,8 +8,10 @@
 #include <string_view>
 
 #include "apps/cross/document/file.h"
+#include "apps/cross/view/numbers.h"
 #include "apps/cross/view/scene.h"
 #include "apps/cross/view/sheet_places.h"
+#include "tests/apps/cross/strings.h"
 #include "tests/golden/scene.h"
 #include "ui/paint/surface.h"
 #include "ui/paint/surface/golden_text.h"
@@ -196,6 +198,32 @@ TEST_CASE("A portal's load is written below the heading in every window, and its
         }
 }
 
+TEST_CASE(
+    "A beam's lengths and stiffnesses are written whole where loads point up as well as down, on a small projector")
+{
+    Document document = starting_document();
+    auto& loads = document.model.load_cases.front().members;
+    REQUIRE(loads.size() == 3);
+    std::get<femoop::DistributedLoad>(loads[0].load).values.front().start = femoop::Quantity(8.1);
+    const Solution solution = solve(document);
+    const ui::Fonts fonts;
+    for (const ui::ThemeName theme : {ui::ThemeName::Light, ui::ThemeName::Projector})
+        for (const ui::Size size : {ui::Size{900.0, 494.0}, ui::Size{630.0, 720.0}, ui::Size{1280.0, 694.0}}) {
+            CAPTURE(size.width);
+            Look look;
+            look.theme = theme;
+            ui::Painter painter(size, fonts);
+            const Drawn drawn = draw(painter, {document, solution, nullptr, 1.0, {}, look});
+            for (const char* const length : {"8 m", "6 m", "20 m"}) {
+                CAPTURE(length);
+                REQUIRE(box_of(length, drawn));
+                CHECK(drawn.views.front().box.contains(box_of(length, drawn)->min));
+                CHECK(drawn.views.front().box.contains(box_of(length, drawn)->max));
+            }
+            CHECK(std::ranges::count(drawn.texts, std::string("EI"), &WrittenText::text) == 3);
+        }
+}
+
 TEST_CASE("The numbers of a beam's sheet grow with the wheel, on the projector too")
 {
     const auto size_of_factor = [](const Zoom& zoom) {
@@ -272,35 +300,15 @@ TEST_CASE("On the projector no number of a sheet is smaller than the panels' tex
         }
 }
 
-namespace {
-
-/// Where each string stands.
-class Strings : public ui::Surface {
-public:
-    explicit Strings(const ui::Fonts& fonts) : fonts_(fonts) {}
-
-    struct String {
-        std::string words;
-        ui::Box box;
-    };
-
-    void clip(const ui::Box& /*box*/) override {}
-    void stroke(const ui::Path& /*path*/, const ui::Stroke& /*stroke*/) override {}
-    void fill(std::span<const ui::Point> /*polygon*/, ui::Color /*color*/) override {}
-    void stroke_arc(const ui::Arc& /*arc*/, const ui::Stroke& /*stroke*/) override {}
-    void fill_disc(ui::Point /*center*/, double /*radius*/, ui::Color /*color*/) override {}
-    void text(ui::Point at, std::string_view utf8, const ui::TextStyle& style) override
-    {
-        all.push_back({std::string(utf8), ui::text_box(fonts_, at, utf8, style)});
+TEST_CASE("On a small projector every column of a beam has room, in type as large as its height allows")
+{
+    for (const ui::Size size : {ui::Size{900.0, 494.0}, ui::Size{432.0, 494.0}, ui::Size{1280.0, 500.0}}) {
+        CAPTURE(size.width);
+        const Enlarged sheet = enlarged_for_last_row("examples/three_spans.json", size);
+        CHECK(sheet.type >= 13.5);
+        CHECK(sheet.n_without_room == 0);
     }
-
-    std::vector<String> all;
-
-private:
-    const ui::Fonts& fonts_;
-};
-
-} // namespace
+}
 
 TEST_CASE("The columns of a frame of six storeys stand below the heading of its sheet")
 {
@@ -362,6 +370,27 @@ TEST_CASE("A carry-over whose balance has left its full column has no arrow, whi
     ArrowHeads heads;
     painter.picture().draw_on(heads);
     CHECK(heads.uppermost > 20.0);
+}
+
+TEST_CASE("After all joints at once the shortest column shows the last balance and what was carried over to it")
+{
+    Document document = read_document_file("tests/cases/own/staged-two-storeys.json");
+    document.method.order = fc::Order::AllAtOnce;
+    Solution solution = solve(document);
+    take_turns(document, solution, 3);
+    const Look look{.theme = ui::ThemeName::Projector};
+    const ui::Fonts fonts;
+    ui::Painter painter({1280.0, 694.0}, fonts);
+    draw(painter, {document, solution, nullptr, 1.0, {}, look});
+    const std::string drawn = ui::golden_text(painter.picture());
+    const Numbers numbers(document, solution, look);
+    const fc::Sheet& sheet = *solution.sheet(document);
+    for (const auto& changes : {sheet.balanced(sheet.steps.back()), sheet.carried_over(sheet.steps.back())})
+        for (const fc::Change& change : changes) {
+            const std::string text = numbers.moment(solution.task->problem[change.end], change.value);
+            CAPTURE(text);
+            CHECK(drawn.find('"' + text + '"') != std::string::npos);
+        }
 }
 
 TEST_CASE("In a narrow picture the forces of two props are written at its foot, named by their nodes")

@@ -39,6 +39,8 @@ TEST_CASE("What goes wrong in a scenario of moment distribution is told with its
     CHECK(played("command edit.undo") == "line 1: nothing was changed yet");
     CHECK(played("command work.back") == "line 1: every joint is locked: this is the start");
     CHECK(played("command work.branch") == "line 1: there is one way only; go back and click another joint");
+    CHECK(played("command file.open examples/portal.json\ncommand edit.left_end") ==
+          "line 2: no span ends alone at this side");
     CHECK(played("command work.next_sheet") == "line 1: the structure cannot sway: it has one sheet");
     CHECK(played("command work.balance D") == "line 1: work.balance: found \"D\", wanted a joint that can be balanced");
     CHECK(played("command method.digits x") == "line 1: method.digits: found \"x\", wanted a number");

@@ -1,4 +1,5 @@
 #include "ui/paint/text_measure.h"
+#include "ui/paint/wrapped_lines.h"
 
 #include <doctest/doctest.h>
 
@@ -31,6 +32,25 @@ TEST_CASE("Bold type is wider than regular type")
 {
     const ui::Fonts fonts;
     CHECK(fonts.measure("moment", 13.0, ui::Weight::Bold).width > fonts.measure("moment", 13.0).width);
+}
+
+TEST_CASE("No line of a broken text begins with the dot that parts two words, and none is lost")
+{
+    const ui::Fonts fonts;
+    const ui::TextStyle style{.size = 11.0};
+    const std::string text = "load case G  ·  units kN, m  ·  statically indeterminate";
+    for (double width = 10.0; width < 400.0; width += 1.0) {
+        CAPTURE(width);
+        std::string all;
+        for (const std::string& line : ui::wrapped_lines(fonts, text, style, width)) {
+            CHECK_FALSE(line.starts_with("·"));
+            all += line;
+        }
+        std::string letters = text;
+        std::erase(letters, ' ');
+        std::erase(all, ' ');
+        CHECK(all == letters);
+    }
 }
 
 TEST_CASE("The font has the Greek, Portuguese and mathematical characters that the program writes")
