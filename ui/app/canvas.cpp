@@ -1,6 +1,5 @@
 #include "ui/app/canvas.h"
 
-#include <algorithm>
 #include <array>
 #include <utility>
 
