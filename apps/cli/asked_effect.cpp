@@ -2,6 +2,7 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <array>
 #include <charconv>
 #include <utility>
 #include <variant>
@@ -69,7 +70,42 @@ void AskedEffect::declare(CLI::App& app, const ui::Catalogue& tr)
         ->option_text("C");
 }
 
-std::string_view AskedEffect::option() const { return member_ ? "--member" : node_ ? "--node" : "--path"; }
+std::string AskedEffect::named(std::string_view key) const
+{
+    return (within_.empty() ? "--" : within_ + " ") + std::string(key);
+}
+
+/// An id may hold commas: what follows one is a part of its own where it begins with a key.
+void AskedEffect::take(std::string_view option, std::string_view text, const ui::Catalogue& tr)
+{
+    within_ = option;
+    const std::array<std::pair<std::string_view, std::optional<std::string>*>, 4> keys{
+        {{"member", &member_}, {"node", &node_}, {"component", &component_}, {"at", &at_}}};
+    const auto key_of = [&](std::string_view part) {
+        return std::ranges::find_if(keys, [&](const auto& key) {
+            return part.starts_with(key.first) && part.substr(key.first.size()).starts_with('=');
+        });
+    };
+    std::optional<std::string>* last = nullptr;
+    for (std::size_t begin = 0; begin <= text.size();) {
+        const std::size_t end = std::min(text.find(',', begin), text.size());
+        const std::string_view part = text.substr(begin, end - begin);
+        if (const auto* key = key_of(part); key != keys.end()) {
+            last = key->second;
+            *last = part.substr(key->first.size() + 1);
+        } else if (last != nullptr) {
+            **last += "," + std::string(part);
+        } else {
+            throw UsageError(
+                tr("{option}: \"{found}\" asks for nothing; write it like member=BC,at=50%,component=M, or "
+                   "node=B,component=ux",
+                   {{"option", option}, {"found", femoop::printable(text)}}));
+        }
+        begin = end + 1;
+    }
+}
+
+std::string AskedEffect::option() const { return member_ ? named("member") : node_ ? named("node") : "--path"; }
 
 std::string AskedEffect::text() const
 {
@@ -80,15 +116,15 @@ void AskedEffect::require_sensible(const ui::Catalogue& tr, Place place) const
 {
     if (!is_asked()) return;
     if (member_ && node_)
-        throw UsageError(
-            tr("{a} and {b} ask for different things; give one of them", {{"a", "--member"}, {"b", "--node"}}));
-    const auto require = [&](bool is_there, std::string_view option, std::string_view missing) {
+        throw UsageError(tr("{a} and {b} ask for different things; give one of them",
+                            {{"a", named("member")}, {"b", named("node")}}));
+    const auto require = [&](bool is_there, const std::string& option, const std::string& missing) {
         if (!is_there) throw UsageError(tr("{a} needs {b} too; add it", {{"a", option}, {"b", missing}}));
     };
-    if (at_) require(member_.has_value(), "--at", "--member");
-    if (component_) require(member_ || node_, "--component", "--member, --node");
-    require(component_.has_value(), option(), "--component");
-    if (member_ && place == Place::Needed) require(at_.has_value(), "--member", "--at");
+    if (at_) require(member_.has_value(), named("at"), named("member"));
+    if (component_) require(member_ || node_, named("component"), named("member") + ", " + named("node"));
+    require(component_.has_value(), option(), named("component"));
+    if (member_ && place == Place::Needed) require(at_.has_value(), named("member"), named("at"));
 }
 
 femoop::Position AskedEffect::place(const Model& model) const
@@ -97,9 +133,9 @@ femoop::Position AskedEffect::place(const Model& model) const
     if (!text.empty() && text.back() == '%') {
         text.remove_suffix(1);
         if (const auto share = number_in(text)) return femoop::Percent{*share};
-        throw femoop::ModelError({Fault{FaultKind::BadPercentage, {"--at", *at_}}});
+        throw femoop::ModelError({Fault{FaultKind::BadPercentage, {named("at"), *at_}}});
     }
-    return length_named("--at", *at_, model);
+    return length_named(named("at"), *at_, model);
 }
 
 femoop::MovingEffect AskedEffect::effect(const Model& model, const ui::Catalogue& tr) const
@@ -107,9 +143,10 @@ femoop::MovingEffect AskedEffect::effect(const Model& model, const ui::Catalogue
     femoop::MovingEffect effect;
     if (member_) {
         effect.member = model.find_member(*member_);
-        if (!effect.member) throw unknown_choice("--member", *member_, ids_of(model.members), tr);
+        if (!effect.member) throw unknown_choice(named("member"), *member_, ids_of(model.members), tr);
         effect.component = femoop::find_member_component(*component_, model.analysis);
-        if (!effect.component) throw unknown_choice("--component", *component_, member_components(model.analysis), tr);
+        if (!effect.component)
+            throw unknown_choice(named("component"), *component_, member_components(model.analysis), tr);
         if (at_) effect.at = place(model);
         const bool is_displacement = *effect.component >= femoop::MemberComponent::u;
         effect.quantity = is_displacement ? femoop::ExpectedQuantity::Displacement
@@ -118,10 +155,10 @@ femoop::MovingEffect AskedEffect::effect(const Model& model, const ui::Catalogue
         return effect;
     }
     effect.node = model.find_node(*node_);
-    if (!effect.node) throw unknown_choice("--node", *node_, ids_of(model.nodes), tr);
+    if (!effect.node) throw unknown_choice(named("node"), *node_, ids_of(model.nodes), tr);
     const std::vector<std::string> known = node_components(model.analysis);
     if (std::ranges::find(known, *component_) == known.end())
-        throw unknown_choice("--component", *component_, known, tr);
+        throw unknown_choice(named("component"), *component_, known, tr);
     const auto force = femoop::find_force_dof(*component_);
     effect.quantity = force ? femoop::ExpectedQuantity::Reaction : femoop::ExpectedQuantity::Displacement;
     effect.dof = force ? force : femoop::find_dof(*component_);

@@ -17,9 +17,12 @@ class AskedEffect {
 public:
     void declare(CLI::App& app, const ui::Catalogue& tr);
 
+    /// The same in one text: member=M,at=X,component=C or node=N,component=C. \throws UsageError naming `option`
+    void take(std::string_view option, std::string_view text, const ui::Catalogue& tr);
+
     bool is_asked() const { return member_ || node_ || component_ || at_; }
-    std::string_view option() const; ///< by which messages name it
-    std::string text() const;        ///< "BC M 50%"
+    std::string option() const; ///< by which messages name it
+    std::string text() const;   ///< "BC M 50%"
 
     /// Where --at may be missing the effect is the extreme along the member.
     enum class Place { Needed, Optional };
@@ -33,6 +36,9 @@ public:
 private:
     femoop::Position place(const femoop::Model& model) const;
 
+    std::string named(std::string_view key) const; ///< "--member", or "--why member" in one text
+
+    std::string within_; ///< the option whose text it is; empty where each part has an option of its own
     std::optional<std::string> member_, node_, component_, at_;
 };
 

@@ -11,15 +11,18 @@
 
 #include "apps/cli/analysis_run.h"
 #include "apps/cli/argument.h"
+#include "apps/cli/asked_effect.h"
 #include "apps/cli/model_input.h"
 #include "apps/cli/output_file.h"
 #include "apps/cli/solver_trace.h"
 #include "femoop/analysis/stopwatch.h"
 #include "femoop/analysis/trace.h"
+#include "femoop/io/derivation/derivation_text.h"
 #include "femoop/io/json/json_writer.h"
 #include "femoop/io/results/results_csv.h"
 #include "femoop/io/results/results_json.h"
 #include "femoop/io/results/results_table.h"
+#include "femoop/methods/derivation/derivation.h"
 #include "femoop/model/quantity/number_text.h"
 #include "femoop/result/describe.h"
 
@@ -55,11 +58,12 @@ private:
                             const ui::Catalogue& tr) const;
     void require_one_output(const ui::Catalogue& tr) const;
     std::string trace(const Model& model, const ui::Catalogue& tr) const;
+    std::string derivation(const Model& model, const Results& results, const ui::Catalogue& tr) const;
     void write_csv(const Model& model, const Results& results, const Selection& selection,
                    const Console& console) const;
 
     std::string file_, case_ = "all", stations_ = std::to_string(femoop::usual_n_stations), solver_ = "automatic";
-    std::optional<std::string> csv_folder_, traced_member_;
+    std::optional<std::string> csv_folder_, traced_member_, asked_number_;
     bool is_json_ = false, is_timed_ = false, is_refined_ = false, is_described_ = false;
     SolverTraceOptions solver_trace_;
 };
@@ -81,6 +85,8 @@ HelpText Solve::help(const ui::Catalogue& tr) const
           tr("Five files for a spreadsheet in the folder results.")},
          {"cremona solve examples/portal.json --trace BC",
           tr("How member BC enters the system: its stiffness, its rotation, its fixed-end forces, its places.")},
+         {"cremona solve examples/portal.json --why member=BC,at=50%,component=M",
+          tr("Where this moment comes from, step by step from the data: matrices, equations, end forces.")},
          {"cremona solve examples/storey_frame.json --trace-solver",
           tr("Which solver and which order are chosen, and how the front walks over the structure.")},
          {"cremona solve examples/portal.json --describe",
@@ -115,6 +121,13 @@ void Solve::declare(CLI::App& app, const ui::Catalogue& tr)
            tr("print how this member enters the system instead of the results: stiffness in "
               "its own axes and in those of the nodes, transformation, fixed-end forces, places in the system matrix"))
         ->option_text("MEMBER");
+    app.add_option(
+           "--why", asked_number_,
+           tr("print where one number comes from, instead of the results: every step from the data to it. "
+              "member=M,at=X,component=C asks for a section force or a displacement of a member (without at: its "
+              "extreme), node=N,component=C for a reaction (fx ..) or a displacement (ux ..); of the first load "
+              "case, or that of --case"))
+        ->option_text("WHAT");
     solver_trace_.declare(app, tr);
     app.add_flag("--describe", is_described_,
                  tr("print sentences instead of tables: for a screen reader, or beside a picture"));
@@ -165,6 +178,11 @@ void Solve::require_one_output(const ui::Catalogue& tr) const
     refuse(traced_member_ && case_ != "all", "--trace", "--case");
     refuse(traced_member_ && csv_folder_, "--trace", "--csv");
     refuse(is_described_ && case_ == "envelope", "--describe", "--case envelope");
+    refuse(asked_number_ && traces_solver, "--why", "--trace-solver");
+    refuse(asked_number_ && traced_member_, "--why", "--trace");
+    refuse(asked_number_ && is_described_, "--why", "--describe");
+    refuse(asked_number_ && csv_folder_, "--why", "--csv");
+    refuse(asked_number_ && case_ == "envelope", "--why", "--case envelope");
 }
 
 std::string Solve::description(const Model& model, const Results& results, const Selection& selection,
@@ -189,10 +207,27 @@ std::string Solve::trace(const Model& model, const ui::Catalogue& tr) const
     return is_json_ ? femoop::trace_json(trace, model.units) : femoop::trace_text(trace, model.units, tr);
 }
 
+std::string Solve::derivation(const Model& model, const Results& results, const ui::Catalogue& tr) const
+{
+    AskedEffect asked;
+    asked.take("--why", *asked_number_, tr);
+    asked.require_sensible(tr, AskedEffect::Place::Optional);
+    const femoop::MovingEffect effect = asked.sound_effect(model, tr);
+    if (const auto member = femoop::derivation::constrained_member(model))
+        throw UsageError(tr("--why: member {member} is inextensible or rigid: a constraint stands where its stiffness "
+                            "would, and is not written as steps yet; give it a stiffness to see them",
+                            {{"member", model[*member].id}}));
+    if (model.n_cases() == 0) throw UsageError(tr("The model has no load case."));
+    const CaseId load_case = case_ == "all" && !model.find_case("all") ? CaseId(0) : find_case(model, case_, tr);
+    const auto derivation = femoop::derivation::derive(model, results, load_case, effect);
+    return is_json_ ? derivation_json(derivation, model, tr) : derivation_text(derivation, model, tr);
+}
+
 std::string Solve::output(const Model& model, const Results& results, const Selection& selection,
                           const ui::Catalogue& tr) const
 {
     if (traced_member_) return trace(model, tr);
+    if (asked_number_) return derivation(model, results, tr);
     if (is_described_) return description(model, results, selection, tr);
     if (!is_json_) return tables(model, results, selection, tr);
     return selection.is_envelope ? femoop::envelope_json(model, results, selection.cases, selection.n_stations)

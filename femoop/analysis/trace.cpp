@@ -1,7 +1,9 @@
 #include "femoop/analysis/trace.h"
 
 #include <algorithm>
+#include <cstdint>
 
+#include "femoop/analysis/assembler.h"
 #include "femoop/discretisation/case_loads.h"
 #include "femoop/discretisation/equations.h"
 #include "femoop/discretisation/node_axes.h"
@@ -146,6 +148,16 @@ template <AnalysisKind kind> MemberTrace trace_of(const Model& model, const Disc
     return trace;
 }
 
+std::vector<SystemTrace::Unknown> unknowns_of(const Discretisation& structure, const Equations& equations)
+{
+    std::vector<SystemTrace::Unknown> unknowns;
+    for (std::size_t node = 0; node < structure.positions.size(); ++node)
+        for (std::size_t i = 0; i < model_dofs(structure.kind).size(); ++i)
+            if (equations.of(NodeId(node), i) != Equations::none)
+                unknowns.push_back({NodeId(node), model_dofs(structure.kind)[i]});
+    return unknowns;
+}
+
 } // namespace
 
 MemberTrace trace(const Model& model, MemberId member)
@@ -154,6 +166,29 @@ MemberTrace trace(const Model& model, MemberId member)
     const Discretisation structure = discretise(model);
     return with_model(model.analysis,
                       [&](auto kind) { return trace_of<decltype(kind)::value>(model, structure, member); });
+}
+
+SystemTrace trace_system(const Model& model)
+{
+    require_sound(model);
+    const Discretisation structure = discretise(model);
+    const Elements elements(structure);
+    const Equations equations(structure, elements, SolverKind::Automatic);
+    const Assembler assembler(structure, elements, equations);
+
+    Eigen::PermutationMatrix<Eigen::Dynamic> on_paper(static_cast<Eigen::Index>(equations.n_unknowns()));
+    const std::vector<int> places = numbered_by_node(structure, equations);
+    for (std::size_t i = 0; i < places.size(); ++i) on_paper.indices()[static_cast<Eigen::Index>(i)] = places[i] - 1;
+
+    SparseMatrix lower = equations.pattern().matrix();
+    static_cast<void>(assembler.add_stiffness(lower));
+    SystemTrace trace{.unknowns = unknowns_of(structure, equations), .K = {}, .f = {}};
+    trace.K = lower.selfadjointView<Eigen::Lower>().twistedBy(on_paper);
+    const std::vector<CaseLoads> loads = loads_of(model, structure);
+    trace.f.resize(static_cast<Eigen::Index>(equations.n_unknowns()), static_cast<Eigen::Index>(loads.size()));
+    for (std::size_t c = 0; c < loads.size(); ++c)
+        trace.f.col(static_cast<Eigen::Index>(c)) = on_paper * assembler.load_vector<double>(loads[c]);
+    return trace;
 }
 
 } // namespace femoop

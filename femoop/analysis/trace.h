@@ -7,6 +7,7 @@
 
 #include "femoop/element/member_properties.h"
 #include "femoop/model/model.h"
+#include "femoop/solver/system_pattern.h"
 
 namespace femoop {
 
@@ -36,5 +37,20 @@ struct MemberTrace {
 
 /// Traces one member through the same code that solves. \throws ModelError as `analyse`.
 MemberTrace trace(const Model& model, MemberId member);
+
+/// The equations K u = f of a structure as one writes them on paper: node after node in the model's order.
+struct SystemTrace {
+    struct Unknown {
+        NodeId node;
+        Dof dof; ///< in the axes of the node: global, or those of its support where that is turned
+    };
+    std::vector<Unknown> unknowns;
+    SparseMatrix K;    ///< both triangles
+    Eigen::MatrixXd f; ///< [unknowns x load cases], with what settlements bring
+};
+
+/// Traces the whole system through the same code that solves. \throws ModelError as `analyse`.
+/// \pre no member is inextensible or rigid: a constraint is in no stiffness
+SystemTrace trace_system(const Model& model);
 
 } // namespace femoop

@@ -1,15 +1,14 @@
 #include "femoop/result/describe.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <cstdio>
 #include <string_view>
 #include <variant>
 #include <vector>
 
 #include "femoop/model/quantity/dimension.h"
 #include "femoop/model/quantity/number_text.h"
+#include "femoop/model/quantity/six_digits.h"
 #include "femoop/model/quantity/unit_signs.h"
 #include "femoop/result/components.h"
 
@@ -19,13 +18,6 @@ namespace {
 
 constexpr double noise = 1.0e-9;     // of the largest of its kind
 constexpr double rounding = 1.0e-15; // of the structure's size
-
-std::string six_digits(double value)
-{
-    std::array<char, 32> buffer{};
-    static_cast<void>(std::snprintf(buffer.data(), buffer.size(), "%.6g", value == 0.0 ? 0.0 : value));
-    return buffer.data();
-}
 
 std::string join(const std::vector<std::string>& parts, std::string_view separator)
 {
@@ -40,7 +32,7 @@ public:
     Words(const Model& model, const Translator& tr) : model_(model), tr_(tr) {}
 
     std::string tr(std::string_view text) const { return tr_(text); }
-    std::string number(double value) const { return localized(six_digits(value), tr_); }
+    std::string number(double value) const { return six_digits(value, tr_); }
     std::string quantity(double value, Dimension dimension) const { return number(value) + " " + unit(dimension); }
     std::string length(double value) const { return quantity(value, dimension::length); }
 

@@ -1,5 +1,3 @@
-#include <array>
-#include <cstdio>
 #include <string>
 #include <vector>
 
@@ -7,6 +5,7 @@
 #include "femoop/methods/influence/effect_name.h"
 #include "femoop/model/quantity/dimension.h"
 #include "femoop/model/quantity/number_text.h"
+#include "femoop/model/quantity/six_digits.h"
 #include "femoop/result/magnitudes.h"
 #include "femoop/tabular/plain_text.h"
 
@@ -25,13 +24,6 @@ Dimension ordinate_dimension(AnalysisKind kind, const InfluenceLineDefinition& l
     d.force = static_cast<std::int8_t>(d.force - 1);
     if (is_couple) d.length = static_cast<std::int8_t>(d.length - 1);
     return d;
-}
-
-std::string six_digits(double value, const Translator& tr)
-{
-    std::array<char, 32> text{};
-    std::snprintf(text.data(), text.size(), "%.6g", value == 0.0 ? 0.0 : value);
-    return localized(text.data(), tr);
 }
 
 std::string places_text(const LineExtreme& extreme, const Translator& tr)

@@ -4,9 +4,9 @@
 #include <array>
 #include <cmath>
 #include <cstdio>
-#include <numeric>
 #include <string_view>
 
+#include "femoop/io/results/matrix_table.h"
 #include "femoop/model/quantity/dimension.h"
 #include "femoop/model/quantity/number_text.h"
 #include "femoop/model/quantity/unit_signs.h"
@@ -271,23 +271,6 @@ tabular::Table member_envelope(const Model& model, const Envelope& envelope,
                            model.case_name(extremes.min.load_case)},
                           static_cast<std::size_t>(component));
         }
-    return table;
-}
-
-tabular::Table matrix_table(const std::vector<std::string>& rows, const std::vector<std::string>& columns,
-                            const Eigen::MatrixXd& matrix)
-{
-    std::vector<tabular::Column> headers{""};
-    headers.insert(headers.end(), columns.begin(), columns.end());
-    tabular::Table table(headers);
-    for (Eigen::Index i = 0; i < matrix.rows(); ++i) {
-        std::vector<tabular::Cell> row{rows[static_cast<std::size_t>(i)]};
-        for (Eigen::Index j = 0; j < matrix.cols(); ++j) row.emplace_back(matrix(i, j));
-        table.add_row(std::move(row));
-    }
-    std::vector<std::size_t> numbers(columns.size());
-    std::iota(numbers.begin(), numbers.end(), std::size_t{1});
-    table.silence_round_off(numbers);
     return table;
 }
 

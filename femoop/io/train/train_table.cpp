@@ -1,8 +1,6 @@
 #include "femoop/io/train/train_table.h"
 
 #include <algorithm>
-#include <array>
-#include <cstdio>
 #include <string_view>
 
 #include "femoop/geometry/member_geometry.h"
@@ -10,6 +8,7 @@
 #include "femoop/methods/influence/effect_name.h"
 #include "femoop/model/quantity/dimension.h"
 #include "femoop/model/quantity/number_text.h"
+#include "femoop/model/quantity/six_digits.h"
 #include "femoop/tabular/plain_text.h"
 
 namespace femoop::influence {
@@ -35,12 +34,7 @@ public:
     }
 
 private:
-    std::string number(double value) const
-    {
-        std::array<char, 32> buffer{};
-        static_cast<void>(std::snprintf(buffer.data(), buffer.size(), "%.6g", value == 0.0 ? 0.0 : value));
-        return localized(buffer.data(), tr_);
-    }
+    std::string number(double value) const { return six_digits(value, tr_); }
 
     std::string component(const MovingEffect& effect) const { return component_name(model_.analysis, effect); }
     bool is_of_member(const MovingEffect& effect) const { return effect.member.has_value(); }

@@ -1,0 +1,140 @@
+#include "femoop/io/derivation/derivation_text.h"
+
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+#include "femoop/io/results/matrix_table.h"
+#include "femoop/methods/influence/effect_name.h"
+#include "femoop/model/fault/fault.h"
+#include "femoop/model/quantity/number_text.h"
+#include "femoop/model/quantity/six_digits.h"
+#include "femoop/model/quantity/unit_signs.h"
+#include "femoop/tabular/plain_text.h"
+
+namespace femoop::derivation {
+
+namespace {
+
+constexpr std::size_t indent = 2;
+constexpr double trusted = 1e-6; // of the numbers that a sum is made of
+
+/// Rows of the matrices of the step: the equations that are written.
+bool is_whole(const Step& step)
+{
+    return step.matrices.front().rows.size() == step.matrices.front().columns.size() &&
+           step.matrices.front().rows.size() <= most_unknowns_shown;
+}
+
+bool has_empty_row(const Step& step)
+{
+    const Eigen::MatrixXd& K = step.matrices.front().values;
+    for (Eigen::Index i = 0; i < K.rows(); ++i)
+        if (K.row(i).isZero(0.0)) return true;
+    return false;
+}
+
+std::string equations_sentence(const Step& step, const Translator& tr)
+{
+    std::string text = is_whole(step)
+                           ? tr("All equations K u = f, and the displacements u that solve them.")
+                           : tr("Of the equations K u = f the rows that matter here, with all displacements in them; u "
+                                "solves all of them at once.");
+    if (has_empty_row(step)) text += " " + tr("A row of zeros: nothing resists that rotation, and it is taken as 0.");
+    return text;
+}
+
+/// What is to be said where the sums on paper have fewer digits than the analysis.
+std::string closing_text(const Derivation& derivation, const Translator& tr)
+{
+    if (derivation.closing_error == 0.0) return {};
+    const double size = derivation.steps.back().matrices.back().values.cwiseAbs().maxCoeff();
+    if (derivation.closing_error <= trusted * size) return {};
+    return "\n" +
+           fill(tr("The last sum is off by {0}: these numbers have 16 digits, and cancel. The analysis carries more of "
+                   "them, and {1} holds."),
+                {six_digits(derivation.closing_error, tr), six_digits(derivation.value, tr)}) +
+           "\n";
+}
+
+} // namespace
+
+std::string sentence(const Step& step, const Model& model, const Translator& tr)
+{
+    const std::string member = step.member ? model[*step.member].id : std::string();
+    const std::string node = step.node ? model[*step.node].id : std::string();
+    switch (step.kind) {
+    case StepKind::Combination: return tr("The combination adds up its load cases, each times its factor.");
+    case StepKind::Extreme:
+        return fill(tr("Along member {0} the value is largest and smallest here. The greater of both in magnitude is "
+                       "followed."),
+                    {member});
+    case StepKind::Member: return fill(tr("Member {0}: its length, and what it resists with."), {member});
+    case StepKind::LocalStiffness:
+        return fill(
+            tr("Stiffness k' of member {0} in its own axes: column by column the forces on its ends when one of "
+               "them moves by 1. Releases and springs at its ends are worked in."),
+            {member});
+    case StepKind::Transformation:
+        return tr("T turns displacements of the nodes into the member's own axes: u' = T u.");
+    case StepKind::Stiffness:
+        return tr("In the axes of the nodes k = T^T k' T. Each row has its place in K; 0 where a support holds it.");
+    case StepKind::FixedEndForces:
+        return fill(
+            tr("Forces that hold the ends of member {0} still under its loads: f0' in its own axes, f0 in those "
+               "of the nodes. They stand with a minus sign in f."),
+            {member});
+    case StepKind::StiffnessRow:
+        return fill(tr("A row of K: what each member at node {0}, and a spring there, brings to it."), {node});
+    case StepKind::LoadRow:
+        return fill(
+            tr("The same row of f: the load F on node {0}, less the fixed-end forces f0 of its members, less what "
+               "displacements imposed by supports bring."),
+            {node});
+    case StepKind::Equations: return equations_sentence(step, tr);
+    case StepKind::EndDisplacements:
+        return fill(tr("The nodes of member {0} move by u, and its ends, in its own axes, by u' = T u."), {member});
+    case StepKind::EndForces: return fill(tr("Forces on the ends of member {0}: p' = k' u' + f0'."), {member});
+    case StepKind::NodeForces:
+        return fill(tr("Forces of the nodes on member {0}: p = k u + f0; below, what node {1} does, in global axes."),
+                    {member, node});
+    case StepKind::Superposition:
+        return tr(
+            "There the motion of the ends, u', brings one part, and the loads between held ends, f0', the other.");
+    case StepKind::Reaction:
+        return fill(tr("The support of node {0} brings what the members need there, less the load F on the node."),
+                    {node});
+    case StepKind::TurnedSupport:
+        return fill(tr("From the axes of the support of node {0}, which is turned, to the global ones."), {node});
+    case StepKind::Held: break;
+    }
+    return fill(tr("Node {0} is held in this direction: no unknown, but what its support imposes."), {node});
+}
+
+std::string derivation_text(const Derivation& derivation, const Model& model, const Translator& tr)
+{
+    const std::string unit = unit_text(influence::dimension_of(derivation.effect), model.units);
+    const std::string title = fill(tr("{0} = {1} in {2}: where it comes from"),
+                                   {influence::effect_name(model, derivation.effect),
+                                    six_digits(derivation.value, tr) + " " + unit,
+                                    model.case_name(derivation.load_case)});
+    std::string text = title + "\n" + std::string(tabular::shown_width(title), '=') + "\n";
+    text += fill(tr("Lengths in {0}, forces in {1}, rotations in rad."),
+                 {std::string(name(model.units.length)), std::string(name(model.units.force))}) +
+            "\n";
+    std::optional<CaseId> last;
+    for (std::size_t i = 0; i < derivation.steps.size(); ++i) {
+        const Step& step = derivation.steps[i];
+        if (step.load_case && step.load_case != last)
+            text += "\n" + fill(tr("Load case {0}"), {model.case_name(*step.load_case)}) + "\n";
+        if (step.load_case) last = step.load_case;
+        text += "\n" + std::to_string(i + 1) + ". " + sentence(step, model, tr) + "\n";
+        for (const NamedMatrix& matrix : step.matrices)
+            text += matrix.symbol + "\n" +
+                    tabular::plain_text(matrix_table(matrix.rows, matrix.columns, matrix.values),
+                                        {indent, decimal_mark(tr)});
+    }
+    return text + closing_text(derivation, tr);
+}
+
+} // namespace femoop::derivation

@@ -1,0 +1,19 @@
+#pragma once
+
+#include <string>
+
+#include "femoop/methods/derivation/derivation.h"
+#include "femoop/model/fault/translator.h"
+
+namespace femoop::derivation {
+
+/// What a step does, in a sentence or two.
+std::string sentence(const Step& step, const Model& model, const Translator& tr);
+
+/// The steps one below the other: sentence, then numbers with their names.
+std::string derivation_text(const Derivation& derivation, const Model& model, const Translator& tr);
+
+/// The same for a program, with every digit; the sentences are in the language of `tr`.
+std::string derivation_json(const Derivation& derivation, const Model& model, const Translator& tr);
+
+} // namespace femoop::derivation

@@ -1,0 +1,360 @@
+#include "femoop/methods/derivation/derivation.h"
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <utility>
+
+#include "femoop/element/analysis_model.h"
+#include "femoop/load/case_terms.h"
+#include "femoop/methods/derivation/member_alone.h"
+#include "femoop/methods/derivation/member_steps.h"
+#include "femoop/methods/derivation/paper_system.h"
+#include "femoop/methods/influence/effect_name.h"
+#include "femoop/methods/influence/influence_line.h"
+
+namespace femoop::derivation {
+
+namespace {
+
+using influence::effect_in;
+
+void append(std::vector<Step>& steps, std::vector<Step> more) { std::ranges::move(more, std::back_inserter(steps)); }
+
+/// Numbers that add up, the sum below them.
+NamedMatrix sum_of(std::string symbol, std::vector<std::string> rows, Eigen::VectorXd parts)
+{
+    rows.push_back(symbol);
+    const double sum = parts.sum();
+    parts.conservativeResize(parts.size() + 1);
+    parts[parts.size() - 1] = sum;
+    return {std::move(symbol), std::move(rows), {""}, parts};
+}
+
+/// Writes down one number of one structure.
+class Deriver {
+public:
+    Deriver(const Model& model, const Results& results, const MovingEffect& effect)
+        : model_(model), results_(results), effect_(effect), system_(model)
+    {}
+
+    /// What is the same in all load cases comes with the first.
+    std::vector<Step> steps(CaseId load_case, bool is_first)
+    {
+        const CaseResult result = results_[load_case];
+        if (effect_.member) return along_member(load_case, result, is_first);
+        if (effect_.quantity == ExpectedQuantity::Reaction) return reaction(load_case, result);
+        return displacement(load_case, result);
+    }
+
+    Step combination(const CaseTerms& terms) const
+    {
+        Eigen::MatrixXd values(static_cast<Eigen::Index>(terms.terms.size()), 3);
+        std::vector<std::string> names;
+        for (std::size_t i = 0; i < terms.terms.size(); ++i) {
+            const CaseTerms::Term& term = terms.terms[i];
+            const double value = effect_in(effect_, results_[CaseId(term.load_case)]);
+            values.row(static_cast<Eigen::Index>(i)) << term.factor, value, term.factor * value;
+            names.push_back(model_.load_cases[term.load_case].id);
+        }
+        return {.kind = StepKind::Combination,
+                .member = effect_.member,
+                .node = effect_.node,
+                .matrices = {{"factors", names, {"factor", "value"}, values.leftCols(2)},
+                             sum_of(symbol(), names, values.col(2))}};
+    }
+
+private:
+    std::string symbol() const { return influence::effect_name(model_, effect_); }
+
+    std::vector<Step> along_member(CaseId load_case, const CaseResult& result, bool is_first) const
+    {
+        const MemberSteps member(system_, *effect_.member);
+        std::vector<Step> steps;
+        if (is_first) steps = member.stiffness();
+        steps.push_back(member.fixed_end_forces(load_case));
+        steps.push_back({.kind = StepKind::Equations,
+                         .member = effect_.member,
+                         .load_case = load_case,
+                         .matrices = system_.equations(member.rows(), load_case, result)});
+        steps.push_back(member.end_displacements(load_case, result));
+        steps.push_back(member.end_forces(load_case, result));
+        steps.push_back(superposition(load_case, result));
+        return steps;
+    }
+
+    /// The member's nodes move and carry no loads, and the loads act while the nodes are held.
+    Step superposition(CaseId load_case, const CaseResult& result) const
+    {
+        const MemberAlone alone = take_out(model_, *effect_.member, model_.load_cases[load_case.index], result);
+        MovingEffect effect = effect_;
+        effect.member = MemberAlone::member;
+        const Eigen::Vector2d parts(effect_in(effect, alone.moved()), effect_in(effect, alone.loaded()));
+        return {.kind = StepKind::Superposition,
+                .member = effect_.member,
+                .load_case = load_case,
+                .matrices = {sum_of(symbol(), {"u'", "f0'"}, parts)}};
+    }
+
+    std::vector<MemberId> members_at(NodeId node) const
+    {
+        std::vector<MemberId> members;
+        for (std::size_t i = 0; i < model_.members.size(); ++i)
+            if (std::ranges::find(model_.members[i].nodes, node) != model_.members[i].nodes.end())
+                members.emplace_back(i);
+        return members;
+    }
+
+    /// Loads on the node itself, along its own axes.
+    Eigen::VectorXd loads_on(NodeId node, CaseId load_case) const
+    {
+        NodeVector sum{};
+        for (const NodeLoad& load : model_.load_cases[load_case.index].nodes)
+            if (load.node == node)
+                for (const Component& component : load.components) sum[index(component.dof)] += component.value;
+        return system_.in_node_axes(node, sum);
+    }
+
+    /// The forces of all members that meet the node, less the loads on it, are what the support brings.
+    std::vector<Step> reaction(CaseId load_case, const CaseResult& result) const
+    {
+        const NodeId node = *effect_.node;
+        std::vector<Step> steps;
+        std::vector<std::string> rows;
+        std::vector<double> parts;
+        for (const MemberId member : members_at(node)) {
+            const MemberSteps of(system_, member);
+            steps.push_back(of.node_forces(node, load_case, result));
+            rows.push_back(model_[member].id);
+            parts.push_back(steps.back().matrices.back().values(place_of(*effect_.dof), 0));
+        }
+        rows.emplace_back("-F");
+        parts.push_back(-system_.in_global_axes(node, loads_on(node, load_case))[place_of(*effect_.dof)]);
+        const auto all = Eigen::Map<const Eigen::VectorXd>(parts.data(), static_cast<Eigen::Index>(parts.size()));
+        steps.push_back({.kind = StepKind::Reaction,
+                         .node = node,
+                         .load_case = load_case,
+                         .matrices = {sum_of(symbol(), rows, all)}});
+        return steps;
+    }
+
+    Eigen::Index place_of(Dof dof) const
+    {
+        return std::ranges::find(model_dofs(model_.analysis), dof) - model_dofs(model_.analysis).begin();
+    }
+
+    /// Of a node's own axes those that the displacement is made of.
+    std::vector<Dof> own_dofs() const
+    {
+        const bool is_turned = system_.angle_of(*effect_.node) != 0.0 && !is_rotation(*effect_.dof);
+        return is_turned ? std::vector{Dof::ux, Dof::uy} : std::vector{*effect_.dof};
+    }
+
+    std::vector<Step> displacement(CaseId load_case, const CaseResult& result) const
+    {
+        const NodeId node = *effect_.node;
+        std::vector<Step> steps;
+        std::vector<Eigen::Index> rows;
+        for (const Dof dof : own_dofs())
+            if (const auto row = system_.row_of(node, dof)) {
+                steps.push_back(stiffness_row(*row));
+                steps.push_back(load_row(*row, load_case, result));
+                rows.push_back(*row);
+            } else steps.push_back(held(dof, load_case, result));
+        if (!rows.empty())
+            steps.push_back({.kind = StepKind::Equations,
+                             .node = node,
+                             .load_case = load_case,
+                             .matrices = system_.equations(rows, load_case, result)});
+        if (own_dofs().size() > 1) steps.push_back(turned(load_case, result));
+        return steps;
+    }
+
+    Step held(Dof dof, CaseId load_case, const CaseResult& result) const
+    {
+        const NodeId node = *effect_.node;
+        const Eigen::VectorXd u = system_.in_node_axes(node, result.displacement(node));
+        return {
+            .kind = StepKind::Held,
+            .node = node,
+            .load_case = load_case,
+            .matrices = {{"u", {model_[node].id + "." + std::string(name(dof))}, {"u"}, u.segment(place_of(dof), 1)}}};
+    }
+
+    /// From the axes of a turned support to the global one that is asked for.
+    Step turned(CaseId load_case, const CaseResult& result) const
+    {
+        const NodeId node = *effect_.node;
+        const Eigen::VectorXd own = system_.in_node_axes(node, result.displacement(node));
+        Eigen::VectorXd parts(2);
+        for (Eigen::Index i = 0; i < 2; ++i) {
+            Eigen::VectorXd alone = Eigen::VectorXd::Zero(own.size());
+            alone[i] = own[i];
+            parts[i] = system_.in_global_axes(node, alone)[place_of(*effect_.dof)];
+        }
+        return {.kind = StepKind::TurnedSupport,
+                .node = node,
+                .load_case = load_case,
+                .matrices = {sum_of(symbol(), {"ux'", "uy'"}, parts)}};
+    }
+
+    double spring_at(NodeId node, Dof dof) const
+    {
+        const Discretisation::SupportRow* support = system_.structure().support_of(node);
+        return support == nullptr ? 0.0 : support->springs[index(dof)];
+    }
+
+    /// Row by row what the members that meet the node, and its spring, bring to K.
+    Step stiffness_row(Eigen::Index row) const
+    {
+        const auto [node, dof] = system_.trace().unknowns[static_cast<std::size_t>(row)];
+        const std::vector<Eigen::Index> columns = system_.coupled_with(row);
+        NamedMatrix shares{.symbol = "K", .rows = {}, .columns = {}, .values = {}};
+        for (const Eigen::Index column : columns) shares.columns.push_back(system_.name_of(column));
+        std::vector<Eigen::RowVectorXd> rows;
+        for (const MemberId member : members_at(node)) {
+            const MemberSteps of(system_, member);
+            const std::vector<int>& places = of.trace().equations;
+            const Eigen::Index own = of.first_row(node) + place_of(dof);
+            Eigen::RowVectorXd share = Eigen::RowVectorXd::Zero(static_cast<Eigen::Index>(columns.size()));
+            for (std::size_t i = 0; i < places.size(); ++i) {
+                const auto at = std::ranges::find(columns, Eigen::Index{places[i]} - 1);
+                if (at != columns.end())
+                    share[at - columns.begin()] += of.trace().global_stiffness(own, static_cast<Eigen::Index>(i));
+            }
+            rows.push_back(share);
+            shares.rows.push_back(model_[member].id);
+        }
+        if (const double spring = spring_at(node, dof); spring > 0.0) {
+            Eigen::RowVectorXd share = Eigen::RowVectorXd::Zero(static_cast<Eigen::Index>(columns.size()));
+            share[std::ranges::find(columns, row) - columns.begin()] = spring;
+            rows.push_back(share);
+            shares.rows.emplace_back("spring");
+        }
+        shares.rows.push_back(system_.name_of(row));
+        shares.values.resize(static_cast<Eigen::Index>(rows.size()) + 1, static_cast<Eigen::Index>(columns.size()));
+        for (std::size_t i = 0; i < rows.size(); ++i) shares.values.row(static_cast<Eigen::Index>(i)) = rows[i];
+        shares.values.bottomRows(1) = shares.values.topRows(static_cast<Eigen::Index>(rows.size())).colwise().sum();
+        return {.kind = StepKind::StiffnessRow, .node = node, .matrices = {shares}};
+    }
+
+    /// Load on the node less what the members' loads take, and what imposed displacements bring.
+    Step load_row(Eigen::Index row, CaseId load_case, const CaseResult& result) const
+    {
+        const auto [node, dof] = system_.trace().unknowns[static_cast<std::size_t>(row)];
+        std::vector<std::string> rows{"F"};
+        std::vector<double> parts{loads_on(node, load_case)[place_of(dof)]};
+        for (const MemberId member : members_at(node)) {
+            const MemberSteps of(system_, member);
+            const Eigen::Index own = of.first_row(node) + place_of(dof);
+            rows.push_back("-f0 " + model_[member].id);
+            parts.push_back(-of.trace().fixed_end[load_case.index].global[own]);
+            if (const double held = force_of_held(of, own, load_case, result); held != 0.0) {
+                rows.push_back("-k u " + model_[member].id);
+                parts.push_back(-held);
+            }
+        }
+        if (const double moved = ground_of(node, dof, load_case); moved != 0.0) {
+            rows.emplace_back("spring");
+            parts.push_back(spring_at(node, dof) * moved);
+        }
+        const auto all = Eigen::Map<const Eigen::VectorXd>(parts.data(), static_cast<Eigen::Index>(parts.size()));
+        return {.kind = StepKind::LoadRow, .node = node, .load_case = load_case, .matrices = {sum_of("f", rows, all)}};
+    }
+
+    /// What displacements that supports impose bring to one row of a member.
+    double force_of_held(const MemberSteps& member, Eigen::Index row, CaseId load_case, const CaseResult& result) const
+    {
+        const Step ends = member.end_displacements(load_case, result);
+        double force = 0.0;
+        for (std::size_t i = 0; i < member.trace().equations.size(); ++i)
+            if (member.trace().equations[i] == 0) {
+                const auto column = static_cast<Eigen::Index>(i);
+                force += member.trace().global_stiffness(row, column) * ends.matrices[0].values(column, 0);
+            }
+        return force;
+    }
+
+    /// By how much the ground of a spring moves.
+    double ground_of(NodeId node, Dof dof, CaseId load_case) const
+    {
+        double moved = 0.0;
+        if (spring_at(node, dof) == 0.0) return moved;
+        for (const Settlement& settlement : model_.load_cases[load_case.index].settlements)
+            if (settlement.node == node)
+                for (const Component& component : settlement.components)
+                    if (component.dof == dof) moved += component.value;
+        return moved;
+    }
+
+    const Model& model_;
+    const Results& results_;
+    const MovingEffect& effect_;
+    PaperSystem system_;
+};
+
+/// Where the largest and the smallest value stand, and the larger of both as a section's value.
+struct FoundExtreme {
+    Step step;
+    MovingEffect effect;
+};
+
+FoundExtreme extreme_of(const CaseResult& result, const MovingEffect& asked)
+{
+    const Curve curve = result.curve(*asked.member);
+    const Extremes extremes = curve.extremes(*asked.component);
+    const Extreme& found = std::abs(extremes.min.value) > std::abs(extremes.max.value) ? extremes.min : extremes.max;
+    MovingEffect effect = asked;
+    const bool is_displacement = *asked.component >= MemberComponent::u;
+    effect.quantity = is_displacement ? ExpectedQuantity::Displacement : ExpectedQuantity::SectionForce;
+    effect.at = Quantity(found.x);
+    const double after = curve.value(*asked.component, found.x, Side::After);
+    const double before = curve.value(*asked.component, found.x, Side::Before);
+    effect.side = std::abs(after - found.value) <= std::abs(before - found.value) ? Side::After : Side::Before;
+    Eigen::Matrix2d places;
+    places << extremes.max.x, extremes.max.value, extremes.min.x, extremes.min.value;
+    return {{.kind = StepKind::Extreme,
+             .member = asked.member,
+             .matrices = {{"extremes", {"max", "min"}, {"x", "value"}, places}}},
+            effect};
+}
+
+bool ends_with_sum(const Derivation& derivation)
+{
+    if (derivation.steps.empty()) return false; // a combination of nothing
+    const StepKind last = derivation.steps.back().kind;
+    return last != StepKind::Equations && last != StepKind::Held;
+}
+
+} // namespace
+
+std::optional<MemberId> constrained_member(const Model& model)
+{
+    const auto is_constrained = [](const Member& member) { return member.inextensible || member.rigid; };
+    const auto found = std::ranges::find_if(model.members, is_constrained);
+    if (found == model.members.end()) return std::nullopt;
+    return MemberId(static_cast<std::size_t>(found - model.members.begin()));
+}
+
+Derivation derive(const Model& model, const Results& results, CaseId load_case, const MovingEffect& effect)
+{
+    Derivation derivation{.effect = effect, .load_case = load_case, .steps = {}};
+    if (effect.quantity == ExpectedQuantity::Extreme) {
+        FoundExtreme found = extreme_of(results[load_case], effect);
+        found.step.load_case = load_case;
+        derivation.steps.push_back(std::move(found.step));
+        derivation.effect = found.effect;
+    }
+    derivation.value = effect_in(derivation.effect, results[load_case]);
+    Deriver deriver(model, results, derivation.effect);
+    const CaseTerms terms = terms_of(model, load_case);
+    for (const CaseTerms::Term& term : terms.terms)
+        append(derivation.steps, deriver.steps(CaseId(term.load_case), &term == &terms.terms.front()));
+    if (load_case.index >= model.load_cases.size()) derivation.steps.push_back(deriver.combination(terms));
+    if (ends_with_sum(derivation))
+        derivation.closing_error = std::abs(derivation.steps.back().matrices.back().values.bottomRows(1)(0, 0) -
+                                            derivation.value);
+    return derivation;
+}
+
+} // namespace femoop::derivation

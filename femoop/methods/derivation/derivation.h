@@ -1,0 +1,76 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "femoop/model/model.h"
+#include "femoop/result/results.h"
+
+namespace femoop::derivation {
+
+/// What a step of a derivation does, in the order in which they follow one another.
+enum class StepKind : std::uint8_t {
+    Combination,      ///< factors times the values of load cases
+    Extreme,          ///< where along the member the value is largest and smallest
+    Member,           ///< its length and what it resists with
+    LocalStiffness,   ///< k', in its own axes
+    Transformation,   ///< T, from the axes of its nodes to its own
+    Stiffness,        ///< k = T' k' T, and where its rows stand in K
+    FixedEndForces,   ///< of its loads, f0' in its own axes and f0 in those of its nodes
+    StiffnessRow,     ///< what members and springs bring to one row of K
+    LoadRow,          ///< what loads bring to one row of f
+    Equations,        ///< K u = f: the whole of it where it is small, else the rows that matter
+    EndDisplacements, ///< u of its nodes, u' = T u of its ends
+    EndForces,        ///< p' = k' u' + f0'
+    NodeForces,       ///< p = k u + f0 of one member, in global axes
+    Superposition,    ///< what the ends' motion brings, and what the loads bring between held ends
+    Reaction,         ///< forces of the members on the node less the loads on it
+    TurnedSupport,    ///< from the axes of a turned support to a global one
+    Held              ///< a displacement that a support imposes
+};
+inline constexpr std::size_t n_step_kinds = 17;
+
+/// Numbers as on paper, with what stands beside their rows and above their columns: names of displacements ("B.ux",
+/// "B.ux'"), of members, or symbols that courseware/reference/derivations.md explains.
+struct NamedMatrix {
+    std::string symbol;
+    std::vector<std::string> rows, columns;
+    Eigen::MatrixXd values;
+};
+
+struct Step {
+    StepKind kind = StepKind::Member;
+    std::optional<MemberId> member; ///< of which it speaks
+    std::optional<NodeId> node;
+    std::optional<CaseId> load_case; ///< whose numbers these are; none where loads do not matter
+    std::vector<NamedMatrix> matrices;
+};
+
+/// The way from the data to one number: every step with its numbers, the last of which is the number.
+///
+/// Units    the model's base units, rotations in rad
+/// Source   [McGuireGallagherZiemian2000, ch. 3-5]: the direct stiffness method
+struct Derivation {
+    MovingEffect effect;
+    CaseId load_case;
+    double value = 0.0;         ///< as the results have it
+    double closing_error = 0.0; ///< by which the last step's sum, in 16 digits, is off; the analysis may carry more
+    std::vector<Step> steps;
+};
+
+/// Systems of no more unknowns are written as a whole.
+inline constexpr std::size_t most_unknowns_shown = 12;
+
+/// A member whose forces follow from a constraint, not from a stiffness, if the model has one: then nothing is derived.
+std::optional<MemberId> constrained_member(const Model& model);
+
+/// Through the same code that solves: femoop/analysis/trace.h, and `analyse` for a member between held ends.
+/// \param results  of the model
+/// \pre   no constrained member; the effect is sound (femoop/model/check/check.h, check_effect)
+Derivation derive(const Model& model, const Results& results, CaseId load_case, const MovingEffect& effect);
+
+} // namespace femoop::derivation

@@ -1,0 +1,41 @@
+#pragma once
+
+#include <vector>
+
+#include "femoop/analysis/trace.h"
+#include "femoop/methods/derivation/derivation.h"
+#include "femoop/methods/derivation/paper_system.h"
+
+namespace femoop::derivation {
+
+/// A member as the direct stiffness method sees it, step by step.
+class MemberSteps {
+public:
+    MemberSteps(const PaperSystem& system, MemberId member);
+
+    /// What does not depend on loads: its data, k', T, and k with its place in K.
+    std::vector<Step> stiffness() const;
+
+    Step fixed_end_forces(CaseId load_case) const;
+    Step end_displacements(CaseId load_case, const CaseResult& result) const;
+    Step end_forces(CaseId load_case, const CaseResult& result) const;
+    /// Forces of the nodes on the member, and the part that one of them takes, both in global axes.
+    Step node_forces(NodeId node, CaseId load_case, const CaseResult& result) const;
+
+    const MemberTrace& trace() const { return trace_; }
+    std::vector<Eigen::Index> rows() const; ///< of the system, that it has a part in
+    /// Where a node's rows begin among the member's; a member may begin and end at other nodes alone.
+    Eigen::Index first_row(NodeId node) const;
+
+private:
+    Eigen::Index dofs_per_node() const { return static_cast<Eigen::Index>(trace_.dofs.size() / 2); }
+    Eigen::VectorXd node_displacements(const CaseResult& result) const; ///< in the axes of the nodes
+    NamedMatrix data() const;
+    std::vector<NamedMatrix> entries() const;
+
+    const PaperSystem& system_;
+    MemberId member_;
+    MemberTrace trace_;
+};
+
+} // namespace femoop::derivation

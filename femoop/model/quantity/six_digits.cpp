@@ -1,0 +1,17 @@
+#include "femoop/model/quantity/six_digits.h"
+
+#include <array>
+#include <cstdio>
+
+#include "femoop/model/quantity/number_text.h"
+
+namespace femoop {
+
+std::string six_digits(double value, const Translator& tr)
+{
+    std::array<char, 32> text{};
+    static_cast<void>(std::snprintf(text.data(), text.size(), "%.6g", value == 0.0 ? 0.0 : value));
+    return localized(text.data(), tr);
+}
+
+} // namespace femoop

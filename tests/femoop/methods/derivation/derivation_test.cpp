@@ -1,0 +1,253 @@
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include "femoop/analysis/linear_static.h"
+#include "femoop/analysis/trace.h"
+#include "femoop/io/derivation/derivation_text.h"
+#include "femoop/methods/derivation/derivation.h"
+#include "femoop/methods/influence/influence_line.h"
+#include "femoop/result/components.h"
+#include "tests/femoop/analysis/random_structure.h"
+#include "tests/frame_maker.h"
+
+using namespace femoop;
+using namespace femoop::derivation;
+
+namespace {
+
+constexpr double EI = 20000.0, EA = 2e6, L = 4.0, q = 12.0; // of the FrameMaker
+
+/// A beam that is fixed at A and on a roller at B, its load all along.
+Model propped_beam()
+{
+    FrameMaker made;
+    made.node("A", 0, 0, SupportKind::Fixed).node("B", L, 0, SupportKind::Roller).member("A", "B").uniform("AB", -q);
+    return made.model;
+}
+
+MovingEffect along(MemberComponent component, std::optional<Position> at = {})
+{
+    MovingEffect effect{.quantity = is_displacement(component) ? ExpectedQuantity::Displacement
+                                                               : ExpectedQuantity::SectionForce,
+                        .member = MemberId(0),
+                        .component = component,
+                        .at = at};
+    if (!at) effect.quantity = ExpectedQuantity::Extreme;
+    return effect;
+}
+
+MovingEffect of_node(NodeId node, ExpectedQuantity quantity, Dof dof)
+{
+    return {.quantity = quantity, .node = node, .dof = dof};
+}
+
+Derivation derived(const Model& model, const MovingEffect& effect, CaseId load_case = CaseId(0))
+{
+    return derive(model, analyse(model), load_case, effect);
+}
+
+const Step& step_of(const Derivation& derivation, StepKind kind)
+{
+    const auto found = std::ranges::find(derivation.steps, kind, &Step::kind);
+    REQUIRE(found != derivation.steps.end());
+    return *found;
+}
+
+const NamedMatrix& matrix(const Derivation& derivation, StepKind kind, const std::string& symbol)
+{
+    const std::vector<NamedMatrix>& all = step_of(derivation, kind).matrices;
+    const auto found = std::ranges::find(all, symbol, &NamedMatrix::symbol);
+    REQUIRE(found != all.end());
+    return *found;
+}
+
+double number(const NamedMatrix& matrix, const std::string& row, Eigen::Index column = 0)
+{
+    const auto found = std::ranges::find(matrix.rows, row);
+    REQUIRE(found != matrix.rows.end());
+    return matrix.values(found - matrix.rows.begin(), column);
+}
+
+/// The largest number that the last sum is made of.
+double size_of_last(const Derivation& derivation)
+{
+    return derivation.steps.back().matrices.back().values.cwiseAbs().maxCoeff();
+}
+
+/// What the last step comes to is what the analysis says.
+void check_closes(const Model& model, const Results& results, const MovingEffect& effect)
+{
+    for (std::size_t c = 0; c < model.n_cases(); ++c) {
+        const Derivation derivation = derive(model, results, CaseId(c), effect);
+        CAPTURE(derivation_text(derivation, model, english));
+        CHECK(derivation.value == influence::effect_in(derivation.effect, results[CaseId(c)]));
+        CHECK(derivation.closing_error <= 1e-9 * std::max(size_of_last(derivation), 1e-12));
+    }
+}
+
+} // namespace
+
+TEST_SUITE("derivation")
+{
+    TEST_CASE("The moment in a propped beam is q L^2 / 16, of its ends' motion and of its loads")
+    {
+        const Derivation derivation = derived(propped_beam(), along(MemberComponent::Mz, Percent{50.0}));
+        const double rotation = q * L * L * L / (48.0 * EI); // of B, counter-clockwise
+        CHECK(derivation.value == doctest::Approx(q * L * L / 16.0));
+
+        const NamedMatrix& entries = matrix(derivation, StepKind::LocalStiffness, "entries");
+        CHECK(number(entries, "EA/L") == doctest::Approx(EA / L));
+        CHECK(number(entries, "12 EI/L^3") == doctest::Approx(12.0 * EI / (L * L * L)));
+        CHECK(number(entries, "6 EI/L^2") == doctest::Approx(6.0 * EI / (L * L)));
+        CHECK(number(entries, "4 EI/L") == doctest::Approx(4.0 * EI / L));
+        CHECK(number(entries, "2 EI/L") == doctest::Approx(2.0 * EI / L));
+
+        const NamedMatrix& K = matrix(derivation, StepKind::Equations, "K");
+        CHECK(K.rows == std::vector<std::string>{"B.ux", "B.rz"});
+        CHECK(K.values(1, 1) == doctest::Approx(4.0 * EI / L));
+        CHECK(number(matrix(derivation, StepKind::Equations, "u"), "B.rz") == doctest::Approx(rotation));
+        CHECK(number(matrix(derivation, StepKind::Equations, "f"), "B.rz") == doctest::Approx(q * L * L / 12.0));
+
+        const NamedMatrix& forces = matrix(derivation, StepKind::EndForces, "p'");
+        CHECK(number(forces, "A.rz'", 0) == doctest::Approx(2.0 * EI / L * rotation));
+        CHECK(number(forces, "A.rz'", 1) == doctest::Approx(q * L * L / 12.0));
+        CHECK(number(forces, "A.rz'", 2) == doctest::Approx(q * L * L / 8.0));
+
+        const NamedMatrix& parts = derivation.steps.back().matrices.back();
+        CHECK(number(parts, "f0'") == doctest::Approx(q * L * L / 24.0));
+        CHECK(number(parts, "u'") == doctest::Approx(q * L * L / 48.0));
+    }
+
+    TEST_CASE("A member that shears has (4 + phi) EI / (L (1 + phi)) in its stiffness")
+    {
+        Model model = propped_beam();
+        model.members[0].theory = BeamTheory::Timoshenko;
+        model.materials[0].nu = 0.25;
+        const Derivation derivation = derived(model, along(MemberComponent::Mz, Percent{50.0}));
+        const NamedMatrix& entries = matrix(derivation, StepKind::LocalStiffness, "entries");
+        const NamedMatrix& k = matrix(derivation, StepKind::LocalStiffness, "k'");
+        CHECK(number(entries, "(4 + phi) EI/(L (1 + phi))") == doctest::Approx(k.values(2, 2)));
+        CHECK(number(entries, "(2 - phi) EI/(L (1 + phi))") == doctest::Approx(k.values(2, 5)));
+        CHECK(number(entries, "12 EI/(L^3 (1 + phi))") == doctest::Approx(k.values(1, 1)));
+        CHECK(number(entries, "phi = 12 EI/(GAs L^2)") > 0.0);
+    }
+
+    TEST_CASE("A rotation comes from a row of K, made of its members and its spring, and a row of f")
+    {
+        Model model = propped_beam();
+        model.nodes[1].support->kind = SupportKind::Custom;
+        model.nodes[1].support->fixed = {Dof::uy};
+        model.nodes[1].support->springs = {{Dof::rz, Quantity(5000.0)}};
+        const Derivation derivation = derived(model, of_node(NodeId(1), ExpectedQuantity::Displacement, Dof::rz));
+        const NamedMatrix& row = matrix(derivation, StepKind::StiffnessRow, "K");
+        CHECK(row.rows == std::vector<std::string>{"AB", "spring", "B.rz"});
+        CHECK(row.values(2, row.values.cols() - 1) == doctest::Approx(4.0 * EI / L + 5000.0));
+        CHECK(number(matrix(derivation, StepKind::LoadRow, "f"), "f") == doctest::Approx(q * L * L / 12.0));
+        CHECK(derivation.value == doctest::Approx(q * L * L / 12.0 / (4.0 * EI / L + 5000.0)));
+    }
+
+    TEST_CASE("A reaction is what the members need at the node, less the load on it")
+    {
+        Model model = propped_beam();
+        model.load_cases[0].nodes.push_back({NodeId(1), {{Dof::uy, Quantity(-7.0)}}});
+        const Derivation derivation = derived(model, of_node(NodeId(1), ExpectedQuantity::Reaction, Dof::uy));
+        CHECK(derivation.value == doctest::Approx(3.0 / 8.0 * q * L + 7.0));
+        const NamedMatrix& sum = matrix(derivation, StepKind::Reaction, "fy(B)");
+        CHECK(number(sum, "AB") == doctest::Approx(3.0 / 8.0 * q * L));
+        CHECK(number(sum, "-F") == doctest::Approx(7.0));
+        CHECK(derivation.closing_error < 1e-12);
+    }
+
+    TEST_CASE("The extreme of a moment is followed to its place")
+    {
+        const Derivation derivation = derived(propped_beam(), along(MemberComponent::Mz));
+        CHECK(derivation.value == doctest::Approx(-q * L * L / 8.0)); // at the fixed end, greater than 9 q L^2 / 128
+        CHECK(matrix(derivation, StepKind::Extreme, "extremes").values(0, 0) == doctest::Approx(5.0 / 8.0 * L));
+        CHECK(derivation.closing_error < 1e-12);
+    }
+
+    TEST_CASE("A displacement that a support imposes is no unknown")
+    {
+        Model model = propped_beam();
+        model.load_cases[0].settlements.push_back({NodeId(1), {{Dof::uy, Quantity(-0.01)}}});
+        const Derivation held = derived(model, of_node(NodeId(1), ExpectedQuantity::Displacement, Dof::uy));
+        CHECK(held.steps.back().kind == StepKind::Held);
+        CHECK(held.steps.back().matrices.back().values(0, 0) == doctest::Approx(-0.01));
+        const Derivation free = derived(model, of_node(NodeId(1), ExpectedQuantity::Displacement, Dof::rz));
+        const NamedMatrix& f = matrix(free, StepKind::LoadRow, "f");
+        CHECK(number(f, "-k u AB") == doctest::Approx(-6.0 * EI / (L * L) * 0.01));
+        CHECK(number(f, "f") == doctest::Approx(number(matrix(free, StepKind::Equations, "f"), "B.rz")));
+    }
+
+    TEST_CASE("A combination adds up its load cases, each with its own steps")
+    {
+        Model model = propped_beam();
+        model.add(LoadCase{.id = "Q", .nodes = {{NodeId(1), {{Dof::rz, Quantity(30.0)}}}}});
+        model.combinations.push_back({.id = "ULS", .terms = {{CaseId(0), 1.35}, {CaseId(1), 1.5}}});
+        const Derivation derivation = derived(model, along(MemberComponent::Mz, Percent{0.0}), CaseId(2));
+        CHECK(derivation.value == doctest::Approx(-1.35 * q * L * L / 8.0 + 1.5 * 15.0));
+        CHECK(derivation.steps.back().kind == StepKind::Combination);
+        CHECK(derivation.closing_error < 1e-10);
+        CHECK(std::ranges::count(derivation.steps, StepKind::Member, &Step::kind) == 1);
+        CHECK(std::ranges::count(derivation.steps, StepKind::EndForces, &Step::kind) == 2);
+    }
+
+    TEST_CASE("Of a large system the rows that matter are written, and they hold")
+    {
+        Model model = storey_frame(3, 4);
+        model.add(LoadCase{.id = "W", .nodes = {{NodeId(19), {{Dof::ux, Quantity(10.0)}}}}});
+        const Derivation derivation = derived(model, of_node(NodeId(9), ExpectedQuantity::Displacement, Dof::ux));
+        const NamedMatrix& K = matrix(derivation, StepKind::Equations, "K");
+        CHECK(K.rows == std::vector<std::string>{"9.ux"});
+        CHECK(K.columns.size() < 5 * 3 + 1);
+        const Eigen::VectorXd force = K.values * matrix(derivation, StepKind::Equations, "u").values;
+        CHECK(force[0] == doctest::Approx(0.0).epsilon(1e-6 * K.values.cwiseAbs().maxCoeff()));
+    }
+
+    TEST_CASE("In any structure every number closes")
+    {
+        for (const AnalysisKind kind : every_model)
+            for (unsigned seed = 1; seed <= 6; ++seed) {
+                const Model model = random_structure(kind, seed);
+                if (constrained_member(model)) continue;
+                CAPTURE(name(kind));
+                CAPTURE(seed);
+                const Results results = analyse(model);
+                for (std::size_t m = 0; m < model.members.size(); ++m)
+                    for (const MemberComponent component : member_components(kind)) {
+                        MovingEffect effect = along(component, Percent{37.0});
+                        effect.member = MemberId(m);
+                        check_closes(model, results, effect);
+                    }
+                for (std::size_t n = 0; n < model.nodes.size(); ++n)
+                    for (const Dof dof : dof_list(kind)) {
+                        check_closes(model, results, of_node(NodeId(n), ExpectedQuantity::Displacement, dof));
+                        if (results[CaseId(0)].is_supported(NodeId(n)))
+                            check_closes(model, results, of_node(NodeId(n), ExpectedQuantity::Reaction, dof));
+                    }
+            }
+    }
+
+    TEST_CASE("The system on paper is the one that is solved")
+    {
+        for (const AnalysisKind kind : every_model) {
+            const Model model = random_structure(kind, 3);
+            if (constrained_member(model)) continue;
+            CAPTURE(name(kind));
+            const SystemTrace system = trace_system(model);
+            const Eigen::MatrixXd K = system.K;
+            CHECK((K - K.transpose()).norm() == 0.0);
+            for (std::size_t m = 0; m < model.members.size(); ++m) {
+                const MemberTrace member = trace(model, MemberId(m));
+                for (std::size_t i = 0; i < member.equations.size(); ++i)
+                    if (const int row = member.equations[i]; row > 0) {
+                        const auto [node, dof] = system.unknowns[static_cast<std::size_t>(row - 1)];
+                        CHECK(member.dofs[i] == model[node].id + "." + std::string(name(dof)));
+                    }
+            }
+        }
+    }
+}
