@@ -45,7 +45,7 @@ public:
         }
         include(curve.now.value);
         const double side = 16.0 + 0.5 * size_;
-        room_ = {{box.min.x + side, box.min.y + 2.9 * size_}, {box.max.x - side, box.max.y - 1.6 * size_}};
+        room_ = {{box.min.x + side, box.min.y + 3.3 * size_}, {box.max.x - side, box.max.y - 1.6 * size_}};
     }
 
     void draw() const
@@ -119,7 +119,7 @@ private:
     // In one line over the curve: what it is where the train stands, and, if that is elsewhere, at the critical place.
     void write_marks(ui::Point now) const
     {
-        const double y = room_.min.y - 0.6 * size_;
+        const double y = room_.min.y - 1.0 * size_;
         const std::string here = mark_text(curve_.now);
         ui::TextStyle bold = style(curve_.role, ui::Anchor::BottomLeft);
         bold.weight = ui::Weight::Bold;
@@ -133,7 +133,7 @@ private:
         const bool is_apart = other + other_width + gap < x || other > x + width + gap;
         if (is_apart) painter_.text({other, y}, there, plain);
         else if (x + width + gap + other_width <= room_.max.x) painter_.text({x + width + gap, y}, there, plain);
-        else painter_.text({x - gap - other_width, y}, there, plain);
+        else if (x - gap - other_width >= room_.min.x) painter_.text({x - gap - other_width, y}, there, plain);
     }
 
     std::string mark_text(const Place& place) const
@@ -168,7 +168,9 @@ private:
 
 double curve_height(const ui::Theme& theme, ui::Size sheet)
 {
-    return std::min(10.0 * theme.type().small, 0.25 * sheet.height);
+    constexpr double ample = 10.0, least = 8.0, share = 0.25; // em, em, of the sheet
+    const double height = std::min(ample * theme.type().small, share * sheet.height);
+    return height >= least * theme.type().small ? height : 0.0;
 }
 
 void draw_position_curve(ui::Painter& painter, const PositionCurve& curve, const ui::Box& box, const CurveLook& look)

@@ -38,7 +38,8 @@ struct CurveLook {
     const ui::Catalogue& tr;
 };
 
-double curve_height(const ui::Theme& theme, ui::Size sheet); ///< that it takes on a sheet
+/// That it takes of a sheet; 0 where the sheet is too low for it.
+double curve_height(const ui::Theme& theme, ui::Size sheet);
 
 /// A diagram of its own, across the box: a reversed run is dashed, a ring stands at the critical place, a line and a
 /// disc where the train stands. Positive values are above.

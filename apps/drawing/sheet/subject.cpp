@@ -561,7 +561,7 @@ void Subject::draw_foot(ui::Painter& painter) const
         painter.text({16.0, y}, line, style);
         y += 1.4 * style.size;
     }
-    if (!has_curve()) return;
+    if (!has_curve() || curve_height(theme_, painter.size()) <= 0.0) return;
     const double foot = painter.sheet().max.y - 14.0 - 1.4 * style.size * static_cast<double>(lines.size());
     draw_position_curve(painter, *input_.influence->curve,
                         {{0.0, foot - curve_height(theme_, painter.size())}, {painter.size().width, foot}},
