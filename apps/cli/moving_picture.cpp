@@ -9,8 +9,8 @@
 #include "apps/cli/analysis_run.h"
 #include "apps/cli/argument.h"
 #include "apps/drawing/draw.h"
-#include "apps/drawing/results/diagram.h"
 #include "apps/drawing/results/influence_picture.h"
+#include "apps/drawing/results/train_picture.h"
 #include "apps/drawing/sketch/scene.h"
 #include "femoop/analysis/linear_static.h"
 #include "femoop/geometry/member_geometry.h"
@@ -33,7 +33,6 @@ using femoop::Model;
 using femoop::MovingEffect;
 using femoop::influence::MovingTrain;
 using femoop::influence::PathLayout;
-using femoop::influence::Placing;
 using femoop::influence::TrainAnalysis;
 
 /// The part of this id. \throws UsageError with those that there are
@@ -99,15 +98,10 @@ MovingEffect foremost_effect(TrainAnalysis& analysis, const Model& model, const 
     return worst->effect; // every path has a member, and each has its extremes
 }
 
-/// A train that stands, and what it does there to the effect that is asked for.
+/// A train that stands, and the effect that is asked for.
 struct Standing {
     MovingEffect effect;
-    PathLayout path;
-    femoop::NodeVector load;
-    MovingTrain train;
-    Placing placing;
-    ExtremeKind kind = ExtremeKind::Max;
-    bool is_worst = true; ///< else where it was asked to stand
+    drawing::StandingTrain train;
 };
 
 double length_of(const MovingTrain& train, const std::vector<double>& spacings)
@@ -117,70 +111,6 @@ double length_of(const MovingTrain& train, const std::vector<double>& spacings)
         length += i < spacings.size() ? spacings[i] : train.spacings[i].least;
     return length;
 }
-
-/// What the picture says of a train at its foot.
-class Sentences {
-public:
-    Sentences(const Model& model, const drawing::DrawOptions& options)
-        : model_(model), options_(options), units_(drawing::display_units(model, options))
-    {}
-
-    std::vector<std::string> of(const Standing& standing, const drawing::InfluencePicture& picture,
-                                const std::string& train) const
-    {
-        std::vector<std::string> sentences{value(standing, train)};
-        if (std::string sum = this->sum(standing, picture); !sum.empty()) sentences.push_back(std::move(sum));
-        return sentences;
-    }
-
-private:
-    std::string text(double value, ui::Measure measure) const
-    {
-        return drawing::with_minus(units_.text(value, measure));
-    }
-
-    std::string value(const Standing& standing, const std::string& train) const
-    {
-        const ui::Catalogue& tr = options_.tr;
-        std::string said = tr("{effect} = {value} under {train}",
-                              {{"effect", drawing::effect_text(model_, units_, standing.effect)},
-                               {"value", text(standing.placing.value, drawing::measure_of(standing.effect))},
-                               {"train", train}});
-        if (standing.is_worst)
-            said += ", " + (standing.kind == ExtremeKind::Max ? tr("its largest value") : tr("its least value"));
-        if (!standing.placing.position) return said;
-        const std::string place = text(*standing.placing.position, ui::Measure::Length);
-        said += ": " + tr("leading axle at s = {place}", {{"place", place}});
-        return standing.placing.reversed ? said + ", " + tr("running backwards") : said;
-    }
-
-    /// Each force times its ordinate, the uniform load times its areas; nothing where that is too long to read.
-    std::string sum(const Standing& standing, const drawing::InfluencePicture& picture) const
-    {
-        constexpr std::size_t most_terms = 12;
-        const double ordinate = drawing::ordinate_unit(units_, picture).factor;
-        const double area = ordinate * units_.unit(ui::Measure::Length).factor;
-        std::vector<std::string> terms;
-        for (const auto& force : picture.forces)
-            terms.push_back(product(force.force, ui::Measure::Force, force.ordinate * ordinate));
-        for (const double covered : covered_areas(standing.placing, picture.line.ordinates))
-            terms.push_back(product(standing.train.uniform, ui::Measure::ForcePerLength, covered * area));
-        if (terms.empty() || terms.size() > most_terms) return {};
-        std::string sum;
-        for (const std::string& term : terms) sum += (sum.empty() ? "= " : " + ") + term;
-        return sum;
-    }
-
-    std::string product(double load, ui::Measure measure, double factor) const
-    {
-        const std::string second = drawing::with_minus(units_.number(factor, ui::Measure::Plain));
-        return drawing::with_minus(units_.number(load, measure)) + " × " + (factor < 0.0 ? "(" + second + ")" : second);
-    }
-
-    const Model& model_;
-    const drawing::DrawOptions& options_;
-    ui::DisplayUnits units_;
-};
 
 void write(const Model& model, const femoop::Results* results, const drawing::InfluencePicture& picture,
            const PictureOrder& order, const Console& console)
@@ -201,19 +131,17 @@ public:
 
     Standing standing(const std::optional<MovingEffect>& asked, const std::optional<std::string>& position)
     {
-        Standing standing;
-        standing.effect = asked ? *asked : foremost_effect(analysis_, model_, train_);
+        Standing standing{.effect = asked ? *asked : foremost_effect(analysis_, model_, train_)};
         if (standing.effect.quantity == ExpectedQuantity::Extreme)
             standing.effect = worst_of(analysis_, train_, standing.effect).effect;
-        standing.path = analysis_.path(train_);
-        standing.load = femoop::influence::unit_load(model_.analysis, train_.load);
-        standing.train = femoop::influence::moving_train(train_, standing.effect);
         const auto search = analysis_.search(train_, standing.effect);
         const femoop::influence::WorstPlacings worst = search.worst();
         const bool is_max = std::abs(worst.max.value) >= std::abs(worst.min.value);
-        standing.kind = is_max ? ExtremeKind::Max : ExtremeKind::Min;
-        standing.placing = is_max ? worst.max : worst.min;
-        if (position) stand_at(standing, search, *position);
+        standing.train = {.name = train_.id,
+                          .train = femoop::influence::moving_train(train_, standing.effect),
+                          .placing = is_max ? worst.max : worst.min,
+                          .kind = is_max ? ExtremeKind::Max : ExtremeKind::Min};
+        if (position) stand_at(standing.train, search, *position);
         return standing;
     }
 
@@ -227,26 +155,29 @@ public:
         order.view.show.insert(Show::Influence);
         order.view.load_case = femoop::CaseId(0);
         order.view.is_envelope = false;
+        drawing::InfluencePicture picture{.path = analysis_.path(train_),
+                                          .load = femoop::influence::unit_load(model_.analysis, train_.load),
+                                          .line = analysis_.line(train_, standing.effect)};
+        stand_on(picture, standing.train);
+        picture.sentences = train_sentences(model_, order.view, picture, standing.train);
         Model loaded = analysis_.unloaded();
-        loaded.load_cases = {standing_train(train_.id, standing.path, standing.load, standing.train, standing.placing)};
+        loaded.load_cases = {
+            standing_train(train_.id, picture.path, picture.load, standing.train.train, standing.train.placing)};
         const femoop::Results results = femoop::analyse(loaded);
         console_.report(file_, results.warnings());
-        drawing::InfluencePicture picture{
-            .path = standing.path, .load = standing.load, .line = analysis_.line(train_, standing.effect)};
-        picture.forces = standing_forces(standing.train, standing.placing, picture.line.ordinates, standing.kind);
-        picture.sentences = Sentences(model_, order.view).of(standing, picture, train_.id);
         write(loaded, &results, picture, order, console_);
         return ExitStatus::Done;
     }
 
 private:
-    void stand_at(Standing& standing, const femoop::influence::TrainSearch& search, const std::string& text) const
+    void stand_at(drawing::StandingTrain& standing, const femoop::influence::TrainSearch& search,
+                  const std::string& text) const
     {
         const ui::Catalogue& tr = console_.tr();
         if (standing.train.axles.empty())
             throw UsageError(tr("--at-position: {train} has no axles; leave the option out", {{"train", train_.id}}));
         const double position = length_named("--at-position", text, model_).value();
-        const double most = standing.path.length() + length_of(standing.train, standing.placing.spacings);
+        const double most = analysis_.path(train_).length() + length_of(standing.train, standing.placing.spacings);
         if (!(position >= 0.0 && position <= most))
             throw UsageError(tr("--at-position: found {found}; wanted 0 to {most}, where some axle is on the path",
                                 {{"found", text}, {"most", ui::number_text(most, {})}}));

@@ -1,11 +1,13 @@
 #pragma once
 
+#include "apps/drawing/results/position_curve.h"
 #include "apps/drawing/sketch/scene.h"
 #include "femoop/methods/influence/influence_line.h"
 #include "femoop/methods/influence/load_path.h"
 #include "femoop/methods/influence/member_motion.h"
 #include "femoop/methods/influence/train/standing_train.h"
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -20,6 +22,7 @@ struct InfluencePicture {
     std::vector<femoop::influence::MemberMotion> motion{};
     /// Forces that stand on the path: their ordinates are drawn, and written in place of the line's own values.
     std::vector<femoop::influence::StandingForce> forces{};
+    std::optional<PositionCurve> curve{}; ///< of a train that is moved: drawn over the foot of the sheet
     std::vector<std::string> sentences{}; ///< for the foot of the sheet, the first one in bold
 };
 

@@ -76,6 +76,8 @@ public:
     const std::vector<PanelHead>& heads() const { return heads_; }
 
 private:
+    bool shows_forces() const { return scene_.shows(Show::Loads) || scene_.shows(Show::Reactions); }
+
     void draw_bands(const std::vector<SolvedCase>& all)
     {
         for (const Show item : diagrams) {
@@ -174,7 +176,7 @@ private:
         draw_names(scene_);
         if (scene_.shows(Show::DrawnDimensions)) draw_drawn_dimensions(scene_, input_.dimensions);
         if (scene_.shows(Show::Dimensions)) draw_dimensions(scene_);
-        if (heads_.empty() || scene_.shows(Show::Loads) || scene_.shows(Show::Reactions))
+        if (heads_.empty() || (!scene_.shows(Show::Influence) && shows_forces()))
             heads_.insert(heads_.begin(), structure_head(scene_));
     }
 
@@ -267,6 +269,7 @@ ui::Box Subject::area(ui::Size sheet, const ui::Fonts& fonts) const
     const double line = 1.4 * theme_.type().normal;
     const std::size_t n_lines = foot_lines(sheet, fonts).size();
     if (n_lines > 0) area.max.y -= 14.0 + line * static_cast<double>(n_lines);
+    if (has_curve()) area.max.y -= curve_height(theme_, sheet);
     return area;
 }
 
@@ -522,6 +525,8 @@ void Subject::draw_left_out(ui::Painter& painter, std::size_t n_left_out) const
     painter.text(chosen.at, words, style_at(chosen));
 }
 
+bool Subject::has_curve() const { return input_.influence != nullptr && input_.influence->curve; }
+
 bool Subject::has_overlay_text() const
 {
     return input_.overlay && is_solved_ && !options_.is_envelope && options_.show.contains(Show::M);
@@ -556,6 +561,11 @@ void Subject::draw_foot(ui::Painter& painter) const
         painter.text({16.0, y}, line, style);
         y += 1.4 * style.size;
     }
+    if (!has_curve() || curve_height(theme_, painter.size()) <= 0.0) return;
+    const double foot = painter.sheet().max.y - 14.0 - 1.4 * style.size * static_cast<double>(lines.size());
+    draw_position_curve(painter, *input_.influence->curve,
+                        {{0.0, foot - curve_height(theme_, painter.size())}, {painter.size().width, foot}},
+                        {.theme = theme_, .units = units_, .tr = options_.tr});
 }
 
 } // namespace drawing

@@ -1,10 +1,14 @@
 #include "apps/frame/influence/asked_line.h"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 #include <utility>
 
+#include "apps/frame/document/fault/sentence.h"
 #include "femoop/geometry/member_geometry.h"
 #include "femoop/methods/influence/load_components.h"
+#include "femoop/methods/influence/train/standing_train.h"
 #include "femoop/methods/influence/usual_path.h"
 #include "femoop/model/fault/fault.h"
 #include "femoop/result/components.h"
@@ -13,9 +17,11 @@ namespace frame {
 
 using femoop::Dof;
 using femoop::ExpectedQuantity;
+using femoop::ExtremeKind;
 using femoop::MemberComponent;
 using femoop::Model;
 using femoop::MovingEffect;
+using femoop::influence::Stretch;
 
 namespace {
 
@@ -100,36 +106,185 @@ std::vector<MovingEffect> AskedLine::choices(const Model& model) const
     return choices;
 }
 
-const drawing::InfluencePicture* AskedLine::picture(const Model& model, std::uint64_t generation,
-                                                    const ui::Catalogue& tr) const
+void AskedLine::clear()
 {
-    const std::optional<MovingEffect> wanted = effect(model);
-    if (!wanted || model.members.empty()) return nullptr;
-    try {
-        if (found_.generation != generation) {
-            found_ = {.generation = generation};
-            found_.analysis = std::make_shared<femoop::influence::InfluenceAnalysis>(model);
-        }
-        const bool is_here = found_.effect == wanted && found_.language == tr.language();
-        if (found_.analysis && !is_here) find(model, *wanted, tr);
-    } catch (const femoop::ModelError&) { // the problems say why the model cannot be solved
-        found_.effect = wanted;
-        found_.picture.reset();
-    }
-    return found_.picture.get();
+    asked_.reset();
+    train_.place.reset();
 }
 
-void AskedLine::find(const Model& model, const MovingEffect& effect, const ui::Catalogue& tr) const
+void AskedLine::choose_train(const std::string& name) { train_ = {.name = name}; }
+
+void AskedLine::seek(femoop::ExtremeKind kind)
 {
+    train_.kind = kind;
+    train_.place.reset();
+}
+
+void AskedLine::put_train(const AskedTrain::Place& place)
+{
+    const Stretch along = positions(place.reversed);
+    train_.place = {std::clamp(place.position, along.from, along.to), place.reversed};
+}
+
+std::optional<AskedTrain::Place> AskedLine::worst_place() const
+{
+    const femoop::influence::Placing& worst = worst_placing();
+    if (!worst.position) return std::nullopt;
+    return AskedTrain::Place{*worst.position, worst.reversed};
+}
+
+double AskedLine::nearest_on_path(const Eigen::Vector3d& place) const
+{
+    const std::vector<femoop::influence::PathMember>& path = found_.picture->path.members;
+    double nearest = 0.0, least = std::numeric_limits<double>::infinity();
+    for (const femoop::influence::PathMember& on : path) {
+        const femoop::MemberGeometry member = femoop::geometry_of(*found_.model, (*found_.model)[on.member]);
+        double s = on.s_of((place - member.start).dot(member.axes.row(0).transpose()));
+        if (&on != &path.front()) s = std::max(s, on.begin);
+        if (&on != &path.back()) s = std::min(s, on.end());
+        const Eigen::Vector3d there = member.start + on.x_of(s) * member.axes.row(0).transpose();
+        const double distance = (place - there).norm();
+        if (distance >= least) continue;
+        least = distance;
+        nearest = s;
+    }
+    return nearest;
+}
+
+const drawing::InfluencePicture* AskedLine::picture(const Model& model, std::uint64_t generation,
+                                                    const drawing::DrawOptions& options) const
+{
+    const std::optional<MovingEffect> wanted = effect(model);
+    if (!wanted || model.members.empty()) {
+        found_.standing.reset();
+        return nullptr;
+    }
+    try {
+        if (found_.generation != generation) {
+            found_ = {.generation = generation, .model = std::make_shared<const Model>(model)};
+            found_.analysis = std::make_shared<femoop::influence::InfluenceAnalysis>(model);
+        }
+        const bool is_here = found_.effect == wanted && found_.train == train_;
+        if (found_.analysis && !is_here) find(*wanted);
+    } catch (const femoop::ModelError&) { // the problems say why the model cannot be solved
+        found_.effect = wanted;
+        found_.train = train_;
+        found_.picture.reset();
+        found_.standing.reset();
+    }
+    if (!found_.picture) return nullptr;
+    found_.picture->sentences = sentences(options);
+    return &*found_.picture;
+}
+
+void AskedLine::find(const MovingEffect& effect) const
+{
+    const bool is_same_line = found_.picture && found_.effect == effect && found_.train.name == train_.name;
     found_.effect = effect;
-    found_.language = tr.language();
+    found_.train = train_;
+    if (is_same_line && found_.standing) return stand_train();
     found_.picture.reset();
-    const femoop::NodeVector load = femoop::influence::unit_load(model.analysis, {});
-    const auto path = femoop::influence::lay_out(model, femoop::influence::usual_path(model, effect, load));
-    drawing::InfluencePicture picture{.path = path, .load = load, .line = found_.analysis->line(path, load, effect)};
-    picture.motion = found_.analysis->motion(effect);
-    picture.sentences = {drawing::principle(effect, tr)};
-    found_.picture = std::make_shared<const drawing::InfluencePicture>(std::move(picture));
+    found_.standing.reset();
+    found_.faults.clear();
+    const std::vector<femoop::Train>& trains = found_.model->moving_loads.trains;
+    const auto train = std::ranges::find(trains, train_.name, &femoop::Train::id);
+    if (train == trains.end()) return find_line(effect);
+    try {
+        find_line_of_train(*train, effect);
+        stand_train();
+    } catch (const femoop::ModelError& error) { // the line alone stands, and it is said why
+        found_.standing.reset();
+        found_.faults = error.faults();
+        find_line(effect);
+    }
+}
+
+void AskedLine::find_line(const MovingEffect& effect) const
+{
+    const femoop::NodeVector load = femoop::influence::unit_load(found_.model->analysis, {});
+    const auto path = femoop::influence::lay_out(*found_.model,
+                                                 femoop::influence::usual_path(*found_.model, effect, load));
+    found_.picture = {.path = path, .load = load, .line = found_.analysis->line(path, load, effect)};
+    found_.picture->motion = found_.analysis->motion(effect);
+}
+
+void AskedLine::find_line_of_train(const femoop::Train& train, const MovingEffect& effect) const
+{
+    if (!found_.trains) found_.trains = std::make_shared<femoop::influence::TrainAnalysis>(*found_.model);
+    found_.picture = {.path = found_.trains->path(train),
+                      .load = femoop::influence::unit_load(found_.model->analysis, train.load),
+                      .line = found_.trains->line(train, effect)};
+    found_.picture->motion = found_.analysis->motion(effect);
+    found_.standing = {.name = train.id, .train = femoop::influence::moving_train(train, effect)};
+    found_.search = std::make_shared<const femoop::influence::TrainSearch>(
+        found_.picture->line.ordinates, found_.picture->path.nodes(), found_.standing->train);
+    found_.worst = found_.search->worst();
+}
+
+const femoop::influence::Placing& AskedLine::worst_placing() const
+{
+    return found_.standing->kind == ExtremeKind::Max ? found_.worst.max : found_.worst.min;
+}
+
+// Where it is worst, or where it was put.
+void AskedLine::stand_train() const
+{
+    drawing::StandingTrain& standing = *found_.standing;
+    const auto& [max, min] = found_.worst;
+    const ExtremeKind greater = std::abs(max.value) >= std::abs(min.value) ? ExtremeKind::Max : ExtremeKind::Min;
+    standing.kind = train_.kind.value_or(greater);
+    const femoop::influence::Placing& worst = worst_placing();
+    const std::optional<AskedTrain::Place>& place = train_.place;
+    const bool is_put = place && !standing.train.axles.empty();
+    standing.is_worst = !is_put || (worst.position == place->position && worst.reversed == place->reversed);
+    standing.placing = standing.is_worst ? worst : placed(*place, standing.kind);
+    stand_on(*found_.picture, standing);
+    found_.picture->curve.reset();
+    if (standing.placing.position) found_.picture->curve = curve();
+    load_train();
+}
+
+femoop::influence::Placing AskedLine::placed(const AskedTrain::Place& place, ExtremeKind kind) const
+{
+    const Stretch along = positions(place.reversed); // the path may have become shorter
+    return found_.search->at({.position = std::clamp(place.position, along.from, along.to), .reversed = place.reversed},
+                             kind);
+}
+
+void AskedLine::load_train() const
+{
+    const drawing::InfluencePicture& picture = *found_.picture;
+    const drawing::StandingTrain& standing = *found_.standing;
+    found_.loaded = found_.analysis->model();
+    found_.loaded->load_cases = {
+        femoop::influence::standing_train(standing.name, picture.path, picture.load, standing.train, standing.placing)};
+}
+
+drawing::PositionCurve AskedLine::curve() const
+{
+    const drawing::StandingTrain& standing = *found_.standing;
+    const MovingEffect& effect = found_.picture->line.effect;
+    drawing::PositionCurve curve{.now = {*standing.placing.position, standing.placing.value},
+                                 .path_length = found_.picture->path.length(),
+                                 .role = drawing::role_of(effect),
+                                 .measure = drawing::measure_of(effect)};
+    const auto add = [&](bool is_reversed) {
+        const Stretch along = positions(is_reversed);
+        curve.runs.push_back(
+            {found_.search->over_positions(standing.kind, is_reversed), along.from, along.to, is_reversed});
+    };
+    add(false);
+    if (standing.train.both_directions) add(true);
+    if (const auto worst = worst_place()) curve.worst = {worst->position, worst_placing().value};
+    return curve;
+}
+
+std::vector<std::string> AskedLine::sentences(const drawing::DrawOptions& options) const
+{
+    if (found_.standing) return train_sentences(*found_.model, options, *found_.picture, *found_.standing);
+    std::vector<std::string> sentences{drawing::principle(found_.picture->line.effect, options.tr)};
+    for (const femoop::Fault& fault : found_.faults) sentences.push_back(sentence(fault, options.tr));
+    return sentences;
 }
 
 } // namespace frame

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <Eigen/Core>
 #include <cstdint>
 #include <memory>
 #include <optional>
@@ -7,20 +8,42 @@
 #include <vector>
 
 #include "apps/drawing/cut.h"
+#include "apps/drawing/draw_options.h"
 #include "apps/drawing/results/influence_picture.h"
+#include "apps/drawing/results/train_picture.h"
 #include "femoop/methods/influence/influence_line.h"
+#include "femoop/methods/influence/train/train_analysis.h"
+#include "femoop/methods/influence/train/train_search.h"
+#include "femoop/model/fault/fault.h"
 #include "femoop/model/model.h"
 
 namespace frame {
 
+/// The train that is wanted on the influence line: known by its name, so that it goes on while the model changes.
+struct AskedTrain {
+    /// Of its leading axle.
+    struct Place {
+        double position = 0.0;
+        bool reversed = false;
+
+        friend bool operator==(const Place&, const Place&) = default;
+    };
+    std::string name;                        ///< of the model's trains; empty: none
+    std::optional<femoop::ExtremeKind> kind; ///< that it is placed for; nothing: the one of the greater magnitude
+    std::optional<Place> place;              ///< where it was put; nothing: where it is worst
+
+    friend bool operator==(const AskedTrain&, const AskedTrain&) = default;
+};
+
 /// The influence line that is looked at. It is no part of the document: it is not saved, nor undone, and belongs to the
 /// tab that it was asked in. Parts are known by their names, so that it goes on while the model changes.
 ///
-/// The load is a unit force down; its path is the one that is meant where none is named (femoop `usual_path`).
+/// The load is a unit force down; its path is the one that is meant where none is named (femoop `usual_path`). Where a
+/// train stands on the line, load and path are the train's.
 class AskedLine {
 public:
     bool is_on(const femoop::Model& model) const { return effect(model).has_value(); }
-    void clear() { asked_.reset(); }
+    void clear();
 
     /// Of a section: of the component that was asked for last, else of the bending moment, in a truss of N.
     void ask(const femoop::Model& model, const drawing::Cut& cut);
@@ -37,7 +60,24 @@ public:
     /// The line of the model as it is; null where nothing is asked, or the model has no such line.
     /// \param generation  grows whenever the model changes
     const drawing::InfluencePicture* picture(const femoop::Model& model, std::uint64_t generation,
-                                             const ui::Catalogue& tr) const;
+                                             const drawing::DrawOptions& options) const;
+
+    const AskedTrain& train() const { return train_; }
+    void choose_train(const std::string& name); ///< where it is worst; empty: none
+    void seek(femoop::ExtremeKind kind);        ///< where the train is worst in this way
+    void put_train(const AskedTrain::Place& place);
+    void put_train_back() { train_.place.reset(); }
+
+    /// What stands on the last picture; null where none does.
+    const drawing::StandingTrain* standing() const { return found_.standing ? &*found_.standing : nullptr; }
+    /// Where the train is worst; nothing where its axles are best away. \pre it stands
+    std::optional<AskedTrain::Place> worst_place() const;
+    /// The model with that train as its only load. \pre it stands
+    const femoop::Model& loaded() const { return *found_.loaded; }
+    /// Where its leading axle may be put. \pre it stands, and has axles
+    femoop::influence::Stretch positions(bool reversed) const { return found_.search->positions(reversed); }
+    /// Of the place of the last picture's path, or of its straight prolongations, that is nearest. \pre there was one
+    double nearest_on_path(const Eigen::Vector3d& place) const;
 
 private:
     struct Asked {
@@ -49,14 +89,30 @@ private:
     };
     struct Found {
         std::uint64_t generation = 0;
-        ui::Language language = ui::Language::English;
+        std::shared_ptr<const femoop::Model> model;                     ///< as it was then
         std::shared_ptr<femoop::influence::InfluenceAnalysis> analysis; ///< null: the model has no lines
+        std::shared_ptr<femoop::influence::TrainAnalysis> trains;       ///< made when there is the first one
         std::optional<femoop::MovingEffect> effect;
-        std::shared_ptr<const drawing::InfluencePicture> picture;
+        AskedTrain train;
+        std::shared_ptr<const femoop::influence::TrainSearch> search; ///< of that train on that effect
+        std::optional<drawing::InfluencePicture> picture;
+        std::optional<drawing::StandingTrain> standing;
+        femoop::influence::WorstPlacings worst; ///< of that train
+        std::optional<femoop::Model> loaded;
+        std::vector<femoop::Fault> faults; ///< why the train cannot stand
     };
-    void find(const femoop::Model& model, const femoop::MovingEffect& effect, const ui::Catalogue& tr) const;
+    void find(const femoop::MovingEffect& effect) const;
+    void find_line(const femoop::MovingEffect& effect) const;
+    void find_line_of_train(const femoop::Train& train, const femoop::MovingEffect& effect) const;
+    const femoop::influence::Placing& worst_placing() const;
+    void stand_train() const;
+    femoop::influence::Placing placed(const AskedTrain::Place& place, femoop::ExtremeKind kind) const;
+    void load_train() const;
+    drawing::PositionCurve curve() const;
+    std::vector<std::string> sentences(const drawing::DrawOptions& options) const;
 
     std::optional<Asked> asked_;
+    AskedTrain train_;
     femoop::MemberComponent last_component_ = femoop::MemberComponent::Mz;
     mutable Found found_;
 };

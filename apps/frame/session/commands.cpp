@@ -14,6 +14,7 @@
 #include "apps/frame/session/solver_commands.h"
 #include "apps/frame/session/table_commands.h"
 #include "apps/frame/session/tabs.h"
+#include "apps/frame/session/train_commands.h"
 #include "apps/frame/session/view_commands.h"
 #include "ui/workspace/standard_commands.h"
 
@@ -211,6 +212,7 @@ CommandTable command_table()
     add_view_commands(table);
     add_predict_commands(table);
     add_influence_commands(table);
+    add_train_commands(table);
     add_panel_commands(table);
     add_table_commands(table);
     add_solver_commands(table);

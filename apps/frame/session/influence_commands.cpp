@@ -10,12 +10,6 @@ using ui::translatable;
 
 namespace {
 
-Reason needs_line(const Workspace& workspace)
-{
-    if (workspace.session.influence.is_on(workspace.session.model())) return std::nullopt;
-    return translatable("no influence line is shown; press I and click a section or a support");
-}
-
 void choose_next(Workspace& workspace)
 {
     AskedLine& line = workspace.session.influence;
@@ -28,6 +22,12 @@ void choose_next(Workspace& workspace)
 
 } // namespace
 
+Reason needs_influence_line(const Workspace& workspace)
+{
+    if (workspace.session.influence.is_on(workspace.session.model())) return std::nullopt;
+    return translatable("no influence line is shown; press I and click a section or a support");
+}
+
 Reason why_no_influence_line(const Workspace& workspace)
 {
     if (workspace.session.solution().results) return std::nullopt;
@@ -38,10 +38,10 @@ void add_influence_commands(CommandTable& table)
 {
     Menu menu(table, translatable("View"));
     menu.step({"view.influence.next", translatable("The next quantity of the influence line"), {{Key::I, ui::shift}}},
-              choose_next, needs_line);
+              choose_next, needs_influence_line);
     menu.step(
         {"view.influence.close", translatable("Close the influence line")},
-        [](Workspace& workspace) { workspace.session.influence.clear(); }, needs_line);
+        [](Workspace& workspace) { workspace.session.influence.clear(); }, needs_influence_line);
 }
 
 } // namespace frame

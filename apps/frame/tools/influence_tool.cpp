@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "apps/frame/influence/asked_line.h"
+#include "apps/frame/tools/snap.h"
 #include "femoop/geometry/member_geometry.h"
 
 namespace frame {
@@ -23,6 +24,8 @@ double round_place(double x, double length, const Aim& at)
 std::optional<Change> InfluenceTool::press(const Work& work, const Aim& at)
 {
     const femoop::Model& model = work.document.model;
+    pull_ = at.is_on_train ? pull_of(*work.influence, at) : std::nullopt;
+    if (at.is_on_train) return std::nullopt;
     if (at.node) work.influence->ask(model, *at.node);
     else if (at.support) work.influence->ask(model, at.support->node);
     else if (at.cut) {
@@ -33,8 +36,35 @@ std::optional<Change> InfluenceTool::press(const Work& work, const Aim& at)
     return std::nullopt;
 }
 
+std::optional<InfluenceTool::Pull> InfluenceTool::pull_of(const AskedLine& line, const Aim& at)
+{
+    const drawing::StandingTrain* const train = line.standing();
+    if (train == nullptr || !train->placing.position || !at.may_drag()) return std::nullopt;
+    return Pull{*train->placing.position - line.nearest_on_path({at.pointer.x(), at.pointer.y(), 0.0})};
+}
+
+// To the critical place where the leading axle comes near to it, else to round ones; Alt takes the place as it is.
+void InfluenceTool::pull_train(AskedLine& line, const Pull& pull, const Aim& to)
+{
+    constexpr double fine = 2.0, reach = 6.0; // [px]
+    const bool is_reversed = line.standing()->placing.reversed;
+    double position = line.nearest_on_path({to.pointer.x(), to.pointer.y(), 0.0}) + pull.ahead;
+    const std::optional<AskedTrain::Place> worst = line.worst_place();
+    if (!to.is_exact) {
+        const double step = round_grid(fine * to.pixel);
+        const bool is_near_worst = worst && worst->reversed == is_reversed &&
+                                   std::abs(worst->position - position) <= reach * to.pixel;
+        position = is_near_worst ? worst->position : step * std::round(position / step);
+    }
+    line.put_train({position, is_reversed});
+}
+
 std::optional<Change> InfluenceTool::move(const Work& work, const Aim& to)
 {
+    if (pull_ && work.influence->standing() != nullptr) {
+        pull_train(*work.influence, *pull_, to);
+        return std::nullopt;
+    }
     const femoop::Model& model = work.document.model;
     if (!held_ || !to.may_drag() || held_->index >= model.members.size()) return std::nullopt;
     const femoop::MemberGeometry member = femoop::geometry_of(model, model[*held_]);
@@ -47,6 +77,7 @@ std::optional<Change> InfluenceTool::move(const Work& work, const Aim& to)
 std::optional<Change> InfluenceTool::release(const Work&, const Aim&)
 {
     held_.reset();
+    pull_.reset();
     return std::nullopt;
 }
 

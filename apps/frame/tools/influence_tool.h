@@ -7,6 +7,7 @@
 namespace frame {
 
 /// Asks for influence lines: press at a section, a support or a node; while the button is held the section goes along.
+/// A train that stands on the line is taken hold of at its arrows, and runs along its path.
 class InfluenceTool : public Tool {
 public:
     std::optional<Change> press(const Work& work, const Aim& at) override;
@@ -15,7 +16,15 @@ public:
     bool snaps() const override { return false; }
 
 private:
+    /// From the place of its path under the hand to its leading axle.
+    struct Pull {
+        double ahead = 0.0;
+    };
+    static std::optional<Pull> pull_of(const AskedLine& line, const Aim& at);
+    static void pull_train(AskedLine& line, const Pull& pull, const Aim& to);
+
     std::optional<femoop::MemberId> held_; ///< whose section the hand moves
+    std::optional<Pull> pull_;             ///< of the train that it moves
 };
 
 } // namespace frame

@@ -50,6 +50,7 @@ struct Aim {
     std::optional<SupportGrip> support;                ///< under it, where there is neither
     std::optional<DimensionPlace> dimension;           ///< the line under it, where there is none of these
     std::optional<LoadGrip> grip;                      ///< of the load under it, where there is none of these
+    bool is_on_train = false;                          ///< over a train on an influence line, where there is no part
     std::optional<Eigen::Vector3d> in_space;           ///< the place that is meant in a model in space
     bool is_lost = false;                              ///< none is: the working plane is seen edge-on
     double pixel = 0.01;                               ///< one logical pixel [length]

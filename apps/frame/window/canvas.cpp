@@ -29,13 +29,21 @@ namespace frame {
 
 namespace {
 
-// An influence line belongs to no case either: it stands alone on the structure.
-DrawOptions with_influence(DrawOptions options)
+const InfluencePicture* shown_line(const Session& session)
+{
+    return session.influence.picture(session.model(), session.generation(), session.view);
+}
+
+// An influence line belongs to no case either: it stands alone on the structure, or with a train.
+DrawOptions with_influence(DrawOptions options, bool has_train)
 {
     options.show = options.show & ShowSet{Show::Values,          Show::NodeNames, Show::MemberNames, Show::Dimensions,
                                           Show::DrawnDimensions, Show::LocalAxes, Show::Legend};
     options.show.insert(Show::Influence);
     options.is_envelope = false;
+    if (!has_train) return options;
+    options.show.insert(Show::Loads); // of the train, which is the only load case then
+    options.load_case = femoop::CaseId(0);
     return options;
 }
 
@@ -43,7 +51,10 @@ DrawOptions with_influence(DrawOptions options)
 DrawOptions looked_at(const Session& session)
 {
     DrawOptions options = session.results_view();
-    if (session.influence.is_on(session.model())) return with_influence(std::move(options));
+    if (session.influence.is_on(session.model())) {
+        const bool has_train = shown_line(session) != nullptr && session.influence.standing() != nullptr;
+        return with_influence(std::move(options), has_train);
+    }
     if (options.is_envelope) options.show = options.show - ShowSet{Show::Loads, Show::Deformed};
     return options;
 }
@@ -68,16 +79,15 @@ std::optional<std::size_t> shown_mechanism(const Workspace& workspace)
                                                           : std::optional(std::min(workspace.session.mechanism, n - 1));
 }
 
-const InfluencePicture* shown_line(const Session& session)
-{
-    return session.influence.picture(session.model(), session.generation(), session.view.tr);
-}
-
 DrawInput input_of(const Workspace& workspace, const DrawOptions& options, const std::optional<GuessPicture>& guess)
 {
     const Session& session = workspace.session;
-    if (const auto* const line = shown_line(session))
-        return {.model = session.model(), .dimensions = session.document().companion.dimensions, .influence = line};
+    if (const auto* const line = shown_line(session)) {
+        const bool has_train = session.influence.standing() != nullptr;
+        return {.model = has_train ? session.influence.loaded() : session.model(),
+                .dimensions = session.document().companion.dimensions,
+                .influence = line};
+    }
     DrawInput input{.model = session.model(),
                     .reference = session.reference.get(),
                     .dimensions = session.document().companion.dimensions,
@@ -332,7 +342,8 @@ void Canvas::press(Workspace& workspace, const Aim& aim)
 {
     is_working_ = true;
     workspace.session.settle();
-    if (workspace.tool_controller.kind() == ToolKind::Influence && !aim.part()) return ask_at_diagram(workspace, aim);
+    const bool is_beside = !aim.part() && !aim.is_on_train;
+    if (workspace.tool_controller.kind() == ToolKind::Influence && is_beside) return ask_at_diagram(workspace, aim);
     if (const auto reason = why_not_press(workspace, aim)) workspace.session.notify(*reason);
     else carry_out(workspace.session, workspace.tool_controller.tool().press(work_of(workspace.session), aim));
 }

@@ -5,9 +5,11 @@
 #include <algorithm>
 #include <array>
 #include <string>
+#include <vector>
 
 #include "apps/frame/session/edit_commands.h"
 #include "apps/frame/session/plane_commands.h"
+#include "apps/frame/session/train_commands.h"
 #include "apps/frame/tools/kept_settings.h"
 #include "apps/frame/tools/tool_loads.h"
 #include "apps/frame/window/number_row.h"
@@ -60,6 +62,8 @@ constexpr std::array supports{
     SupportTool{femoop::SupportKind::Fixed, translatable("Fixed")},
 };
 
+constexpr std::string_view no_train = translatable("no train");
+
 /// The number that a load of the tool has.
 struct LoadValue {
     ui::Measure measure;
@@ -82,8 +86,57 @@ void support_settings(Workspace& workspace)
     }
 }
 
+// The model's trains, and those of the library.
+void list_trains(Workspace& workspace, const CommandTable& commands)
+{
+    Session& session = workspace.session;
+    const ui::Catalogue& tr = session.view.tr;
+    const std::string now = session.influence.train().name;
+    if (ImGui::Selectable((tr(no_train) + "###none").c_str(), now.empty())) session.influence.choose_train({});
+    const std::vector<femoop::Train> trains = session.model().moving_loads.trains;
+    for (std::size_t i = 0; i < trains.size(); ++i) {
+        ImGui::PushID(static_cast<int>(i));
+        const std::string label = trains[i].id + "###of the model";
+        if (ImGui::Selectable(label.c_str(), trains[i].id == now)) session.influence.choose_train(trains[i].id);
+        ImGui::PopID();
+    }
+    ImGui::Separator();
+    ImGui::TextDisabled("%s", tr("Take from the library").c_str());
+    for (const LibraryCommand& entry : library_commands()) {
+        if (ImGui::Selectable((tr(entry.label) + "###" + std::string(entry.id)).c_str()))
+            run(*commands.find(entry.id), workspace);
+        if (ImGui::IsItemHovered()) ui::show_tooltip(std::string(entry.train->source));
+    }
+}
+
+// Which train stands on the line, and whether its largest or its least value is sought.
+void train_settings(Workspace& workspace, const CommandTable& commands)
+{
+    Session& session = workspace.session;
+    const ui::Catalogue& tr = session.view.tr;
+    const std::string& name = session.influence.train().name;
+    constexpr float least = 5.0F, most = 11.0F;                 // [em]
+    const float em = ImGui::GetFontSize(), of_ways = 9.0F * em; // the two buttons behind it
+    ImGui::SetNextItemWidth(std::clamp(ImGui::GetContentRegionAvail().x - of_ways, least * em, most * em));
+    if (ImGui::BeginCombo("###train", (name.empty() ? tr(no_train) : name).c_str(), ImGuiComboFlags_HeightLargest)) {
+        list_trains(workspace, commands);
+        ImGui::EndCombo();
+    }
+    ImGui::SameLine();
+    const drawing::StandingTrain* const standing = session.influence.standing();
+    if (standing == nullptr) return;
+    const femoop::ExtremeKind kind = standing->kind;
+    const auto way = [&](std::string_view label, femoop::ExtremeKind sought) {
+        const std::string button = tr(label) + "###" + std::string(label);
+        if (ImGui::RadioButton(button.c_str(), kind == sought)) session.influence.seek(sought);
+        ImGui::SameLine();
+    };
+    way(translatable("max"), femoop::ExtremeKind::Max);
+    way(translatable("min"), femoop::ExtremeKind::Min);
+}
+
 // Which quantity the influence line is of; while there is none the hint says how to ask for one.
-void influence_settings(Workspace& workspace)
+void influence_settings(Workspace& workspace, const CommandTable& commands)
 {
     AskedLine& line = workspace.session.influence;
     const femoop::Model& model = workspace.session.model();
@@ -93,6 +146,7 @@ void influence_settings(Workspace& workspace)
         if (ImGui::RadioButton(name.c_str(), choice == now)) line.choose(choice);
         ImGui::SameLine();
     }
+    if (now) train_settings(workspace, commands);
 }
 
 /// How the load that is put stands in a bar of this width [px]: where it is narrow the unit goes first, then a part of
@@ -254,7 +308,7 @@ std::string_view hint(ToolKind tool, bool is_in_space)
     case ToolKind::Hinge: return translatable("Click nodes or the ends of members.");
     case ToolKind::Dimension: return translatable("Click two nodes, then a place; more nodes go on.");
     case ToolKind::Predict: return translatable("Draw the moments beside the members; H reveals.");
-    case ToolKind::Influence: return translatable("Click a section or a support; drag the section along.");
+    case ToolKind::Influence: return translatable("Click a section or a support; drag the section along. R: trains");
     case ToolKind::Paste: return translatable("Click where it goes, or type the place: 6,4  @3,2");
     case ToolKind::Delete: break;
     }
@@ -287,7 +341,7 @@ void tool_bar(Workspace& workspace, const CommandTable& commands, ui::ImGuiSessi
     const ToolKind tool = workspace.tool_controller.kind();
     if (tool == ToolKind::Support) support_settings(workspace);
     if (tool == ToolKind::Load) load_settings(workspace, fields);
-    if (tool == ToolKind::Influence) influence_settings(workspace);
+    if (tool == ToolKind::Influence) influence_settings(workspace, commands);
     const bool is_in_space = femoop::is_3d(workspace.session.model().analysis);
     if (is_in_space && workspace.tool_controller.can_type()) plane_settings(workspace, fields);
     if (workspace.tool_controller.can_type() && tool != ToolKind::Dimension) snap_settings(workspace, commands, fields);

@@ -4,6 +4,7 @@
 #include <doctest/doctest.h>
 
 #include "apps/drawing/draw.h"
+#include "apps/drawing/results/train_picture.h"
 #include "femoop/methods/influence/influence_line.h"
 #include "tests/apps/drawing/view_model.h"
 #include "tests/golden/scene.h"
@@ -42,9 +43,10 @@ DrawOptions line_alone()
     return options;
 }
 
-view_test::Marks marks_of(const femoop::Model& model, const InfluencePicture& picture, const ui::Fonts& fonts)
+view_test::Marks marks_of(const femoop::Model& model, const InfluencePicture& picture, const ui::Fonts& fonts,
+                          ui::Size sheet = {800.0, 500.0})
 {
-    ui::Painter painter({800.0, 500.0}, fonts);
+    ui::Painter painter(sheet, fonts);
     draw(painter, {.model = model, .influence = &picture}, line_alone());
     view_test::Marks marks(fonts);
     painter.picture().draw_on(marks);
@@ -85,6 +87,31 @@ TEST_CASE("The head tells extremes, their places, and the areas of either sign")
     CHECK(marks.has_text("Influence line of V(AB, 2 m)"));
     // (L - a) / L and -a / L at the section; triangles of (L - a)^2 / 2L and a^2 / 2L
     CHECK(marks.has_text("max 0.75 at s = 2 m  ·  min −0.25 at s = 2 m  ·  areas +2.25, −0.25 m"));
+}
+
+TEST_CASE("A train's sum is said with its curve, where it stands and where it is critical; a low sheet has no curve")
+{
+    const ui::Fonts fonts;
+    const femoop::Model model = view_test::simple_beam(L, 1.0);
+    InfluencePicture picture = picture_of(model, beam, section_force(model, "AB", MemberComponent::Mz, a));
+    StandingTrain standing{.name = "cart", .train = {.axles = {12.0, 20.0}, .spacings = {{3.0, 3.0}}}};
+    const femoop::influence::TrainSearch search(picture.line.ordinates, {0.0, L}, standing.train);
+    standing.placing = search.at({.position = 6.0}, standing.kind);
+    standing.is_worst = false;
+    stand_on(picture, standing);
+    picture.sentences = train_sentences(model, {}, picture, standing);
+    CHECK(picture.sentences == std::vector<std::string>{"M(AB, 2 m) = 31 kN·m under cart: leading axle at s = 6 m",
+                                                        "= 12 × 0.5 + 20 × 1.25"});
+    const auto worst = search.largest(); // 12 (8 - 5) / 4 + 20 · 1.5 with the second axle at the section
+    CHECK(worst.value == doctest::Approx(39.0));
+    picture.curve = {.runs = {{search.over_positions(standing.kind, false), 0.0, L + 3.0}},
+                     .worst = PositionCurve::Place{*worst.position, worst.value},
+                     .now = {6.0, standing.placing.value},
+                     .path_length = L};
+    const view_test::Marks marks = marks_of(model, picture, fonts);
+    CHECK(marks.has_text("31 kN·m  (s = 6 m)"));
+    CHECK(marks.has_text("critical: 39 kN·m  (s = 5 m)"));
+    CHECK(!marks_of(model, picture, fonts, {800.0, 300.0}).has_text("31 kN·m  (s = 6 m)"));
 }
 
 TEST_CASE("Ordinates are counted in the effect's unit by the load's")

@@ -25,7 +25,7 @@ std::string asked(const Session& session)
 
 const drawing::InfluencePicture* line(const Session& session)
 {
-    return session.influence.picture(session.model(), session.generation(), session.view.tr);
+    return session.influence.picture(session.model(), session.generation(), session.view);
 }
 
 } // namespace

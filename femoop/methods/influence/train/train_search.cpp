@@ -104,6 +104,15 @@ public:
         return signed_value(std::move(placing));
     }
 
+    PositionFunction over_positions(bool is_reversed) const
+    {
+        const PositionFunction& run = (is_reversed ? *reversed_ : *forwards_).largest();
+        const double rest = sign_ * (uniform_.effect + concentrated_);
+        const PositionFunction resting({}, rest, rest);
+        const PositionFunction sum = PositionFunction::sum({{&run, sign_, 0.0}, {&resting, 1.0, 0.0}}, 0.0);
+        return is_reversed ? sum.mirrored(length_) : sum;
+    }
+
     SearchProof proof() const
     {
         SearchProof proof;
@@ -294,6 +303,20 @@ Placing TrainSearch::at(const Stand& stand, ExtremeKind kind) const
     fixed.both_directions = stand.reversed;
     for (std::size_t i = 0; i < stand.spacings.size(); ++i) fixed.spacings[i] = {stand.spacings[i], stand.spacings[i]};
     return LargestEffect(line_, ends_, fixed, sign_of(kind)).at(stand.position, stand.reversed);
+}
+
+PositionFunction TrainSearch::over_positions(ExtremeKind kind, bool reversed) const
+{
+    MovingTrain running = train_;
+    running.both_directions = reversed;
+    return LargestEffect(line_, ends_, running, sign_of(kind)).over_positions(reversed);
+}
+
+Stretch TrainSearch::positions(bool reversed) const
+{
+    double length = 0.0;
+    for (const MovingTrain::Spacing& spacing : train_.spacings) length += spacing.most;
+    return reversed ? Stretch{-length, ends_.back()} : Stretch{0.0, ends_.back() + length};
 }
 
 SearchProof TrainSearch::proof(ExtremeKind kind) const

@@ -79,14 +79,20 @@ public:
     Placing largest() const;
     Placing least() const;
 
-    /// The effect with the leading axle at a place, the spacings given; the uniform load and the concentrated forces
-    /// where they make it larger (ExtremeKind::Max) or less. At a jump the larger of the two limits, or the less.
+    /// The effect with the leading axle at a place, the spacings given, or those that make it larger
+    /// (ExtremeKind::Max) or less where none are; the uniform load and the concentrated forces likewise. At a jump the
+    /// larger of the two limits, or the less. \pre the train has axles
     struct Stand {
         double position = 0.0;
         bool reversed = false;
-        std::vector<double> spacings;
+        std::vector<double> spacings{};
     };
     Placing at(const Stand& stand, ExtremeKind kind) const;
+
+    /// The same over all positions, as one function: with what does not depend on them.
+    PositionFunction over_positions(ExtremeKind kind, bool reversed) const;
+    /// Where some axle is on the path, or at its ends. \pre the train has axles
+    Stretch positions(bool reversed) const;
 
     SearchProof proof(ExtremeKind kind) const;
 

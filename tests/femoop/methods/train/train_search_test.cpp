@@ -207,6 +207,37 @@ TEST_CASE("Turning the path turns the train: the same values, at L - s")
     }
 }
 
+TEST_CASE(
+    "Over its positions the effect is one curve, whose peak is the worst place, either way and with a uniform load")
+{
+    MovingTrain train = one_way_truck();
+    train.spacings[1] = {14.0, 30.0};
+    train.both_directions = true;
+    train.uniform = 0.64;
+    for (const UniformExtent extent : {UniformExtent::Adverse, UniformExtent::Outside}) {
+        train.extent = extent;
+        const TrainSearch search(shear_line(37.0), {0.0, L}, train);
+        for (const ExtremeKind kind : {ExtremeKind::Max, ExtremeKind::Min}) {
+            double most = 0.0;
+            const double sign = kind == ExtremeKind::Max ? 1.0 : -1.0;
+            for (const bool reversed : {false, true}) {
+                CAPTURE(reversed);
+                const PositionFunction curve = search.over_positions(kind, reversed);
+                const Stretch positions = search.positions(reversed);
+                CHECK(positions.to - positions.from == Approx(L + 14.0 + 30.0));
+                for (const double share : {0.03, 0.21, 0.48, 0.77, 0.92}) {
+                    const double position = positions.from + share * (positions.to - positions.from);
+                    const Placing there = search.at({.position = position, .reversed = reversed}, kind);
+                    CHECK(there.value == Approx(curve.value(position, Side::After, 1e-9)));
+                }
+                for (const auto& candidate : curve.candidates()) most = std::max(most, sign * candidate.value);
+            }
+            const WorstPlacings worst = search.worst();
+            CHECK(most == Approx(sign * (kind == ExtremeKind::Max ? worst.max : worst.min).value));
+        }
+    }
+}
+
 TEST_CASE("The proof lists the candidates, and the largest of them is the value")
 {
     const TrainSearch search(moment_line(50.0), {0.0, L}, one_way_truck());

@@ -1,0 +1,91 @@
+#include "apps/drawing/results/train_picture.h"
+
+#include "apps/drawing/sketch/scene.h"
+#include "femoop/methods/influence/train/standing_train.h"
+
+#include <cstddef>
+#include <utility>
+
+namespace drawing {
+
+namespace {
+
+/// What is said of one train.
+class TrainSentences {
+public:
+    TrainSentences(const femoop::Model& model, const DrawOptions& options, const InfluencePicture& picture,
+                   const StandingTrain& standing)
+        : model_(model),
+          options_(options),
+          picture_(picture),
+          standing_(standing),
+          units_(display_units(model, options))
+    {}
+
+    std::string value() const
+    {
+        const ui::Catalogue& tr = options_.tr;
+        const femoop::MovingEffect& effect = picture_.line.effect;
+        const femoop::influence::Placing& placing = standing_.placing;
+        std::string said = tr("{effect} = {value} under {train}", {{"effect", effect_text(model_, units_, effect)},
+                                                                   {"value", text(placing.value, measure_of(effect))},
+                                                                   {"train", standing_.name}});
+        if (standing_.is_worst)
+            said += ", " +
+                    (standing_.kind == femoop::ExtremeKind::Max ? tr("its largest value") : tr("its least value"));
+        if (!placing.position) return said;
+        const std::string place = text(*placing.position, ui::Measure::Length);
+        said += ": " + tr("leading axle at s = {place}", {{"place", place}});
+        return placing.reversed ? said + ", " + tr("running backwards") : said;
+    }
+
+    /// Nothing where it is too long to read.
+    std::string sum() const
+    {
+        constexpr std::size_t most_terms = 12;
+        const double ordinate = ordinate_unit(units_, picture_).factor;
+        const double area = ordinate * units_.unit(ui::Measure::Length).factor;
+        std::vector<std::string> terms;
+        for (const auto& force : picture_.forces)
+            terms.push_back(product(force.force, ui::Measure::Force, force.ordinate * ordinate));
+        for (const double covered : covered_areas(standing_.placing, picture_.line.ordinates))
+            terms.push_back(product(standing_.train.uniform, ui::Measure::ForcePerLength, covered * area));
+        if (terms.empty() || terms.size() > most_terms) return {};
+        std::string sum;
+        for (const std::string& term : terms) sum += (sum.empty() ? "= " : " + ") + term;
+        return sum;
+    }
+
+private:
+    std::string text(double value, ui::Measure measure) const { return with_minus(units_.text(value, measure)); }
+
+    std::string product(double load, ui::Measure measure, double factor) const
+    {
+        const std::string second = with_minus(units_.number(factor, ui::Measure::Plain));
+        return with_minus(units_.number(load, measure)) + " × " + (factor < 0.0 ? "(" + second + ")" : second);
+    }
+
+    const femoop::Model& model_;
+    const DrawOptions& options_;
+    const InfluencePicture& picture_;
+    const StandingTrain& standing_;
+    ui::DisplayUnits units_;
+};
+
+} // namespace
+
+void stand_on(InfluencePicture& picture, const StandingTrain& standing)
+{
+    picture.forces = standing_forces(standing.train, standing.placing, picture.line.ordinates, standing.kind);
+}
+
+std::vector<std::string> train_sentences(const femoop::Model& model, const DrawOptions& options,
+                                         const InfluencePicture& picture, const StandingTrain& standing)
+{
+    const TrainSentences said(model, options, picture, standing);
+    std::vector<std::string> sentences{said.value()};
+    if (std::string sum = said.sum(); !sum.empty()) sentences.push_back(std::move(sum));
+    return sentences;
+}
+
+} // namespace drawing

@@ -1,0 +1,165 @@
+#include "femoop/methods/influence/train/train_library.h"
+
+#include <array>
+#include <utility>
+#include <variant>
+#include <vector>
+
+#include "femoop/model/quantity/dimension.h"
+#include "femoop/model/quantity/number_text.h"
+#include "femoop/model/quantity/quantity_parser.h"
+
+namespace femoop::influence {
+
+namespace {
+
+constexpr Units us{.length = LengthUnit::ft, .force = ForceUnit::kip};
+constexpr Units si{.length = LengthUnit::m, .force = ForceUnit::kN};
+
+constexpr std::array truck_axles{8.0, 32.0, 32.0};
+constexpr std::array truck_spacings{14.0, 14.0};
+constexpr LibraryTrain::Range truck_range{.spacing = 1, .least = 14.0, .most = 30.0};
+constexpr std::array tandem_axles{25.0, 25.0};
+constexpr std::array tandem_spacings{4.0};
+
+// Twice an engine of one pilot axle, four drivers and four tender axles.
+constexpr std::array cooper_axles{40.0, 80.0, 80.0, 80.0, 80.0, 52.0, 52.0, 52.0, 52.0,
+                                  40.0, 80.0, 80.0, 80.0, 80.0, 52.0, 52.0, 52.0, 52.0};
+constexpr std::array cooper_spacings{8.0, 5.0, 5.0, 5.0, 9.0, 5.0, 6.0, 5.0, 8.0,
+                                     8.0, 5.0, 5.0, 5.0, 9.0, 5.0, 6.0, 5.0};
+
+constexpr std::array lane_1_axles{300.0, 300.0}, lane_2_axles{200.0, 200.0}, lane_3_axles{100.0, 100.0};
+constexpr std::array lm1_spacings{1.2};
+constexpr double lane_width = 3.0; // [m]
+constexpr std::array lm71_axles{250.0, 250.0, 250.0, 250.0};
+constexpr std::array lm71_spacings{1.6, 1.6, 1.6};
+
+constexpr std::array tb450_axles{150.0, 150.0, 150.0}; // of two wheels each
+constexpr std::array tb450_spacings{1.5, 1.5};
+constexpr double tb450_length = 6.0, tb450_width = 3.0, crowd = 5.0; // [m], [kN/m^2]
+
+constexpr std::string_view aashto = "AASHTO Standard Specifications for Highway Bridges, 2002, 3.7.6";
+constexpr std::string_view lrfd =
+    "AASHTO LRFD Bridge Design Specifications, 2020, 3.6.1.2; with 33 % on the axles, 3.6.2";
+constexpr std::string_view lm1 = "EN 1991-2:2003, 4.3.2, adjustment factors 1";
+
+constexpr std::array library{
+    LibraryTrain{.name = "HS20-44 truck",
+                 .source = aashto,
+                 .units = us,
+                 .axles = truck_axles,
+                 .spacings = truck_spacings,
+                 .range = truck_range,
+                 .both_directions = true},
+    LibraryTrain{.name = "HS20-44 lane",
+                 .source = aashto,
+                 .units = us,
+                 .uniform = 0.64,
+                 .concentrated = LibraryTrain::Concentrated{.for_moments = 18.0, .for_others = 26.0}},
+    LibraryTrain{.name = "HL-93 truck + lane",
+                 .source = lrfd,
+                 .units = us,
+                 .axles = truck_axles,
+                 .spacings = truck_spacings,
+                 .range = truck_range,
+                 .impact = 1.33,
+                 .uniform = 0.64,
+                 .both_directions = true},
+    LibraryTrain{.name = "HL-93 tandem + lane",
+                 .source = lrfd,
+                 .units = us,
+                 .axles = tandem_axles,
+                 .spacings = tandem_spacings,
+                 .impact = 1.33,
+                 .uniform = 0.64},
+    LibraryTrain{.name = "Cooper E80 engines",
+                 .source = "AREMA Manual for Railway Engineering, chapter 15, 1.3.3; the two engines without the cars",
+                 .units = us,
+                 .axles = cooper_axles,
+                 .spacings = cooper_spacings,
+                 .both_directions = true},
+    LibraryTrain{.name = "LM1 lane 1",
+                 .source = lm1,
+                 .units = si,
+                 .axles = lane_1_axles,
+                 .spacings = lm1_spacings,
+                 .uniform = 9.0 * lane_width},
+    LibraryTrain{.name = "LM1 lane 2",
+                 .source = lm1,
+                 .units = si,
+                 .axles = lane_2_axles,
+                 .spacings = lm1_spacings,
+                 .uniform = 2.5 * lane_width},
+    LibraryTrain{.name = "LM1 lane 3",
+                 .source = lm1,
+                 .units = si,
+                 .axles = lane_3_axles,
+                 .spacings = lm1_spacings,
+                 .uniform = 2.5 * lane_width},
+    LibraryTrain{.name = "LM71",
+                 .source = "EN 1991-2:2003, 6.3.2, classification factor 1",
+                 .units = si,
+                 .axles = lm71_axles,
+                 .spacings = lm71_spacings,
+                 .uniform = 80.0,
+                 .extent = UniformExtent::Outside,
+                 .gap = 0.8},
+    LibraryTrain{.name = "TB-450",
+                 .source = "ABNT NBR 7188:2013, 5.1; the vehicle and the crowd before and behind it, without impact",
+                 .units = si,
+                 .axles = tb450_axles,
+                 .spacings = tb450_spacings,
+                 .uniform = crowd * tb450_width,
+                 .extent = UniformExtent::Outside,
+                 .gap = (tb450_length - 3.0) / 2.0},
+};
+
+/// Numbers of an entry as quantities of a model.
+class Writer {
+public:
+    Writer(const Units& from, const Units& to) : from_(from), to_(to) {}
+
+    Quantity operator()(double value, Dimension dimension) const
+    {
+        if (from_ == to_) return value;
+        std::string text = quantity_text(value, dimension, from_);
+        const auto read = parse_quantity(text, dimension, to_);
+        return {std::get<double>(read), std::move(text)};
+    }
+
+    std::vector<Quantity> operator()(std::span<const double> values, Dimension dimension) const
+    {
+        std::vector<Quantity> quantities;
+        for (const double value : values) quantities.push_back((*this)(value, dimension));
+        return quantities;
+    }
+
+private:
+    Units from_, to_;
+};
+
+} // namespace
+
+std::span<const LibraryTrain> train_library() { return library; }
+
+Train train_from(const LibraryTrain& entry, const Units& units, LoadPathReference path)
+{
+    const Writer written(entry.units, units);
+    Train train{.id = std::string(entry.name), .path = std::move(path)};
+    train.axles = written(entry.axles, dimension::force);
+    train.spacings = written(entry.spacings, dimension::length);
+    if (entry.range)
+        train.spacing_ranges.push_back({entry.range->spacing, written(entry.range->least, dimension::length),
+                                        written(entry.range->most, dimension::length)});
+    train.both_directions = entry.both_directions;
+    train.impact = entry.impact;
+    if (entry.uniform != 0.0) train.uniform = written(entry.uniform, dimension::force_per_length);
+    train.uniform_extent = entry.extent;
+    if (entry.gap != 0.0) train.gap = written(entry.gap, dimension::length);
+    if (entry.concentrated)
+        train.concentrated.push_back({written(entry.concentrated->for_moments, dimension::force),
+                                      written(entry.concentrated->for_others, dimension::force)});
+    return train;
+}
+
+} // namespace femoop::influence

@@ -1,0 +1,172 @@
+#include "apps/frame/session/train_commands.h"
+
+#include <doctest/doctest.h>
+
+#include <cmath>
+#include <string_view>
+
+#include "femoop/methods/influence/train/standing_train.h"
+#include "femoop/methods/influence/train/train_analysis.h"
+#include "tests/apps/frame/example_workspace.h"
+
+using namespace frame;
+using doctest::Approx;
+using femoop::ExtremeKind;
+using femoop::MemberId;
+using frame_test::run;
+using frame_test::workspace_with;
+
+namespace {
+
+constexpr std::string_view no_line = "no influence line is shown; press I and click a section or a support";
+
+/// The bridge of three spans with the line of the moment in the middle of its second.
+Workspace bridge()
+{
+    Workspace workspace = workspace_with("bridge.json");
+    workspace.session.influence.ask(workspace.session.model(), drawing::Cut{MemberId(1), 40.0});
+    return workspace;
+}
+
+const drawing::InfluencePicture* picture(const Workspace& workspace)
+{
+    const Session& session = workspace.session;
+    return session.influence.picture(session.model(), session.generation(), session.view);
+}
+
+/// What stands there now.
+const drawing::StandingTrain& train(const Workspace& workspace)
+{
+    REQUIRE(picture(workspace) != nullptr);
+    REQUIRE(workspace.session.influence.standing() != nullptr);
+    return *workspace.session.influence.standing();
+}
+
+/// What the forces and the uniform load come to by the line's ordinates.
+double sum(const Workspace& workspace)
+{
+    const drawing::StandingTrain& standing = train(workspace);
+    const drawing::InfluencePicture& line = *picture(workspace);
+    double sum = 0.0;
+    for (const auto& force : line.forces) sum += force.force * force.ordinate;
+    for (const double area : covered_areas(standing.placing, line.line.ordinates)) sum += standing.train.uniform * area;
+    return sum;
+}
+
+} // namespace
+
+TEST_SUITE("frame session")
+{
+    TEST_CASE("The trains of the model stand on the line one after the other, and at last none")
+    {
+        Workspace workspace = bridge();
+        CHECK(picture(workspace) != nullptr);
+        CHECK(workspace.session.influence.standing() == nullptr);
+        CHECK(!run(workspace, "train.next"));
+        CHECK(train(workspace).name == "HS20");
+        CHECK(!run(workspace, "train.next"));
+        CHECK(train(workspace).name == "lane");
+        CHECK(run(workspace, "train.forth") == "the train has no axles that could be moved");
+        CHECK(!run(workspace, "train.next"));
+        CHECK(picture(workspace) != nullptr);
+        CHECK(workspace.session.influence.standing() == nullptr);
+    }
+
+    TEST_CASE("A train stands where the search of the line finds it worst, and the sum of its ordinates is that value")
+    {
+        Workspace workspace = bridge();
+        Session& session = workspace.session;
+        run(workspace, "train.next");
+        femoop::influence::TrainAnalysis analysis(session.model());
+        const auto worst =
+            analysis.search(session.model().moving_loads.trains[0], *session.influence.effect(session.model())).worst();
+        CHECK(train(workspace).kind == ExtremeKind::Max);
+        CHECK(train(workspace).placing.value == Approx(worst.max.value).epsilon(1e-9));
+        CHECK(sum(workspace) == Approx(worst.max.value).epsilon(1e-9));
+        CHECK(!run(workspace, "train.extreme"));
+        CHECK(train(workspace).placing.value == Approx(worst.min.value).epsilon(1e-9));
+        CHECK(sum(workspace) == Approx(worst.min.value).epsilon(1e-9));
+        CHECK(train(workspace).is_worst);
+    }
+
+    TEST_CASE("Keys move a train from round place to round place, turn it about, and bring it back")
+    {
+        Workspace workspace = bridge();
+        run(workspace, "train.next");
+        CHECK(train(workspace).placing.position.value() == Approx(114.0));
+        CHECK(!run(workspace, "train.forth"));
+        CHECK(train(workspace).placing.position.value() == Approx(116.0));
+        CHECK(!train(workspace).is_worst);
+        CHECK(sum(workspace) == Approx(train(workspace).placing.value).epsilon(1e-9));
+        CHECK(!run(workspace, "train.back"));
+        CHECK(!run(workspace, "train.back"));
+        CHECK(train(workspace).placing.position.value() == Approx(112.0));
+        const double forwards = train(workspace).placing.position.value();
+        CHECK(!run(workspace, "train.turn"));
+        CHECK(train(workspace).placing.reversed);
+        CHECK(train(workspace).placing.position.value() == Approx(forwards - 28.0));
+        CHECK(sum(workspace) == Approx(train(workspace).placing.value).epsilon(1e-9));
+        CHECK(!run(workspace, "train.worst"));
+        CHECK(train(workspace).is_worst);
+        CHECK(train(workspace).placing.position.value() == Approx(114.0));
+    }
+
+    TEST_CASE("A train runs from where it comes onto its path to where it has left it, and no farther")
+    {
+        Workspace workspace = bridge();
+        run(workspace, "train.next");
+        train(workspace);
+        workspace.session.influence.put_train({.position = 1e6});
+        CHECK(train(workspace).placing.position.value() == Approx(244.0)); // 200 ft and 44 ft of train
+        CHECK(std::abs(train(workspace).placing.value) < 1e-9);
+        workspace.session.influence.put_train({.position = -1e6});
+        CHECK(train(workspace).placing.position.value() == 0.0);
+    }
+
+    TEST_CASE("A train of the library becomes one of the document's, as one step, once")
+    {
+        Workspace workspace = workspace_with("portal.json");
+        Session& session = workspace.session;
+        CHECK(run(workspace, "train.tb450") == no_line);
+        session.influence.ask(session.model(), drawing::Cut{*session.model().find_member("BC"), 2.0});
+        CHECK(run(workspace, "train.next") == "the model has no trains; take one from the menu Trains");
+        CHECK(!run(workspace, "train.tb450"));
+        REQUIRE(session.model().moving_loads.trains.size() == 1);
+        CHECK(train(workspace).name == "TB-450");
+        CHECK(sum(workspace) == Approx(train(workspace).placing.value).epsilon(1e-9));
+        CHECK(run(workspace, "train.turn") == "the train runs in one direction alone");
+        CHECK(!run(workspace, "train.tb450"));
+        CHECK(session.model().moving_loads.trains.size() == 1);
+        session.undo();
+        CHECK(session.model().moving_loads.trains.empty());
+        CHECK(picture(workspace) != nullptr);
+        CHECK(session.influence.standing() == nullptr);
+    }
+
+    TEST_CASE("Every train of the library can be taken, and stands on a beam")
+    {
+        Workspace workspace = bridge();
+        CHECK(library_commands().size() == femoop::influence::train_library().size());
+        for (const LibraryCommand& entry : library_commands()) {
+            CAPTURE(entry.id);
+            CHECK(!run(workspace, entry.id));
+            CHECK(train(workspace).name == entry.train->name);
+            CHECK(sum(workspace) == Approx(train(workspace).placing.value).epsilon(1e-9));
+        }
+    }
+
+    TEST_CASE("A train of forces beyond every number leaves the line alone, which says why")
+    {
+        Workspace workspace = bridge();
+        Session& session = workspace.session;
+        session.change({"Heavy", [](Document& document) {
+                            document.model.moving_loads.trains[0].axles[0] = femoop::Quantity(1e300);
+                        }});
+        CHECK(!run(workspace, "train.next"));
+        REQUIRE(picture(workspace) != nullptr);
+        CHECK(session.influence.standing() == nullptr);
+        CHECK(picture(workspace)->sentences.size() == 2);
+        CHECK(run(workspace, "train.worst") ==
+              "no train stands on the influence line; press R or take one from the menu Trains");
+    }
+}
