@@ -156,10 +156,8 @@ Aim aim_at(const Document& document, const ToolController& tool_controller, cons
     if (!is_near) {
         aim.support = support_at(projection, pointer.at, grips.supports);
         aim.dimension = dimension_at(pointer.at, grips.dimensions);
-        const std::optional<LoadGrip> grip = grip_at(projection, pointer.at, grips.loads);
-        if (session.influence.standing() == nullptr) aim.grip = grip;
-        else aim.is_on_train = grip && !aim.support && !aim.dimension; // its loads are none of the document's
-        aim.cut.reset();                                               // what is read at a distance is not touched
+        aim.grip = grip_at(projection, pointer.at, grips.loads);
+        aim.cut.reset(); // what is read at a distance is not touched
     }
     aim.pointer = place_in_plane(projection, pointer.at).value_or(Vector2d::Zero());
     if (femoop::is_3d(document.model.analysis)) {

@@ -34,6 +34,13 @@ const InfluencePicture* shown_line(const Session& session)
     return session.influence.picture(session.model(), session.generation(), session.view);
 }
 
+// A standing train's loads are none of the document's: who grips them holds the train.
+void hold_train(Aim& aim)
+{
+    aim.is_on_train = aim.grip && !aim.support && !aim.dimension;
+    aim.grip.reset();
+}
+
 // An influence line belongs to no case either: it stands alone on the structure, or with a train.
 DrawOptions with_influence(DrawOptions options, bool has_train)
 {
@@ -270,8 +277,9 @@ void Canvas::follow(Workspace& workspace, const Pointer& pointer)
     if (under.cut) under.cut = snapped(session, shape_, *under.cut, pixels_along(projection, *under.cut));
     const bool asks_for_menu = ImGui::IsMouseReleased(ImGuiMouseButton_Right) && !is_moving_view();
     move_camera(session);
-    const Aim aim = aim_at(work_in_hand(session).document, workspace.tool_controller, projection, pointer, under,
-                           drawn_.grips);
+    Aim aim = aim_at(work_in_hand(session).document, workspace.tool_controller, projection, pointer, under,
+                     drawn_.grips);
+    if (session.influence.standing() != nullptr) hold_train(aim);
     workspace.tool_controller.point_at(aim);
     if (asks_for_menu) ask_for_menu(workspace, aim);
     if (is_moving_view()) return;

@@ -32,9 +32,9 @@ NamedMatrix sum_of(std::string symbol, std::vector<std::string> rows, Eigen::Vec
 }
 
 /// Writes down one number of one structure.
-class Deriver {
+class NumberSteps {
 public:
-    Deriver(const Model& model, const Results& results, const MovingEffect& effect)
+    NumberSteps(const Model& model, const Results& results, const MovingEffect& effect)
         : model_(model), results_(results), effect_(effect), system_(model)
     {}
 
@@ -346,11 +346,11 @@ Derivation derive(const Model& model, const Results& results, CaseId load_case, 
         derivation.effect = found.effect;
     }
     derivation.value = effect_in(derivation.effect, results[load_case]);
-    Deriver deriver(model, results, derivation.effect);
+    NumberSteps number(model, results, derivation.effect);
     const CaseTerms terms = terms_of(model, load_case);
     for (const CaseTerms::Term& term : terms.terms)
-        append(derivation.steps, deriver.steps(CaseId(term.load_case), &term == &terms.terms.front()));
-    if (load_case.index >= model.load_cases.size()) derivation.steps.push_back(deriver.combination(terms));
+        append(derivation.steps, number.steps(CaseId(term.load_case), &term == &terms.terms.front()));
+    if (load_case.index >= model.load_cases.size()) derivation.steps.push_back(number.combination(terms));
     if (ends_with_sum(derivation))
         derivation.closing_error = std::abs(derivation.steps.back().matrices.back().values.bottomRows(1)(0, 0) -
                                             derivation.value);
