@@ -44,6 +44,16 @@ std::string equations_sentence(const Step& step, const Translator& tr)
     return text;
 }
 
+/// One column bears its name, or the matrix'; more stand below that.
+std::string matrix_text(const NamedMatrix& matrix, const Translator& tr)
+{
+    const bool is_column = matrix.columns.size() == 1;
+    std::vector<std::string> columns = matrix.columns;
+    if (is_column && columns[0].empty()) columns[0] = matrix.symbol;
+    return (is_column ? std::string() : matrix.symbol + "\n") +
+           tabular::plain_text(matrix_table(matrix.rows, columns, matrix.values), {indent, decimal_mark(tr)});
+}
+
 /// What is to be said where the sums on paper have fewer digits than the analysis.
 std::string closing_text(const Derivation& derivation, const Translator& tr)
 {
@@ -113,7 +123,7 @@ std::string sentence(const Step& step, const Model& model, const Translator& tr)
 
 std::string derivation_text(const Derivation& derivation, const Model& model, const Translator& tr)
 {
-    const std::string unit = unit_text(influence::dimension_of(derivation.effect), model.units);
+    const std::string unit = with_product_dots(unit_text(influence::dimension_of(derivation.effect), model.units));
     const std::string title = fill(tr("{0} = {1} in {2}: where it comes from"),
                                    {influence::effect_name(model, derivation.effect),
                                     six_digits(derivation.value, tr) + " " + unit,
@@ -129,10 +139,7 @@ std::string derivation_text(const Derivation& derivation, const Model& model, co
             text += "\n" + fill(tr("Load case {0}"), {model.case_name(*step.load_case)}) + "\n";
         if (step.load_case) last = step.load_case;
         text += "\n" + std::to_string(i + 1) + ". " + sentence(step, model, tr) + "\n";
-        for (const NamedMatrix& matrix : step.matrices)
-            text += matrix.symbol + "\n" +
-                    tabular::plain_text(matrix_table(matrix.rows, matrix.columns, matrix.values),
-                                        {indent, decimal_mark(tr)});
+        for (const NamedMatrix& matrix : step.matrices) text += matrix_text(matrix, tr);
     }
     return text + closing_text(derivation, tr);
 }

@@ -1,10 +1,23 @@
 #include "femoop/io/results/matrix_table.h"
 
+#include <cmath>
 #include <cstddef>
 #include <numeric>
 #include <utility>
 
 namespace femoop {
+
+namespace {
+
+bool is_of_small_whole_numbers(const Eigen::MatrixXd& matrix)
+{
+    constexpr double most = 1e6;
+    return (matrix.array() == matrix.array().round()).all() && (matrix.array().abs() < most).all();
+}
+
+tabular::Cell whole_number(double value) { return {value, std::to_string(std::lround(value))}; }
+
+} // namespace
 
 tabular::Table matrix_table(const std::vector<std::string>& rows, const std::vector<std::string>& columns,
                             const Eigen::MatrixXd& matrix)
@@ -12,9 +25,11 @@ tabular::Table matrix_table(const std::vector<std::string>& rows, const std::vec
     std::vector<tabular::Column> headers{""};
     headers.insert(headers.end(), columns.begin(), columns.end());
     tabular::Table table(headers);
+    const bool is_whole = is_of_small_whole_numbers(matrix);
     for (Eigen::Index i = 0; i < matrix.rows(); ++i) {
         std::vector<tabular::Cell> row{rows[static_cast<std::size_t>(i)]};
-        for (Eigen::Index j = 0; j < matrix.cols(); ++j) row.emplace_back(matrix(i, j));
+        for (Eigen::Index j = 0; j < matrix.cols(); ++j)
+            row.push_back(is_whole ? whole_number(matrix(i, j)) : tabular::Cell(matrix(i, j)));
         table.add_row(std::move(row));
     }
     std::vector<std::size_t> numbers(columns.size());

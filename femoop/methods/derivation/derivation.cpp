@@ -44,7 +44,7 @@ public:
         const CaseResult result = results_[load_case];
         if (effect_.member) return along_member(load_case, result, is_first);
         if (effect_.quantity == ExpectedQuantity::Reaction) return reaction(load_case, result);
-        return displacement(load_case, result);
+        return displacement(load_case, result, is_first);
     }
 
     Step combination(const CaseTerms& terms) const
@@ -150,14 +150,14 @@ private:
         return is_turned ? std::vector{Dof::ux, Dof::uy} : std::vector{*effect_.dof};
     }
 
-    std::vector<Step> displacement(CaseId load_case, const CaseResult& result) const
+    std::vector<Step> displacement(CaseId load_case, const CaseResult& result, bool is_first) const
     {
         const NodeId node = *effect_.node;
         std::vector<Step> steps;
         std::vector<Eigen::Index> rows;
         for (const Dof dof : own_dofs())
             if (const auto row = system_.row_of(node, dof)) {
-                steps.push_back(stiffness_row(*row));
+                if (is_first) steps.push_back(stiffness_row(*row));
                 steps.push_back(load_row(*row, load_case, result));
                 rows.push_back(*row);
             } else steps.push_back(held(dof, load_case, result));

@@ -188,7 +188,7 @@ TEST_SUITE("derivation")
         model.add(LoadCase{.id = "Q", .nodes = {{NodeId(1), {{Dof::rz, Quantity(30.0)}}}}});
         model.combinations.push_back({.id = "ULS", .terms = {{CaseId(0), 1.35}, {CaseId(1), 1.5}}});
         const Derivation derivation = derived(model, along(MemberComponent::Mz, Percent{0.0}), CaseId(2));
-        CHECK(derivation.value == doctest::Approx(-1.35 * q * L * L / 8.0 + 1.5 * 15.0));
+        CHECK(derivation.value == doctest::Approx(-1.35 * q * L * L / 8.0 - 1.5 * 30.0 / 2.0));
         CHECK(derivation.steps.back().kind == StepKind::Combination);
         CHECK(derivation.closing_error < 1e-10);
         CHECK(std::ranges::count(derivation.steps, StepKind::Member, &Step::kind) == 1);
