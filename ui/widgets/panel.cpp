@@ -201,9 +201,12 @@ float status_height() { return ImGui::GetFrameHeight(); }
 
 void begin_status_bar()
 {
+    constexpr int first_frames = 2; // in which one window after the other appears, and the last has the focus
+    const bool is_back = ImGui::GetFrameCount() > first_frames; // after a notice: menus and fields stay open
     begin_foot(status_height(), ImGuiCol_MenuBarBg);
     ImGui::Begin("###status", nullptr,
-                 fixed_panel | ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoFocusOnAppearing);
+                 fixed_panel | ImGuiWindowFlags_NoScrollbar |
+                     (is_back ? ImGuiWindowFlags_NoFocusOnAppearing : ImGuiWindowFlags_None));
 }
 
 void end_status_bar() { end_foot(); }
