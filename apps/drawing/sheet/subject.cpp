@@ -537,6 +537,12 @@ ui::TextStyle Subject::foot_style() const
     return theme_.text(input_.motion ? ui::Role::Error : ui::Role::Label, ui::Anchor::BottomLeft);
 }
 
+// What comes first is the number, or what it all says.
+ui::Weight Subject::weight_in_foot(bool is_first) const
+{
+    return is_first && !input_.motion ? ui::Weight::Bold : ui::Weight::Regular;
+}
+
 std::vector<std::string> Subject::foot_lines(ui::Size sheet, const ui::Fonts& fonts) const
 {
     std::vector<std::string> sentences, lines;
@@ -544,7 +550,9 @@ std::vector<std::string> Subject::foot_lines(ui::Size sheet, const ui::Fonts& fo
     else if (input_.influence) sentences = input_.influence->sentences;
     else if (has_overlay_text()) sentences = input_.overlay->foot({input_.model, shape_, units_, options_.tr});
     for (const std::string& one : sentences) {
-        const std::vector<std::string> wrapped_one = ui::wrapped_lines(fonts, one, foot_style(), sheet.width - 32.0);
+        ui::TextStyle style = foot_style();
+        style.weight = weight_in_foot(&one == &sentences.front());
+        const std::vector<std::string> wrapped_one = ui::wrapped_lines(fonts, one, style, sheet.width - 32.0);
         lines.insert(lines.end(), wrapped_one.begin(), wrapped_one.end());
     }
     return lines;
@@ -557,7 +565,7 @@ void Subject::draw_foot(ui::Painter& painter) const
     const std::vector<std::string> lines = foot_lines(painter.size(), painter.fonts());
     double y = painter.sheet().max.y - 10.0 - 1.4 * style.size * static_cast<double>(lines.size()) + 1.4 * style.size;
     for (const std::string& line : lines) {
-        style.weight = !input_.motion && &line == &lines.front() ? ui::Weight::Bold : ui::Weight::Regular;
+        style.weight = weight_in_foot(&line == &lines.front());
         painter.text({16.0, y}, line, style);
         y += 1.4 * style.size;
     }

@@ -85,6 +85,7 @@ private:
     void draw_left_out(ui::Painter& painter, std::size_t n_left_out) const;
     std::vector<std::string> foot_lines(ui::Size sheet, const ui::Fonts& fonts) const;
     ui::TextStyle foot_style() const;
+    ui::Weight weight_in_foot(bool is_first) const;
 
     DrawInput input_;
     const DrawOptions& options_;

@@ -123,7 +123,7 @@ void Canvas::fit(Session& session)
 
 bool Canvas::FittedFor::serves(const FittedFor& wanted) const
 {
-    const bool has_room = has_pencil || !wanted.has_pencil;
+    const bool has_room = (has_pencil || !wanted.has_pencil) && (has_train || !wanted.has_train);
     const bool is_tight = std::ranges::equal(factors, wanted.factors, std::ranges::less_equal());
     return session == wanted.session && sheet == wanted.sheet && layout == wanted.layout && theme == wanted.theme &&
            is_in_space == wanted.is_in_space && has_room && is_tight;
@@ -137,6 +137,7 @@ Canvas::FittedFor Canvas::wanted_fit(const Session& session, const DrawOptions& 
             options.theme,
             is_seen_in_space(session.model().analysis),
             is_sketched(session),
+            session.influence.standing() != nullptr,
             {options.diagram_factor, options.load_factor, options.symbol_factor}};
 }
 

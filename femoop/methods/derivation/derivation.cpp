@@ -12,6 +12,7 @@
 #include "femoop/methods/derivation/paper_system.h"
 #include "femoop/methods/influence/effect_name.h"
 #include "femoop/methods/influence/influence_line.h"
+#include "femoop/model/quantity/six_digits.h"
 
 namespace femoop::derivation {
 
@@ -307,7 +308,7 @@ FoundExtreme extreme_of(const CaseResult& result, const MovingEffect& asked)
     MovingEffect effect = asked;
     const bool is_displacement = *asked.component >= MemberComponent::u;
     effect.quantity = is_displacement ? ExpectedQuantity::Displacement : ExpectedQuantity::SectionForce;
-    effect.at = Quantity(found.x);
+    effect.at = Quantity(found.x, six_digits(found.x, english));
     const double after = curve.value(*asked.component, found.x, Side::After);
     const double before = curve.value(*asked.component, found.x, Side::Before);
     effect.side = std::abs(after - found.value) <= std::abs(before - found.value) ? Side::After : Side::Before;
