@@ -1,5 +1,6 @@
 #include "ui/app/canvas.h"
 
+#include <algorithm>
 #include <array>
 #include <utility>
 
