@@ -43,6 +43,16 @@ constexpr std::string_view lrfd =
     "AASHTO LRFD Bridge Design Specifications, 2020, 3.6.1.2; with 33 % on the axles, 3.6.2";
 constexpr std::string_view lm1 = "EN 1991-2:2003, 4.3.2, adjustment factors 1";
 
+constexpr LibraryTrain lm1_lane(std::string_view name, std::span<const double> axles, double pressure)
+{
+    return {.name = name,
+            .source = lm1,
+            .units = si,
+            .axles = axles,
+            .spacings = lm1_spacings,
+            .uniform = pressure * lane_width};
+}
+
 constexpr std::array library{
     LibraryTrain{.name = "HS20-44 truck",
                  .source = aashto,
@@ -78,24 +88,9 @@ constexpr std::array library{
                  .axles = cooper_axles,
                  .spacings = cooper_spacings,
                  .both_directions = true},
-    LibraryTrain{.name = "LM1 lane 1",
-                 .source = lm1,
-                 .units = si,
-                 .axles = lane_1_axles,
-                 .spacings = lm1_spacings,
-                 .uniform = 9.0 * lane_width},
-    LibraryTrain{.name = "LM1 lane 2",
-                 .source = lm1,
-                 .units = si,
-                 .axles = lane_2_axles,
-                 .spacings = lm1_spacings,
-                 .uniform = 2.5 * lane_width},
-    LibraryTrain{.name = "LM1 lane 3",
-                 .source = lm1,
-                 .units = si,
-                 .axles = lane_3_axles,
-                 .spacings = lm1_spacings,
-                 .uniform = 2.5 * lane_width},
+    lm1_lane("LM1 lane 1", lane_1_axles, 9.0),
+    lm1_lane("LM1 lane 2", lane_2_axles, 2.5),
+    lm1_lane("LM1 lane 3", lane_3_axles, 2.5),
     LibraryTrain{.name = "LM71",
                  .source = "EN 1991-2:2003, 6.3.2, classification factor 1",
                  .units = si,
