@@ -6,6 +6,7 @@
 #include "femoop/io/derivation/derivation_text.h"
 #include "femoop/io/influence/influence_json.h"
 #include "femoop/io/json/json_writer.h"
+#include "femoop/io/json/model_json.h"
 
 namespace femoop::derivation {
 
@@ -31,13 +32,8 @@ void write_matrix(JsonWriter& json, const NamedMatrix& matrix)
     json.begin_object().member("symbol", matrix.symbol);
     write_names(json, "rows", matrix.rows);
     write_names(json, "columns", matrix.columns);
-    json.key("values").begin_array();
-    for (Eigen::Index i = 0; i < matrix.values.rows(); ++i) {
-        json.begin_array();
-        for (Eigen::Index j = 0; j < matrix.values.cols(); ++j) json.value(matrix.values(i, j));
-        json.end();
-    }
-    json.end().end();
+    write_rows(json.key("values"), matrix.values);
+    json.end();
 }
 
 void write_step(JsonWriter& json, const Step& step, const Model& model, const Translator& tr)
@@ -56,12 +52,7 @@ void write_step(JsonWriter& json, const Step& step, const Model& model, const Tr
 std::string derivation_json(const Derivation& derivation, const Model& model, const Translator& tr)
 {
     JsonWriter json;
-    json.begin_object(Layout::Block).member("cremona", 1);
-    json.key("units")
-        .begin_object()
-        .member("length", name(model.units.length))
-        .member("force", name(model.units.force))
-        .end();
+    begin_output(json, model.units);
     json.key("why").begin_object(Layout::Block);
     influence::write_effect(json, model, derivation.effect);
     json.member("case", model.case_name(derivation.load_case)).member("value", derivation.value);

@@ -6,6 +6,7 @@
 
 #include "femoop/geometry/member_geometry.h"
 #include "femoop/io/json/json_writer.h"
+#include "femoop/io/json/model_json.h"
 #include "femoop/io/reader/names.h"
 #include "femoop/load/place_along.h"
 #include "femoop/methods/influence/effect_name.h"
@@ -87,9 +88,7 @@ std::string lines_json(const Model& model, std::span<const InfluenceLineDefiniti
                        std::span<const InfluenceLine> lines, std::size_t n_stations)
 {
     JsonWriter json;
-    json.begin_object(JsonWriter::Layout::Block).member("cremona", 1);
-    json.key("units").begin_object();
-    json.member("length", name(model.units.length)).member("force", name(model.units.force)).end();
+    begin_output(json, model.units);
     json.key("lines").begin_array(JsonWriter::Layout::Block);
     for (std::size_t i = 0; i < lines.size(); ++i) write_line(json, model, definitions[i], lines[i], n_stations);
     json.end().end();

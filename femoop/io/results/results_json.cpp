@@ -3,6 +3,7 @@
 #include <string_view>
 
 #include "femoop/io/json/json_writer.h"
+#include "femoop/io/json/model_json.h"
 #include "femoop/result/components.h"
 #include "femoop/result/envelope.h"
 
@@ -11,13 +12,6 @@ namespace femoop {
 namespace {
 
 using Layout = JsonWriter::Layout;
-
-void write_head(JsonWriter& json, const Units& units)
-{
-    json.begin_object(Layout::Block).member("cremona", 1);
-    json.key("units").begin_object();
-    json.member("length", name(units.length)).member("force", name(units.force)).end();
-}
 
 /// Sentences, where there are any: how far the numbers hold, or that the structure is nearly a mechanism.
 void write_warnings(JsonWriter& json, const Results& results)
@@ -221,17 +215,6 @@ private:
     std::vector<MemberComponent> all_;
 };
 
-void write_matrix(JsonWriter& json, std::string_view key, const Eigen::MatrixXd& matrix)
-{
-    json.key(key).begin_array(Layout::Block);
-    for (Eigen::Index row = 0; row < matrix.rows(); ++row) {
-        json.begin_array();
-        for (Eigen::Index column = 0; column < matrix.cols(); ++column) json.value(matrix(row, column));
-        json.end();
-    }
-    json.end();
-}
-
 void write_vector(JsonWriter& json, std::string_view key, const Eigen::VectorXd& vector)
 {
     json.key(key).begin_array();
@@ -245,7 +228,7 @@ std::string results_json(const Model& model, const Results& results, const std::
                          std::size_t n_stations)
 {
     JsonWriter json;
-    write_head(json, model.units);
+    begin_output(json, model.units);
     write_warnings(json, results);
     json.key("cases").begin_object(Layout::Block);
     CaseWriter writer(json, model, n_stations);
@@ -258,7 +241,7 @@ std::string envelope_json(const Model& model, const Results& results, const std:
                           std::size_t n_stations)
 {
     JsonWriter json;
-    write_head(json, model.units);
+    begin_output(json, model.units);
     write_warnings(json, results);
     EnvelopeWriter(json, model, results, cases).write(n_stations);
     json.end();
@@ -268,7 +251,7 @@ std::string envelope_json(const Model& model, const Results& results, const std:
 std::string trace_json(const MemberTrace& trace, const Units& units)
 {
     JsonWriter json;
-    write_head(json, units);
+    begin_output(json, units);
     json.key("trace").begin_object(Layout::Block).member("member", trace.member).member("length", trace.length);
     json.key("dofs").begin_array();
     for (const std::string& dof : trace.dofs) json.value(dof);
@@ -281,9 +264,9 @@ std::string trace_json(const MemberTrace& trace, const Units& units)
     json.key("equations").begin_array();
     for (const int equation : trace.equations) json.value(equation);
     json.end();
-    write_matrix(json, "local_stiffness", trace.local_stiffness);
-    write_matrix(json, "transformation", trace.transformation);
-    write_matrix(json, "global_stiffness", trace.global_stiffness);
+    write_rows(json.key("local_stiffness"), trace.local_stiffness, Layout::Block);
+    write_rows(json.key("transformation"), trace.transformation, Layout::Block);
+    write_rows(json.key("global_stiffness"), trace.global_stiffness, Layout::Block);
     json.key("fixed_end").begin_object(Layout::Block);
     for (const MemberTrace::FixedEnd& forces : trace.fixed_end) {
         json.key(forces.load_case).begin_object();

@@ -4,6 +4,7 @@
 
 #include "femoop/geometry/member_geometry.h"
 #include "femoop/io/json/json_writer.h"
+#include "femoop/io/json/model_json.h"
 #include "femoop/io/reader/names.h"
 #include "femoop/load/place_along.h"
 #include "femoop/methods/influence/effect_name.h"
@@ -154,9 +155,7 @@ std::string trains_json(const Model& model, const std::vector<TrainResults>& res
 {
     JsonWriter json;
     TrainWriter writer(json, model);
-    json.begin_object(Layout::Block).member("cremona", 1);
-    json.key("units").begin_object();
-    json.member("length", name(model.units.length)).member("force", name(model.units.force)).end();
+    begin_output(json, model.units);
     for (const bool is_envelope : {false, true}) {
         json.key(is_envelope ? "envelopes" : "trains").begin_array(Layout::Block);
         for (const TrainResults& one : results)
