@@ -19,13 +19,6 @@ namespace {
 constexpr std::size_t indent = 2;
 constexpr double trusted = 1e-6; // of the numbers that a sum is made of
 
-/// Rows of the matrices of the step: the equations that are written.
-bool is_whole(const Step& step)
-{
-    return step.matrices.front().rows.size() == step.matrices.front().columns.size() &&
-           step.matrices.front().rows.size() <= most_unknowns_shown;
-}
-
 bool has_empty_row(const Step& step)
 {
     const Eigen::MatrixXd& K = step.matrices.front().values;
@@ -36,7 +29,7 @@ bool has_empty_row(const Step& step)
 
 std::string equations_sentence(const Step& step, const Translator& tr)
 {
-    std::string text = is_whole(step)
+    std::string text = step.is_whole
                            ? tr("All equations K u = f, and the displacements u that solve them.")
                            : tr("Of the equations K u = f the rows that matter here, with all displacements in them; u "
                                 "solves all of them at once.");

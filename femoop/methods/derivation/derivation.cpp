@@ -12,6 +12,7 @@
 #include "femoop/methods/derivation/paper_system.h"
 #include "femoop/methods/influence/effect_name.h"
 #include "femoop/methods/influence/influence_line.h"
+#include "femoop/methods/influence/train/train_analysis.h"
 #include "femoop/model/quantity/six_digits.h"
 
 namespace femoop::derivation {
@@ -22,14 +23,36 @@ using influence::effect_in;
 
 void append(std::vector<Step>& steps, std::vector<Step> more) { std::ranges::move(more, std::back_inserter(steps)); }
 
-/// Numbers that add up, the sum below them.
-NamedMatrix sum_of(std::string symbol, std::vector<std::string> rows, Eigen::VectorXd parts)
+/// Numbers that add up.
+class Sum {
+public:
+    void add(std::string name, double part)
+    {
+        names_.push_back(std::move(name));
+        parts_.push_back(part);
+    }
+    /// One below the other, the sum at the foot.
+    NamedMatrix as(const std::string& symbol) const
+    {
+        const auto n = static_cast<Eigen::Index>(parts_.size());
+        NamedMatrix matrix{symbol, names_, {""}, Eigen::MatrixXd(n + 1, 1)};
+        matrix.rows.push_back(symbol);
+        matrix.values.topRows(n) = Eigen::Map<const Eigen::VectorXd>(parts_.data(), n);
+        matrix.values(n, 0) = matrix.values.topRows(n).sum();
+        return matrix;
+    }
+
+private:
+    std::vector<std::string> names_;
+    std::vector<double> parts_;
+};
+
+std::vector<MemberId> members_at(const Model& model, NodeId node)
 {
-    rows.push_back(symbol);
-    const double sum = parts.sum();
-    parts.conservativeResize(parts.size() + 1);
-    parts[parts.size() - 1] = sum;
-    return {std::move(symbol), std::move(rows), {""}, parts};
+    std::vector<MemberId> members;
+    for (std::size_t i = 0; i < model.members.size(); ++i)
+        if (std::ranges::find(model.members[i].nodes, node) != model.members[i].nodes.end()) members.emplace_back(i);
+    return members;
 }
 
 /// Writes down one number of one structure.
@@ -37,10 +60,14 @@ class NumberSteps {
 public:
     NumberSteps(const Model& model, const Results& results, const MovingEffect& effect)
         : model_(model), results_(results), effect_(effect), system_(model)
-    {}
+    {
+        const std::vector<MemberId> members = effect.member ? std::vector{*effect.member}
+                                                            : members_at(model, *effect.node);
+        for (const MemberId member : members) members_.emplace_back(system_, member);
+    }
 
     /// What is the same in all load cases comes with the first.
-    std::vector<Step> steps(CaseId load_case, bool is_first)
+    std::vector<Step> steps(CaseId load_case, bool is_first) const
     {
         const CaseResult result = results_[load_case];
         if (effect_.member) return along_member(load_case, result, is_first);
@@ -50,19 +77,20 @@ public:
 
     Step combination(const CaseTerms& terms) const
     {
-        Eigen::MatrixXd values(static_cast<Eigen::Index>(terms.terms.size()), 3);
-        std::vector<std::string> names;
-        for (std::size_t i = 0; i < terms.terms.size(); ++i) {
-            const CaseTerms::Term& term = terms.terms[i];
+        NamedMatrix factors{"factors", {}, {"factor", "value"}, {}};
+        factors.values.resize(static_cast<Eigen::Index>(terms.terms.size()), 2);
+        Sum sum;
+        for (const CaseTerms::Term& term : terms.terms) {
             const double value = effect_in(effect_, results_[CaseId(term.load_case)]);
-            values.row(static_cast<Eigen::Index>(i)) << term.factor, value, term.factor * value;
-            names.push_back(model_.load_cases[term.load_case].id);
+            const std::string& name = model_.load_cases[term.load_case].id;
+            factors.values.row(static_cast<Eigen::Index>(factors.rows.size())) << term.factor, value;
+            factors.rows.push_back(name);
+            sum.add(name, term.factor * value);
         }
         return {.kind = StepKind::Combination,
                 .member = effect_.member,
                 .node = effect_.node,
-                .matrices = {{"factors", names, {"factor", "value"}, values.leftCols(2)},
-                             sum_of(symbol(), names, values.col(2))}};
+                .matrices = {factors, sum.as(symbol())}};
     }
 
 private:
@@ -70,18 +98,25 @@ private:
 
     std::vector<Step> along_member(CaseId load_case, const CaseResult& result, bool is_first) const
     {
-        const MemberSteps member(system_, *effect_.member);
+        const MemberSteps& member = members_.front();
         std::vector<Step> steps;
         if (is_first) steps = member.stiffness();
         steps.push_back(member.fixed_end_forces(load_case));
-        steps.push_back({.kind = StepKind::Equations,
-                         .member = effect_.member,
-                         .load_case = load_case,
-                         .matrices = system_.equations(member.rows(), load_case, result)});
+        steps.push_back(equations(member.rows(), load_case, result));
         steps.push_back(member.end_displacements(load_case, result));
         steps.push_back(member.end_forces(load_case, result));
         steps.push_back(superposition(load_case, result));
         return steps;
+    }
+
+    Step equations(const std::vector<Eigen::Index>& rows, CaseId load_case, const CaseResult& result) const
+    {
+        return {.kind = StepKind::Equations,
+                .member = effect_.member,
+                .node = effect_.node,
+                .load_case = load_case,
+                .matrices = system_.equations(rows, load_case, result),
+                .is_whole = system_.is_written_whole()};
     }
 
     /// The member's nodes move and carry no loads, and the loads act while the nodes are held.
@@ -90,30 +125,23 @@ private:
         const MemberAlone alone = take_out(model_, *effect_.member, model_.load_cases[load_case.index], result);
         MovingEffect effect = effect_;
         effect.member = MemberAlone::member;
-        const Eigen::Vector2d parts(effect_in(effect, alone.moved()), effect_in(effect, alone.loaded()));
+        Sum sum;
+        sum.add("u'", effect_in(effect, alone.moved()));
+        sum.add("f0'", effect_in(effect, alone.loaded()));
         return {.kind = StepKind::Superposition,
                 .member = effect_.member,
                 .load_case = load_case,
-                .matrices = {sum_of(symbol(), {"u'", "f0'"}, parts)}};
+                .matrices = {sum.as(symbol())}};
     }
 
-    std::vector<MemberId> members_at(NodeId node) const
-    {
-        std::vector<MemberId> members;
-        for (std::size_t i = 0; i < model_.members.size(); ++i)
-            if (std::ranges::find(model_.members[i].nodes, node) != model_.members[i].nodes.end())
-                members.emplace_back(i);
-        return members;
-    }
-
-    /// Loads on the node itself, along its own axes.
-    Eigen::VectorXd loads_on(NodeId node, CaseId load_case) const
+    /// On the node itself, global axes.
+    NodeVector loads_on(NodeId node, CaseId load_case) const
     {
         NodeVector sum{};
         for (const NodeLoad& load : model_.load_cases[load_case.index].nodes)
             if (load.node == node)
                 for (const Component& component : load.components) sum[index(component.dof)] += component.value;
-        return system_.in_node_axes(node, sum);
+        return sum;
     }
 
     /// The forces of all members that meet the node, less the loads on it, are what the support brings.
@@ -121,21 +149,14 @@ private:
     {
         const NodeId node = *effect_.node;
         std::vector<Step> steps;
-        std::vector<std::string> rows;
-        std::vector<double> parts;
-        for (const MemberId member : members_at(node)) {
-            const MemberSteps of(system_, member);
-            steps.push_back(of.node_forces(node, load_case, result));
-            rows.push_back(model_[member].id);
-            parts.push_back(steps.back().matrices.back().values(place_of(*effect_.dof), 0));
+        Sum sum;
+        for (const MemberSteps& member : members_) {
+            steps.push_back(member.node_forces(node, load_case, result));
+            sum.add(member.trace().member, steps.back().matrices.back().values(place_of(*effect_.dof), 0));
         }
-        rows.emplace_back("-F");
-        parts.push_back(-system_.in_global_axes(node, loads_on(node, load_case))[place_of(*effect_.dof)]);
-        const auto all = Eigen::Map<const Eigen::VectorXd>(parts.data(), static_cast<Eigen::Index>(parts.size()));
-        steps.push_back({.kind = StepKind::Reaction,
-                         .node = node,
-                         .load_case = load_case,
-                         .matrices = {sum_of(symbol(), rows, all)}});
+        sum.add("-F", -loads_on(node, load_case)[index(*effect_.dof)]);
+        steps.push_back(
+            {.kind = StepKind::Reaction, .node = node, .load_case = load_case, .matrices = {sum.as(symbol())}});
         return steps;
     }
 
@@ -162,11 +183,7 @@ private:
                 steps.push_back(load_row(*row, load_case, result));
                 rows.push_back(*row);
             } else steps.push_back(held(dof, load_case, result));
-        if (!rows.empty())
-            steps.push_back({.kind = StepKind::Equations,
-                             .node = node,
-                             .load_case = load_case,
-                             .matrices = system_.equations(rows, load_case, result)});
+        if (!rows.empty()) steps.push_back(equations(rows, load_case, result));
         if (own_dofs().size() > 1) steps.push_back(turned(load_case, result));
         return steps;
     }
@@ -187,16 +204,13 @@ private:
     {
         const NodeId node = *effect_.node;
         const Eigen::VectorXd own = system_.in_node_axes(node, result.displacement(node));
-        Eigen::VectorXd parts(2);
-        for (Eigen::Index i = 0; i < 2; ++i) {
+        Sum sum;
+        for (const Dof dof : {Dof::ux, Dof::uy}) {
             Eigen::VectorXd alone = Eigen::VectorXd::Zero(own.size());
-            alone[i] = own[i];
-            parts[i] = system_.in_global_axes(node, alone)[place_of(*effect_.dof)];
+            alone[place_of(dof)] = own[place_of(dof)];
+            sum.add(std::string(name(dof)) + "'", system_.in_global_axes(node, alone)[place_of(*effect_.dof)]);
         }
-        return {.kind = StepKind::TurnedSupport,
-                .node = node,
-                .load_case = load_case,
-                .matrices = {sum_of(symbol(), {"ux'", "uy'"}, parts)}};
+        return {.kind = StepKind::TurnedSupport, .node = node, .load_case = load_case, .matrices = {sum.as(symbol())}};
     }
 
     double spring_at(NodeId node, Dof dof) const
@@ -213,18 +227,17 @@ private:
         NamedMatrix shares{.symbol = "K", .rows = {}, .columns = {}, .values = {}};
         for (const Eigen::Index column : columns) shares.columns.push_back(system_.name_of(column));
         std::vector<Eigen::RowVectorXd> rows;
-        for (const MemberId member : members_at(node)) {
-            const MemberSteps of(system_, member);
-            const std::vector<int>& places = of.trace().equations;
-            const Eigen::Index own = of.first_row(node) + place_of(dof);
+        for (const MemberSteps& member : members_) {
+            const std::vector<int>& places = member.trace().equations;
+            const Eigen::Index own = member.first_row(node) + place_of(dof);
             Eigen::RowVectorXd share = Eigen::RowVectorXd::Zero(static_cast<Eigen::Index>(columns.size()));
             for (std::size_t i = 0; i < places.size(); ++i) {
                 const auto at = std::ranges::find(columns, Eigen::Index{places[i]} - 1);
                 if (at != columns.end())
-                    share[at - columns.begin()] += of.trace().global_stiffness(own, static_cast<Eigen::Index>(i));
+                    share[at - columns.begin()] += member.trace().global_stiffness(own, static_cast<Eigen::Index>(i));
             }
             rows.push_back(share);
-            shares.rows.push_back(model_[member].id);
+            shares.rows.push_back(member.trace().member);
         }
         if (const double spring = spring_at(node, dof); spring > 0.0) {
             Eigen::RowVectorXd share = Eigen::RowVectorXd::Zero(static_cast<Eigen::Index>(columns.size()));
@@ -243,24 +256,18 @@ private:
     Step load_row(Eigen::Index row, CaseId load_case, const CaseResult& result) const
     {
         const auto [node, dof] = system_.trace().unknowns[static_cast<std::size_t>(row)];
-        std::vector<std::string> rows{"F"};
-        std::vector<double> parts{loads_on(node, load_case)[place_of(dof)]};
-        for (const MemberId member : members_at(node)) {
-            const MemberSteps of(system_, member);
-            const Eigen::Index own = of.first_row(node) + place_of(dof);
-            rows.push_back("-f0 " + model_[member].id);
-            parts.push_back(-of.trace().fixed_end[load_case.index].global[own]);
-            if (const double held = force_of_held(of, own, load_case, result); held != 0.0) {
-                rows.push_back("-k u " + model_[member].id);
-                parts.push_back(-held);
-            }
+        Sum sum;
+        sum.add("F", system_.in_node_axes(node, loads_on(node, load_case))[place_of(dof)]);
+        for (const MemberSteps& member : members_) {
+            const MemberTrace& trace = member.trace();
+            const Eigen::Index own = member.first_row(node) + place_of(dof);
+            sum.add("-f0 " + trace.member, -trace.fixed_end[load_case.index].global[own]);
+            if (const double held = force_of_held(member, own, load_case, result); held != 0.0)
+                sum.add("-k u " + trace.member, -held);
         }
-        if (const double moved = ground_of(node, dof, load_case); moved != 0.0) {
-            rows.emplace_back("spring");
-            parts.push_back(spring_at(node, dof) * moved);
-        }
-        const auto all = Eigen::Map<const Eigen::VectorXd>(parts.data(), static_cast<Eigen::Index>(parts.size()));
-        return {.kind = StepKind::LoadRow, .node = node, .load_case = load_case, .matrices = {sum_of("f", rows, all)}};
+        if (const double moved = ground_of(node, dof, load_case); moved != 0.0)
+            sum.add("spring", spring_at(node, dof) * moved);
+        return {.kind = StepKind::LoadRow, .node = node, .load_case = load_case, .matrices = {sum.as("f")}};
     }
 
     /// What displacements that supports impose bring to one row of a member.
@@ -292,6 +299,7 @@ private:
     const Results& results_;
     const MovingEffect& effect_;
     PaperSystem system_;
+    std::vector<MemberSteps> members_; ///< that the number comes from
 };
 
 /// Where the largest and the smallest value stand, and the larger of both as a section's value.
@@ -305,9 +313,7 @@ FoundExtreme extreme_of(const CaseResult& result, const MovingEffect& asked)
     const Curve curve = result.curve(*asked.member);
     const Extremes extremes = curve.extremes(*asked.component);
     const Extreme& found = std::abs(extremes.min.value) > std::abs(extremes.max.value) ? extremes.min : extremes.max;
-    MovingEffect effect = asked;
-    const bool is_displacement = *asked.component >= MemberComponent::u;
-    effect.quantity = is_displacement ? ExpectedQuantity::Displacement : ExpectedQuantity::SectionForce;
+    MovingEffect effect = influence::at_section(asked, found.x, curve.length());
     effect.at = Quantity(found.x, six_digits(found.x, english));
     const double after = curve.value(*asked.component, found.x, Side::After);
     const double before = curve.value(*asked.component, found.x, Side::Before);

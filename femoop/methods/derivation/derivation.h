@@ -35,7 +35,7 @@ enum class StepKind : std::uint8_t {
 inline constexpr std::size_t n_step_kinds = 17;
 
 /// Numbers as on paper, with what stands beside their rows and above their columns: names of displacements ("B.ux",
-/// "B.ux'"), of members, or symbols that courseware/reference/derivations.md explains.
+/// "B.ux'"), of members, or symbols that courseware/reference/command-line.md explains.
 struct NamedMatrix {
     std::string symbol;
     std::vector<std::string> rows, columns;
@@ -48,6 +48,7 @@ struct Step {
     std::optional<NodeId> node;
     std::optional<CaseId> load_case; ///< whose numbers these are; none where loads do not matter
     std::vector<NamedMatrix> matrices;
+    bool is_whole = false; ///< of equations: none is left out
 };
 
 /// The way from the data to one number: every step with its numbers, the last of which is the number.

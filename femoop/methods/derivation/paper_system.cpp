@@ -84,7 +84,7 @@ std::vector<NamedMatrix> PaperSystem::equations(std::vector<Eigen::Index> rows, 
                                                 const CaseResult& result) const
 {
     std::vector<Eigen::Index> columns;
-    if (trace_.unknowns.size() <= most_unknowns_shown) {
+    if (is_written_whole()) {
         rows.resize(trace_.unknowns.size());
         std::iota(rows.begin(), rows.end(), Eigen::Index{0});
         columns = rows;

@@ -35,6 +35,7 @@ public:
     double angle_of(NodeId node) const; ///< of its support [rad]
     Eigen::VectorXd unknowns_in(const CaseResult& result) const;
 
+    bool is_written_whole() const { return trace_.unknowns.size() <= most_unknowns_shown; }
     /// K, u and f of a load case: all of them where they are few, else these rows and what they couple.
     std::vector<NamedMatrix> equations(std::vector<Eigen::Index> rows, CaseId load_case,
                                        const CaseResult& result) const;

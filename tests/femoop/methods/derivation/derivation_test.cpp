@@ -203,6 +203,7 @@ TEST_SUITE("derivation")
         const NamedMatrix& K = matrix(derivation, StepKind::Equations, "K");
         CHECK(K.rows == std::vector<std::string>{"9.ux"});
         CHECK(K.columns.size() < 5 * 3 + 1);
+        CHECK_FALSE(step_of(derivation, StepKind::Equations).is_whole);
         const Eigen::VectorXd force = K.values * matrix(derivation, StepKind::Equations, "u").values;
         CHECK(force[0] == doctest::Approx(0.0).epsilon(1e-6 * K.values.cwiseAbs().maxCoeff()));
     }
