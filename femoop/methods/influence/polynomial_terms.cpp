@@ -22,7 +22,7 @@ Polynomial negated(const Polynomial& p)
 Polynomial about(const Polynomial& p, double start)
 {
     if (start == 0.0) return p;
-    std::array<double, Polynomial::max_terms> c{};
+    std::array<double, Polynomial::max_terms> c; // NOLINT: only the first n mean anything, and are set
     const std::size_t n = p.n_terms();
     for (std::size_t i = 0; i < n; ++i) c[i] = p[i];
     for (std::size_t i = 0; i + 1 < n; ++i)

@@ -160,6 +160,15 @@ PositionFunction PositionFunction::mirrored(double length) const
     return mirror;
 }
 
+PositionFunction PositionFunction::negated() const
+{
+    PositionFunction negative({}, -before_, -after_);
+    negative.pieces_.reserve(pieces_.size());
+    for (const Piece& piece : pieces_)
+        negative.pieces_.push_back({piece.from, piece.to, influence::negated(piece.value)});
+    return negative;
+}
+
 PositionFunction PositionFunction::integral() const
 {
     PositionFunction integral;

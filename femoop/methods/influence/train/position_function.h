@@ -44,6 +44,7 @@ public:
 
     /// x -> of(length - x).
     PositionFunction mirrored(double length) const;
+    PositionFunction negated() const;
 
     /// x -> the integral of the function from its first break to x. \pre it is 0 before and after
     PositionFunction integral() const;

@@ -29,6 +29,15 @@ TrainRun::TrainRun(const Ground& ground, const MovingTrain& train) : ground_(gro
     }
 }
 
+TrainRun TrainRun::negated() const
+{
+    TrainRun opposite;
+    opposite.ground_.shortest = ground_.shortest;
+    opposite.groups_ = groups_;
+    opposite.stages_.push_back(stages_.front().negated());
+    return opposite;
+}
+
 void TrainRun::part_into_groups(const MovingTrain& train)
 {
     groups_.emplace_back();

@@ -28,6 +28,10 @@ public:
 
     const PositionFunction& largest() const { return stages_.front(); }
 
+    /// Is the effect a sum alone, so that the run on the line times -1 has the same effect times -1?
+    bool is_linear() const { return groups_.size() == 1 && ground_.covered == nullptr; }
+    TrainRun negated() const; ///< on the line times -1 \pre is_linear()
+
     /// The spacings with which the largest effect comes about; of several the least.
     std::vector<double> spacings(double position, Side side) const;
 
@@ -36,6 +40,7 @@ private:
         std::vector<double> axles, offsets; ///< offsets of its axles behind its leading one
         double least = 0.0, most = 0.0;     ///< the spacing behind its last axle
     };
+    TrainRun() = default;
     void part_into_groups(const MovingTrain& train);
     PositionFunction own_effect(std::size_t group) const;
     double following(std::size_t group, double x, double wanted) const;

@@ -59,7 +59,9 @@ bool is_nothing(const Piece& piece) { return piece.value.n_terms() == 1 && piece
 /// Over the places of one search: a line, times the sign of what is sought, so that the largest is wanted.
 class LargestEffect {
 public:
-    LargestEffect(const PiecewiseLine& line, const std::vector<double>& ends, const MovingTrain& train, double sign)
+    /// \param opposite  the same with the other sign, if it is at hand
+    LargestEffect(const PiecewiseLine& line, const std::vector<double>& ends, const MovingTrain& train, double sign,
+                  const LargestEffect* opposite = nullptr)
         : train_(train), ends_(ends), length_(ends.back()), shortest_(shortest_piece * length_), sign_(sign)
     {
         const PositionFunction plain(line);
@@ -67,6 +69,11 @@ public:
         lay_uniform();
         stand_concentrated();
         if (train.axles.empty()) return;
+        if (opposite != nullptr && opposite->forwards_->is_linear()) {
+            forwards_ = opposite->forwards_->negated();
+            if (train.both_directions) reversed_ = opposite->reversed_->negated();
+            return;
+        }
         forwards_.emplace(ground(line_, uniform_.covered), train_);
         if (!train.both_directions) return;
         mirrored_line_ = line_.mirrored(length_);
@@ -293,7 +300,12 @@ TrainSearch::TrainSearch(const PiecewiseLine& line, std::vector<double> ends, Mo
     : line_(line), ends_(std::move(ends)), train_(std::move(train))
 {}
 
-WorstPlacings TrainSearch::worst() const { return {largest(), least()}; }
+WorstPlacings TrainSearch::worst() const
+{
+    const LargestEffect largest(line_, ends_, train_, 1.0);
+    return {largest.placing(), LargestEffect(line_, ends_, train_, -1.0, &largest).placing()};
+}
+
 Placing TrainSearch::largest() const { return LargestEffect(line_, ends_, train_, 1.0).placing(); }
 Placing TrainSearch::least() const { return LargestEffect(line_, ends_, train_, -1.0).placing(); }
 
