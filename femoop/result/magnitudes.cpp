@@ -29,7 +29,7 @@ void see(Magnitudes& most, const Curve& curve, AnalysisKind kind)
     }
 }
 
-/// What temperature and misfit would do to members that cannot give way.
+/// What temperature and misfit would do to members that cannot give way, and to those that are free.
 void see_strains(Magnitudes& most, const Discretisation& structure, const CaseLoads& loads, double factor)
 {
     for (std::size_t i = 0; i < structure.members.size(); ++i)
@@ -38,6 +38,9 @@ void see_strains(Magnitudes& most, const Discretisation& structure, const CaseLo
             const MemberProperties& properties = structure.properties_of(MemberId(i));
             see(most.force, factor * properties.axial.EA * load.start);
             see(most.moment, factor * properties.xy.EI * load.end);
+            const double L = structure.geometry(MemberId(i)).length;
+            see(most.displacement, factor * load.start * L);
+            see(most.displacement, factor * load.end * L * L);
         }
 }
 

@@ -6,7 +6,8 @@
 namespace femoop {
 
 /// How large the numbers of a case are, those that cancel included (what heat would do to members that cannot give
-/// way), and what the structure's size makes of one kind out of the other. A number far below is nothing but rounding.
+/// way, and to free ones), and what the structure's size makes of one kind out of the other. A number far below is
+/// nothing but rounding.
 struct Magnitudes {
     double force = 0.0;
     double moment = 0.0;
