@@ -149,8 +149,7 @@ void solve_into(Solution& solution, const Model& model, Troubles troubles)
         solution.blank = blank_cases(model, troubles);
         for (const BlankCase& one : solution.blank) add_new(solution.faults, one.faults);
         const bool is_all_blank = !solution.blank.empty() && solution.blank.size() == model.n_cases();
-        if (is_all_blank) solution.blank.clear();
-        else solution.results = std::move(results);
+        if (!is_all_blank) solution.results = std::move(results);
     } catch (const femoop::MechanismError& error) {
         solution.mechanisms = error.mechanisms();
         add_new(solution.faults, error.faults());

@@ -10,7 +10,7 @@
 
 namespace frame {
 
-/// A load case or combination that has no results while others have.
+/// A load case or combination that has no results by a fault of its own.
 struct BlankCase {
     femoop::CaseId id;
     std::vector<femoop::Fault> faults;           ///< its own, and those of the cases that it sums
@@ -22,10 +22,10 @@ struct Solution {
     std::optional<femoop::Results> results;    ///< of every case that is not blank; there is one
     std::vector<femoop::Fault> faults;         ///< errors and warnings of the model, their places named (fault/place.h)
     std::vector<femoop::Mechanism> mechanisms; ///< each way in which the structure can move; then there are no results
-    std::vector<BlankCase> blank{};            ///< a fault of one case leaves the others their results
+    std::vector<BlankCase> blank{}; ///< a fault of one case leaves the others their results; may be all cases
 
     bool has_errors() const;
-    /// Null where the case has results, or no case has any.
+    /// Null where the case has results, or the structure itself has none.
     const BlankCase* blank_case(femoop::CaseId id) const;
     std::vector<femoop::CaseId> solved_cases() const; ///< in their order; \pre results
 };

@@ -54,7 +54,8 @@ std::vector<std::string> parts_of(const Workspace& workspace)
     std::string blank;
     for (const BlankCase& one : session.solution().blank)
         blank += (blank.empty() ? "" : ", ") + session.model().case_name(one.id);
-    if (!blank.empty()) parts.push_back(tr("no results of {cases}", {{"cases", ui::shortened(blank, most_letters)}}));
+    if (results && !blank.empty())
+        parts.push_back(tr("no results of {cases}", {{"cases", ui::shortened(blank, most_letters)}}));
     return parts;
 }
 

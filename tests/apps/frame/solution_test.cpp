@@ -132,6 +132,22 @@ TEST_SUITE("frame solution")
         CHECK(solution.solved_cases().size() == 7);
     }
 
+    TEST_CASE("Where every case has a fault of its own none has results, and each says why")
+    {
+        Document document = portal_with([](Model& model, auto& t) {
+            t.settlements.push_back({femoop::NodeId(1), {{femoop::Dof::uy, -0.01}}});
+            model.load_cases = {t};
+            model.expected.clear();
+        });
+        document.model.combinations.resize(1);
+        document.model.combinations[0].terms = {{CaseId(0), 1.35}};
+        const Solution solution = solve(document);
+        CHECK(!solution.results);
+        CHECK(blank_in(solution, document.model) == "T, ULS");
+        REQUIRE(solution.blank_case(CaseId(0)));
+        CHECK(solution.blank_case(CaseId(0))->faults == solution.faults);
+    }
+
     TEST_CASE("A combination that names itself is blank alone")
     {
         Document document = portal_with([](Model&, auto&) {});
