@@ -493,34 +493,51 @@ Subject::Picture Subject::draw(ui::Painter& painter) const
     return picture;
 }
 
-// In the first corner where it covers no other string; at the right foot where there is none.
+namespace {
+
+struct Spot {
+    ui::Point at;
+    ui::Anchor anchor;
+};
+
+/// For a line of text at the sheet's rim: its corners and the middle of its foot, then down the sides, beside the heads
+/// first.
+std::vector<Spot> spots_at_rim(const ui::Box& sheet, double line_height)
+{
+    using enum ui::Anchor;
+    std::vector<Spot> spots{{sheet.max, BottomRight},
+                            {{sheet.min.x, sheet.max.y}, BottomLeft},
+                            {{sheet.max.x, sheet.min.y}, TopRight},
+                            {{0.5 * (sheet.min.x + sheet.max.x), sheet.max.y}, Bottom}};
+    for (double y = sheet.min.y + line_height; y < sheet.max.y - line_height; y += line_height) {
+        spots.push_back({{sheet.max.x, y}, TopRight});
+        spots.push_back({{sheet.min.x, y}, TopLeft});
+    }
+    return spots;
+}
+
+} // namespace
+
+// In the first place at the rim where it covers no other string; at the right foot where there is none.
 void Subject::draw_left_out(ui::Painter& painter, std::size_t n_left_out) const
 {
     const std::string words = options_.tr("labels without room: {count}", {{"count", std::to_string(n_left_out)}});
-    const ui::Box sheet = painter.sheet().grown(-7.0);
-    struct Corner {
-        ui::Point at;
-        ui::Anchor anchor;
-    };
-    const std::array corners{Corner{sheet.max, ui::Anchor::BottomRight},
-                             Corner{{sheet.min.x, sheet.max.y}, ui::Anchor::BottomLeft},
-                             Corner{{sheet.max.x, sheet.min.y}, ui::Anchor::TopRight},
-                             Corner{{0.5 * (sheet.min.x + sheet.max.x), sheet.max.y}, ui::Anchor::Bottom}};
     const std::vector<ui::Box> taken = painter.picture().text_boxes(painter.fonts());
-    const auto style_at = [&](const Corner& corner) {
-        ui::TextStyle style = theme_.text(ui::Role::FaintLabel, corner.anchor);
+    const auto style_at = [&](const Spot& spot) {
+        ui::TextStyle style = theme_.text(ui::Role::FaintLabel, spot.anchor);
         style.size = theme_.type().small;
         style.plate = theme_.background();
         return style;
     };
-    const auto is_free = [&](const Corner& corner) {
+    const auto is_free = [&](const Spot& spot) {
         ui::Painter trial(painter.size(), painter.fonts());
-        trial.text(corner.at, words, style_at(corner));
+        trial.text(spot.at, words, style_at(spot));
         const ui::Box own = trial.picture().text_boxes(painter.fonts()).front().grown(3.0);
         return std::none_of(taken.begin(), taken.end(), [&](const ui::Box& box) { return own.overlaps(box); });
     };
-    const auto* const found = std::find_if(corners.begin(), corners.end(), is_free);
-    const Corner& chosen = found != corners.end() ? *found : corners.front();
+    const std::vector<Spot> spots = spots_at_rim(painter.sheet().grown(-7.0), theme_.type().small);
+    const auto found = std::find_if(spots.begin(), spots.end(), is_free);
+    const Spot& chosen = found != spots.end() ? *found : spots.front();
     const ui::LayerScope layer(painter, ui::Layer::Overlay);
     painter.text(chosen.at, words, style_at(chosen));
 }

@@ -44,6 +44,27 @@ bool crosses(const ui::Box& box, ui::Point a, ui::Point b)
 
 } // namespace
 
+TEST_CASE("The count of labels without room covers no label")
+{
+    const ui::Fonts fonts;
+    const femoop::Model model = view_test::model("crowded_frame");
+    const femoop::Results results = femoop::analyse(model);
+    for (double width = 316.0; width < 640.0; width += 16.0) {
+        CAPTURE(width);
+        ui::Painter painter({width, 742.0}, fonts);
+        draw(painter, {model, &results},
+             {.show = parse_show("loads,reactions,N,V,M,labels"),
+              .theme = ui::ThemeName::Projector,
+              .layout = Layout::Overlay});
+        view_test::Marks marks(fonts);
+        painter.picture().draw_on(marks);
+        const auto count = std::ranges::find_if(
+            marks.texts, [](const auto& text) { return text.words.starts_with("labels without room"); });
+        REQUIRE(count != marks.texts.end());
+        CHECK(std::ranges::count_if(marks.texts, [&](const auto& text) { return text.box.overlaps(count->box); }) == 1);
+    }
+}
+
 TEST_CASE("In a frame of five storeys and five bays no label covers another")
 {
     const ui::Fonts fonts;
