@@ -1,6 +1,7 @@
 #include "apps/mohr/view/curves_picture.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 
@@ -25,6 +26,7 @@ struct Graph {
     double low, high;
     ui::Theme theme;
     Labels& labels;
+    bool is_flat; ///< its numbers stand in a row above it
 
     double x(double degrees) const { return box.min.x + (degrees + 90.0) / 180.0 * box.width(); }
     double y(double value) const { return box.max.y - (value - low) / (high - low) * box.height(); }
@@ -91,6 +93,27 @@ void draw_special_angle(const Graph& g, std::optional<double> angle, const std::
     g.labels.add({g.x(t), g.box.min.y + 0.6 * style.size}, {1.0, 0.0}, name, style, 2.0);
 }
 
+/// What is read at the cursor, in the colour of its curve.
+struct Reading {
+    std::string words;
+    ui::TextStyle style;
+};
+
+/// One after the other above the curves, as broad as these at most.
+void write_above(const Graph& g, const std::array<Reading, 2>& readings)
+{
+    constexpr double between = 1.2; // em
+    double width = 0.0, x = g.box.min.x;
+    for (const Reading& reading : readings)
+        width += g.painter.measure(reading.words, reading.style).width + between * reading.style.size;
+    for (auto [words, style] : readings) {
+        style.size *= std::min(1.0, g.box.width() / width);
+        style.anchor = ui::Anchor::BottomLeft;
+        g.painter.text({x, g.box.min.y - 0.2 * style.size}, words, style);
+        x += g.painter.measure(words, style).width + between * style.size;
+    }
+}
+
 void draw_cursor(const Graph& g, Drawn& drawn)
 {
     const double t = fm::as_direction(g.scene.solution.angle) / degree;
@@ -99,9 +122,13 @@ void draw_cursor(const Graph& g, Drawn& drawn)
     g.painter.line({g.x(t), g.box.min.y}, {g.x(t), g.box.max.y}, g.theme.stroke(Role::LocalAxes));
     draw_mark(g.painter, g.scene, g.at(t, s), Handle::Cursor, Role::BendingMoment);
     draw_mark(g.painter, g.scene, g.at(t, q), Handle::Cursor, Role::ShearForce);
-    const auto number = [&](double v) { return g.scene.look.number(v); };
-    g.labels.add(g.at(t, s), {1.0, -0.6}, names.normal + " = " + number(s), g.theme.text(Role::BendingMoment), 6.0);
-    g.labels.add(g.at(t, q), {1.0, 0.6}, names.shear + " = " + number(q), g.theme.text(Role::ShearForce), 6.0);
+    const Reading normal{names.normal + " = " + g.scene.look.number(s), g.theme.text(Role::BendingMoment)};
+    const Reading shear{names.shear + " = " + g.scene.look.number(q), g.theme.text(Role::ShearForce)};
+    if (g.is_flat) write_above(g, {normal, shear});
+    else {
+        g.labels.add(g.at(t, s), {1.0, -0.6}, normal.words, normal.style, 6.0);
+        g.labels.add(g.at(t, q), {1.0, 0.6}, shear.words, shear.style, 6.0);
+    }
     drawn.places.push_back({Handle::Cursor, g.at(t, s)});
     drawn.places.push_back({Handle::Cursor, g.at(t, q)});
 }
@@ -111,13 +138,16 @@ void draw_cursor(const Graph& g, Drawn& drawn)
 void draw_curves(ui::Painter& painter, const Scene& scene, const ui::Box& box, Drawn& drawn)
 {
     const ui::Theme theme = scene.look.full_theme();
+    constexpr double least_height = 7.5; // em: for numbers beside the curves
     const Frame& frame = scene.frame;
-    const ui::Box inner{{box.min.x + 5.0 * theme.type().normal, box.min.y + 0.6 * theme.type().normal},
-                        {box.max.x - 2.0 * theme.type().normal, box.max.y - 1.8 * theme.type().normal}};
+    const double em = theme.type().normal;
+    const bool is_flat = box.height() < least_height * em;
+    const ui::Box inner{{box.min.x + 5.0 * em, box.min.y + (is_flat ? 1.5 : 0.6) * em},
+                        {box.max.x - 2.0 * em, box.max.y - 1.8 * em}};
     if (inner.width() < 20.0 || inner.height() < 20.0) return;
     Labels labels(inner, painter.fonts());
     const double low = std::min(frame.low, -frame.reach), high = std::max(frame.high, frame.reach);
-    const Graph g{painter, scene, inner, low, high, theme, labels};
+    const Graph g{painter, scene, inner, low, high, theme, labels, is_flat};
     drawn.curves = {inner.min.x, inner.max.x};
     draw_grid(g);
     draw_lines(g);

@@ -73,7 +73,7 @@ bool has_below(const Scene& scene)
 }
 
 /// Curves and a section are flat in less height, and a locus is hardly more than its words. [em]
-constexpr double least_below = 7.5, least_locus = 11.0;
+constexpr double least_below = 7.5, flattest_below = 6.0, least_locus = 11.0;
 
 double em(const Scene& scene) { return scene.look.full_theme().type().normal; }
 
@@ -129,7 +129,8 @@ double foot_of_circle(double height, const Scene& scene)
 {
     if (!has_below(scene)) return height;
     const bool is_projected = scene.look.theme == ui::ThemeName::Projector; // large type takes room from the circle
-    const double foot = (is_projected ? 0.78 : 0.70) * height;
+    const double most = std::max(0.70 * height, height - flattest_below * em(scene));
+    const double foot = is_projected ? std::min(0.78 * height, most) : 0.70 * height;
     return shows_both_rules(scene) ? std::min(foot, height - least_below * em(scene) - gap) : foot;
 }
 

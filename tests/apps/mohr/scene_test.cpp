@@ -1,10 +1,13 @@
 // Golden pictures of Mohr's circle: every subject, degenerate states, themes and languages.
 #include <doctest/doctest.h>
 
+#include <algorithm>
+
 #include "apps/mohr/document/edit.h"
 #include "apps/mohr/view/construction_words.h"
 #include "apps/mohr/view/names.h"
 #include "apps/mohr/view/scene.h"
+#include "tests/apps/cross/strings.h"
 #include "tests/golden/scene.h"
 
 using namespace mohr;
@@ -114,6 +117,32 @@ TEST_CASE("On the projector everything is larger and nothing covers another")
     Look look;
     look.theme = ui::ThemeName::Projector;
     check("mohr_projector", of(Subject::PlaneStress), look);
+}
+
+TEST_CASE("The curves of the components have their numbers in every window of the projector")
+{
+    const ui::Fonts fonts;
+    Look look;
+    look.theme = ui::ThemeName::Projector;
+    for (const ui::Size size : {ui::Size{405.0, 480.0}, ui::Size{405.0, 540.0}, ui::Size{560.0, 480.0},
+                                ui::Size{632.0, 560.0}, ui::Size{632.0, 640.0}, ui::Size{632.0, 738.0}})
+        for (const double angle : {-80.0, -35.0, 20.0, 26.6, 75.0}) {
+            CAPTURE(size.width);
+            CAPTURE(size.height);
+            CAPTURE(angle);
+            Document document = of(Subject::PlaneStress);
+            document.angle = angle;
+            const Solution solution = solve(document, look.rule);
+            ui::Painter painter(size, fonts);
+            const Drawn drawn = draw(painter, {document, solution, look, fitting_frame(document, solution)});
+            Strings strings(fonts);
+            painter.picture().draw_on(strings);
+            for (const char* const name : {"σ = ", "τ = "})
+                CHECK(std::ranges::any_of(strings.all, [&](const Strings::String& string) {
+                    return string.words.starts_with(name) && string.box.min.x >= drawn.curves.left - 100.0 &&
+                           string.box.max.y > 0.6 * size.height;
+                }));
+        }
 }
 
 TEST_CASE("In print a stress in space is black and white")
