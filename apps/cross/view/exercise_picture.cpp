@@ -73,18 +73,16 @@ public:
         return found_;
     }
 
-    /// How the spans of a beam are drawn so that its columns find room.
-    BayScale bays() const
+    /// How the spans of a beam are drawn so that its columns find room, narrow ones where broad ones have none.
+    BayScale bays()
     {
         std::vector<fc::EndId> ends;
         for (std::size_t e = 0; e < columns_.size(); ++e)
             if (!columns_[e].cells.empty()) ends.emplace_back(e);
-        const double type = std::max(usual_cells * theme_.type().normal, largest_type());
-        return bay_scale_for(bays_of(shape_, problem_, ends), panel_,
-                             {.ems = column_width(type) / type,
-                              .largest_type = type,
-                              .least_type = least_cells,
-                              .support = support_reach(theme_)});
+        const std::vector<Bay> bays = bays_of(shape_, problem_, ends);
+        is_narrow_ = false;
+        is_narrow_ = breadth_needed(bays, column_needs(), least_broad()) > breadth_of_beam(bays);
+        return bay_scale_for(bays, panel_, column_needs());
     }
 
     bool has_room() const
@@ -97,6 +95,27 @@ public:
     }
 
 private:
+    ColumnNeeds column_needs() const
+    {
+        const double type = std::max(usual_cells * theme_.type().normal, largest_type());
+        return {.ems = column_width(type) / type,
+                .largest_type = type,
+                .least_type = least_cells,
+                .support = support_reach(theme_)};
+    }
+
+    double breadth_of_beam(const std::vector<Bay>& bays) const
+    {
+        return panel_.camera.scale() * (bays.back().end - bays.front().start);
+    }
+
+    /// Size of type of broad cells, with which narrow ones are rather taken; on the projector the last row reads it.
+    double least_broad() const
+    {
+        constexpr double least = 0.85; // of the usual size
+        return std::max(least * usual_cells * magnified(), legible_type(scene_.look.full_theme()));
+    }
+
     void lay_out()
     {
         BlockRequest request;
@@ -151,7 +170,7 @@ private:
         for (const bool is_narrow : {false, true}) {
             is_narrow_ = is_narrow;
             beside.largest_type = std::max(request.largest_type, largest_type());
-            beside.least_type = (is_narrow ? 0.6 : 0.85) * request.largest_type;
+            beside.least_type = !is_narrow ? least_broad() : is_beam(shape_) ? least_cells : 0.6 * request.largest_type;
             BlockLayout found = laid_out(beside);
             const bool is_whole = std::ranges::all_of(found.boxes, [](const auto& box) { return box.has_value(); });
             if (is_whole && found.n_lines == request.most_lines) return found;
@@ -203,7 +222,8 @@ private:
                 const ui::Point at = beside(ratio.member, t, side);
                 const ui::Box box = box_of(ratio, at);
                 const auto is_hit = [&](const std::optional<ui::Box>& other) { return other && other->overlaps(box); };
-                if (!box.overlaps(heading) && std::ranges::none_of(layout_.boxes, is_hit)) return at;
+                if (panel_.box.contains(box) && !box.overlaps(heading) && std::ranges::none_of(layout_.boxes, is_hit))
+                    return at;
             }
         return std::nullopt;
     }

@@ -2,6 +2,7 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
+#include <map>
 
 #include "apps/cross/document/file.h"
 #include "apps/cross/view/numbers.h"
@@ -100,6 +101,35 @@ TEST_CASE("Cells of a portal's feet stand beside them, as high as the projector'
             CHECK(foot - cells_of(end).max.y < 60.0);
         }
     }
+}
+
+TEST_CASE("Cells of a beam stand beside their joints, in one row")
+{
+    for (const fc::Difficulty difficulty : {fc::Difficulty::Overhang, fc::Difficulty::SeveralSpans})
+        for (const std::uint32_t seed : {1U, 2U, 3U})
+            for (const ui::ThemeName theme : {ui::ThemeName::Light, ui::ThemeName::Projector})
+                for (const ui::Size size : {ui::Size{632.0, 740.0}, ui::Size{900.0, 540.0}, ui::Size{1280.0, 740.0}}) {
+                    CAPTURE(seed);
+                    CAPTURE(size.width);
+                    const Document document = exercise(difficulty, seed);
+                    const Solution solution = solve(document);
+                    const std::optional<Worksheet> worksheet = worksheet_of(document);
+                    REQUIRE(worksheet);
+                    const Look look{.theme = theme};
+                    const ui::Fonts fonts;
+                    ui::Painter painter(size, fonts);
+                    const Drawn drawn = draw(painter, {document, solution, nullptr, 1.0, {}, look, &*worksheet});
+                    const Drawn::View& sheet = drawn.views.back();
+                    const double beam = sheet.box.min.y + sheet.camera.to_sheet({0.0, 0.0}).y;
+                    std::map<std::size_t, double> tops;
+                    for (const CellMark& mark : drawn.cells) {
+                        const std::size_t end = worksheet->form[mark.cell].end.index;
+                        const auto top = tops.try_emplace(end, mark.box.min.y).first;
+                        top->second = std::min(top->second, mark.box.min.y);
+                        CHECK(mark.box.max.y < sheet.box.max.y);
+                    }
+                    for (const auto& [end, top] : tops) CHECK(top - beam < 75.0);
+                }
 }
 
 TEST_CASE("No stiffness of an exercise's spans is written under the heading of its sheet")
