@@ -131,7 +131,7 @@ Drawn draw(ui::Painter& painter, const Scene& scene)
     drawn.camera = panels.structure.camera;
     for (std::size_t n = 0; n < shape.nodes.size(); ++n)
         drawn.nodes.push_back({femoop::NodeId(n), panels.structure.at(shape.nodes[n])});
-    draw_deformed_state(painter, panels.deformed, scene);
+    if (panels.has_deformed()) draw_deformed_state(painter, panels.deformed, scene);
     if (scene.look.shears) draw_shear_state(painter, panels.moments, scene);
     else draw_moment_state(painter, panels.moments, scene);
     const DrawnSheet sheet = draw_sheet(painter, panels.sheet, scene);

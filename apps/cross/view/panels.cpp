@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
+#include <numeric>
 #include <vector>
 
 #include "apps/cross/view/numbers.h"
@@ -78,22 +79,34 @@ double lacking(double height, const ui::Theme& theme)
     return legible_type(theme) > 0.0 ? std::max(0.0, lines * theme.type().normal - height) : 0.0;
 }
 
-/// Of the three pictures over the sheet of a beam, which give it what they can spare.
-std::array<double, 3> heights_above(double height, const ui::Theme& theme)
+using Heights = std::array<double, 3>; // of structure, deformed shape and moments over the sheet of a beam
+
+double total(const Heights& heights) { return std::accumulate(heights.begin(), heights.end(), 0.0); }
+
+/// The pictures give so much of what they can spare.
+Heights spared(Heights heights, double wanted, const Heights& least)
 {
-    constexpr std::array least_lines{10.5, 4.7, 6.5}; // of type that the last row reads
-    const double first_share = std::clamp(lines_of_loads * theme.type().normal / height, 0.24, 0.305);
-    const double less = 0.25 * (first_share - 0.24);
-    std::array heights{first_share * height, (0.16 - less) * height, (0.20 - less) * height};
-    std::array<double, 3> spare{};
-    double all = 0.0, all_spare = 0.0;
-    for (std::size_t i = 0; i < heights.size(); ++i) {
-        all += heights[i];
-        all_spare += spare[i] = std::max(0.0, heights[i] - least_lines[i] * least_afar);
-    }
-    const double share = std::min(1.0, lacking(height - all, theme) / std::max(all_spare, 1e-9));
+    Heights spare{};
+    for (std::size_t i = 0; i < heights.size(); ++i) spare[i] = std::max(0.0, heights[i] - least_afar * least[i]);
+    const double share = std::min(1.0, wanted / std::max(total(spare), 1e-9));
     for (std::size_t i = 0; i < heights.size(); ++i) heights[i] -= share * spare[i];
     return heights;
+}
+
+/// What the sheet lacks they give; a narrow one that lacks more, as between the panels, takes the deformed shape's room.
+Heights heights_above(ui::Size size, const ui::Theme& theme)
+{
+    constexpr Heights least{10.5, 4.7, 6.5}; // lines of type that the last row reads
+    constexpr double narrow = 40.0;          // ems
+    const double height = size.height, em = theme.type().normal;
+    const double first_share = std::clamp(lines_of_loads * em / height, 0.24, 0.305);
+    const double less = 0.25 * (first_share - 0.24);
+    Heights usual{first_share * height, (0.16 - less) * height, (0.20 - less) * height};
+    const auto given = [&] { return spared(usual, lacking(height - total(usual), theme), least); };
+    const Heights heights = given();
+    if (lacking(height - total(heights), theme) <= 0.0 || size.width > narrow * em) return heights;
+    usual[1] = 0.0;
+    return given();
 }
 
 Panels stacked(const Extent& extent, ui::Size sheet, const ui::Theme& theme)
@@ -108,7 +121,7 @@ Panels stacked(const Extent& extent, ui::Size sheet, const ui::Theme& theme)
         panel.camera = beam_camera(extent, panel.box.size(), margin, middle);
         top += height;
     };
-    const auto [first, second, third] = heights_above(sheet.height, theme); // dimension lines keep their size
+    const auto [first, second, third] = heights_above(sheet, theme); // dimension lines keep their size
     next(panels.structure, first, first - lines_below_beam * std::min(em, first / lines_of_loads));
     next(panels.deformed, second, 0.56 * second);
     next(panels.moments, third, 0.56 * third);

@@ -44,6 +44,8 @@ struct Panels {
     Zoom zoom{};             ///< as far as there is something to see
 
     const Panel& operator[](Part part) const;
+    /// On a low projector a beam's sheet takes its room between the panels.
+    bool has_deformed() const { return deformed.box.height() > 0.0; }
 };
 
 /// The left share of the width that the small pictures of a frame take: less where the sheet has many columns.

@@ -1,5 +1,6 @@
 #include "apps/cross/view/structure_pictures.h"
 
+#include <algorithm>
 #include <cmath>
 #include <optional>
 #include <utility>
@@ -201,7 +202,7 @@ void write_remark(ui::Painter& painter, const Panel& panel, const Scene& scene)
     ui::TextStyle style = theme.text(ui::Role::Error, ui::Anchor::TopLeft);
     style.plate = theme.background();
     const ui::LayerScope layer(painter, ui::Layer::Overlay);
-    ui::Point at = panel.box.min + ui::Point{0.6 * style.size, 2.0 * style.size};
+    ui::Point at = panel.box.min + ui::Point{0.6 * style.size, std::max(2.0 * style.size, panel.title)};
     const std::string words = fault_text(scene.solution.task->remarks.front(), scene.look.tr);
     for (const std::string& line :
          ui::wrapped_lines(painter.fonts(), words, style, panel.box.width() - 1.2 * style.size)) {
@@ -302,7 +303,7 @@ void draw_deformed_state(ui::Painter& painter, const Panel& panel, const Scene& 
         }
         draw_supports_and_joints(in);
     });
-    if (!results) write_remark(painter, panel, scene);
+    if (!results) write_remark(painter, below, scene);
 }
 
 namespace {

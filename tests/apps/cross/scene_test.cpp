@@ -310,6 +310,22 @@ TEST_CASE("On a small projector every column of a beam has room, in type as larg
     }
 }
 
+TEST_CASE("Between the panels of a small projector a beam's numbers are as large as the panels' text, its values whole")
+{
+    const Document document = read_document_file("examples/three_spans.json");
+    const Solution solution = solve(document);
+    const ui::Fonts fonts;
+    for (const ui::Size size : {ui::Size{432.0, 494.0}, ui::Size{520.0, 494.0}, ui::Size{632.0, 494.0}}) {
+        CAPTURE(size.width);
+        CHECK(enlarged_for_last_row("examples/three_spans.json", size).type >=
+              ui::Theme(ui::ThemeName::Projector).type().normal);
+        ui::Painter painter(size, fonts);
+        const Look look{.theme = ui::ThemeName::Projector};
+        const Drawn drawn = draw(painter, {document, solution, nullptr, 1.0, {}, look});
+        for (const char* const load : {"8 kN/m", "38 kN/m", "28 kN/m"}) CHECK(box_of(load, drawn).has_value());
+    }
+}
+
 TEST_CASE("The columns of a frame of six storeys stand below the heading of its sheet")
 {
     const Document document = read_document_file("examples/storey_frame.json");
@@ -409,6 +425,28 @@ TEST_CASE("In a narrow picture the forces of two props are written at its foot, 
         CAPTURE(force);
         CHECK(drawn_at({443.0, 525.0}).find(force) != std::string::npos);
         CHECK(drawn_at({1280.0, 700.0}).find(force) == std::string::npos);
+    }
+}
+
+TEST_CASE("Why a mechanism has no deformed shape is written below the heading, however narrow the picture")
+{
+    Document document = starting_document();
+    for (femoop::Node& node : document.model.nodes)
+        if (node.support) node.support->kind = femoop::SupportKind::Roller;
+    const Solution solution = solve(document);
+    REQUIRE(solution.task);
+    REQUIRE_FALSE(solution.task->remarks.empty());
+    const ui::Fonts fonts;
+    for (const double width : {300.0, 432.0, 1000.0}) {
+        CAPTURE(width);
+        ui::Painter painter({width, 694.0}, fonts);
+        draw(painter, {document, solution, nullptr, 1.0, {}, Look{}});
+        Strings strings(fonts);
+        painter.picture().draw_on(strings);
+        for (const Strings::String& heading : strings.all)
+            for (const Strings::String& string : strings.all)
+                if (&heading != &string && heading.box.min.x == string.box.min.x)
+                    CHECK_FALSE(heading.box.grown(-1.0).overlaps(string.box.grown(-1.0)));
     }
 }
 
