@@ -12,6 +12,7 @@ namespace femoop {
 namespace {
 
 constexpr double cancelled = 1e-11; // of the terms that were added up: less may be rounding alone
+constexpr double turned = 1e-13;    // of the largest stiffness: less may be what turning into a node's axes has rounded
 
 /// T' A T of a symmetric A, both as lower triangles.
 SparseMatrix reduced(const SparseMatrix& A, const SparseMatrix& T)
@@ -83,7 +84,7 @@ bool ReducedSystem::has_unrestrained_unknown(double largest_stiffness) const
 {
     const Eigen::VectorXd diagonal = matrix().diagonal();
     if (diagonal.size() == 0) return false;
-    if (diagonal.minCoeff() <= idle_diagonal * std::max(largest_stiffness, diagonal.maxCoeff())) return true;
+    if (diagonal.minCoeff() <= turned * std::max(largest_stiffness, diagonal.maxCoeff())) return true;
     return is_constrained_ && (diagonal.array() <= cancelled * terms_.array()).any();
 }
 

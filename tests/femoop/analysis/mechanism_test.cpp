@@ -524,6 +524,19 @@ TEST_SUITE("mechanisms")
         }
     }
 
+    TEST_CASE("A bar square to a roller's slope does not hold it, whatever the slope")
+    {
+        for (int slope = 3; slope < 180; slope += 7) {
+            CAPTURE(slope);
+            const double angle = slope * std::numbers::pi / 180.0;
+            Model model = frame({{1.3, 2.6}, {1.3 + 3.0 * std::cos(angle), 2.6 + 3.0 * std::sin(angle)}}, {{1, 0}});
+            model.analysis = AnalysisKind::Truss2d;
+            hold(model, 0, SupportKind::Pin);
+            model.nodes[1].support = Support{.fixed = {Dof::ux}, .angle = static_cast<double>(slope)};
+            CHECK(mechanisms(model).size() == 1);
+        }
+    }
+
     TEST_CASE("A very soft spring is nearly a mechanism, not one, and the warning gives the condition")
     {
         Model model = frame({{0, 0}, {4, 0}}, {{0, 1}});
