@@ -32,6 +32,7 @@ MechanismReport::MechanismReport(const Model& model, const StaticSystem& system)
 void MechanismReport::require_geometric_stability() const
 {
     require_finite_stiffness();
+    if (has_vanishing_member()) return;
     const NullModes free = Compatibility(system_.assembler(), system_.restraints()).free_motions(most_modes);
     if (free.is_singular()) refuse(free.modes);
 }
@@ -85,6 +86,14 @@ void MechanismReport::require_finite_stiffness() const
     for (std::size_t node = 0; node < structure_.positions.size(); ++node)
         if (!has_finite_stiffness(NodeId(node))) nodes.emplace_back(node);
     if (!nodes.empty()) throw ModelError({beyond_range_fault(model_, nodes)});
+}
+
+bool MechanismReport::has_vanishing_member() const
+{
+    constexpr double vanishing = 1e-20; // of the structure's size: its strains hide those of all others
+    for (std::size_t i = 0; i < structure_.members.size(); ++i)
+        if (structure_.geometry(MemberId(i)).length < vanishing * structure_.size()) return true;
+    return false;
 }
 
 bool MechanismReport::has_finite_stiffness(NodeId node) const

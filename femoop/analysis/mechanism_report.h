@@ -21,7 +21,8 @@ public:
     MechanismReport(const Model& model, const StaticSystem& system);
 
     /// Refuses a structure that can move, or whose stiffness is beyond the range of numbers; then what the pivots say
-    /// is the fault of soft parts only. Small pivots may come from either: the geometry alone decides.
+    /// is the fault of soft parts only. Small pivots may come from either: the geometry alone decides, and nothing does
+    /// where a member is so short that numbers cannot tell.
     /// \throws MechanismError, ModelError
     void require_geometric_stability() const;
 
@@ -50,6 +51,7 @@ public:
 private:
     void require_finite_stiffness() const;
     bool has_finite_stiffness(NodeId node) const;
+    bool has_vanishing_member() const; ///< beside which nothing can be told of how the others strain
     /// Of each kind the first are described, the others counted.
     struct Found {
         std::vector<Mechanism> mechanisms;

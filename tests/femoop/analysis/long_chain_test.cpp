@@ -314,6 +314,24 @@ TEST_SUITE("long chains")
         }
     }
 
+    TEST_CASE("A member too short for numbers to follow the others is refused as such, not as a mechanism")
+    {
+        for (const double tiny : {1e-25, 1e-32, 1e-40, 1e-60})
+            for (const double before : {-4.0, -9.0}) {
+                CAPTURE(tiny);
+                Model model = empty(AnalysisKind::Frame2d);
+                model.add(Node{.id = "N0", .at = {before, 0.0, 0.0}, .support = Support{.kind = SupportKind::Fixed}});
+                for (const double x : {0.0, tiny, 5.0}) add_leg(model, {x, 0.0, 0.0}, 1);
+                pull(model, NodeId(3), Dof::uy, -100.0);
+                try {
+                    analyse(model);
+                    CHECK(false);
+                } catch (const ModelError& error) {
+                    CHECK(error.faults().front().kind == FaultKind::IllConditionedCase);
+                }
+            }
+    }
+
     TEST_CASE("A settlement that drowns the loads in a beam of enormous stiffness is refused, or its sums balance")
     {
         for (const double stiffer : {1.0, 1e10, 1e20, 1e30, 1e60}) {
