@@ -1,13 +1,13 @@
 #include "apps/cli/console.h"
 
 #include <algorithm>
-#include <cerrno>
 #include <cstdio>
 #include <map>
 #include <system_error>
 #include <utility>
 
 #include "ui/text/printable.h"
+#include "ui/text/standard_output.h"
 
 namespace cli {
 
@@ -48,12 +48,9 @@ std::string Console::sentence(const femoop::Fault& fault) const { return femoop:
 
 void Console::flush()
 {
-    const std::string results = ui::printable(std::exchange(results_, {}));
-    errno = 0;
-    const bool is_written = std::fwrite(results.data(), 1, results.size(), stdout) == results.size();
-    if ((is_written && std::fflush(stdout) == 0) || errno == EPIPE) return;
-    const std::string reason = tr_(std::generic_category().message(errno));
-    throw UsageError(tr_("cannot write the results to standard output: {reason}", {{"reason", reason}}));
+    const std::error_code fault = ui::print(std::exchange(results_, {}));
+    if (!fault) return;
+    throw UsageError(tr_("cannot write the results to standard output: {reason}", {{"reason", tr_(fault.message())}}));
 }
 
 } // namespace cli

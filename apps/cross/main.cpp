@@ -4,5 +4,5 @@
 
 int main(int argc, char** argv)
 {
-    return ui::run_program("cross", [&] { return cross::run(cross::parse_options(argc, argv)); });
+    ui::run_program("cross", [&] { return cross::run(cross::parse_options(argc, argv)); });
 }

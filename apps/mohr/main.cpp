@@ -4,5 +4,5 @@
 
 int main(int argc, char** argv)
 {
-    return ui::run_program("mohr", [&] { return mohr::run(mohr::parse_options(argc, argv)); });
+    ui::run_program("mohr", [&] { return mohr::run(mohr::parse_options(argc, argv)); });
 }

@@ -10,6 +10,7 @@
 #include "ui/app/deliver_frame.h"
 #include "ui/scenario/words.h"
 #include "ui/text/number_format.h"
+#include "ui/text/printable.h"
 
 namespace ui {
 
@@ -106,7 +107,7 @@ int play_scenario(const AppOptions& options, std::string_view program, const Cat
     std::ifstream file;
     if (is_file) file.open(*options.play, std::ios::binary);
     if (!file.is_open()) {
-        std::cerr << program << ": " << tr("cannot read {file}", {{"file", options.play->string()}}) << '\n';
+        std::cerr << program << ": " << printable(tr("cannot read {file}", {{"file", options.play->string()}})) << '\n';
         return bad_input;
     }
     Offscreen context(offscreen_setup(options));
@@ -120,7 +121,7 @@ int play_scenario(const AppOptions& options, std::string_view program, const Cat
                  .keep = keep,
                  .film = options.frames ? film_in(*options.frames) : Film()});
     } catch (const ScenarioError& error) {
-        std::cerr << program << ": " << options.play->string() << ": " << error.what() << '\n';
+        std::cerr << program << ": " << printable(options.play->string() + ": " + error.what()) << '\n';
         return answer_is_no;
     }
     return done;

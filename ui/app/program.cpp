@@ -3,21 +3,49 @@
 #include <cstdlib>
 #include <exception>
 #include <iostream>
+#include <string>
+#include <system_error>
 
 #include "ui/app/app_options.h"
+#include "ui/text/printable.h"
+#include "ui/text/standard_output.h"
 
 namespace ui {
 
-int run_program(std::string_view name, const std::function<int()>& run)
+namespace {
+
+constexpr int done = 0, failed = 2;
+
+/// On stderr: what was typed may stand in it, control characters too.
+void report(std::string_view text) { std::cerr << printable(std::string(text)) << '\n'; }
+
+/// What the options ask for, on stdout.
+int answer(std::string_view name, const std::string& text)
+{
+    const std::error_code fault = print(text + "\n");
+    if (!fault) return done;
+    report(std::string(name) + ": cannot write to standard output: " + fault.message());
+    return failed;
+}
+
+int status_of(std::string_view name, const std::function<int()>& run)
 try {
     return run();
 } catch (const OptionsEnd& end) {
-    (end.status == 0 ? std::cout : std::cerr) << end.what() << '\n';
+    if (end.status == done) return answer(name, end.what());
+    report(end.what());
     return end.status;
 } catch (const std::exception& error) {
-    constexpr int failed = 2;
-    std::cerr << name << ": " << error.what() << '\n';
-    std::quick_exit(failed); // without OpenBLAS, which waits at the end for memory where there is none
+    report(std::string(name) + ": " + error.what());
+    return failed;
+}
+
+} // namespace
+
+void run_program(std::string_view name, const std::function<int()>& run)
+{
+    // Without OpenBLAS, which waits at the end for memory where there is none.
+    std::quick_exit(status_of(name, run));
 }
 
 } // namespace ui

@@ -7,6 +7,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <system_error>
 #include <utility>
 #include <vector>
 
@@ -18,6 +19,7 @@
 #include "ui/files/link.h"
 #include "ui/text/printable.h"
 #include "ui/text/refusal.h"
+#include "ui/text/standard_output.h"
 
 namespace ui {
 
@@ -85,8 +87,13 @@ int run_app(const AppOptions& options, std::string_view program, Session& sessio
             std::cerr << printable(refusal->words);
             return refusal->status;
         }
-        std::cout << printable(description(session));
-        return done;
+        const std::error_code fault = print(description(session));
+        if (!fault) return done;
+        std::cerr << program << ": "
+                  << session.tr()("cannot write the results to standard output: {reason}",
+                                  {{"reason", session.tr()(fault.message())}})
+                  << '\n';
+        return bad_input;
     }
     if (options.play) return play_through<Application, AppStage>(options, program, session, session.tr());
     if (options.screenshot) {
