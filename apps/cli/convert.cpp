@@ -115,10 +115,12 @@ ExitStatus Convert::to_json(const femoop::Model& model, Console& console) const
 
 ExitStatus Convert::to_csv(const femoop::Model& model, Console& console) const
 {
-    const auto solved = solve_model(model, display_name(in_, console.tr()), {}, console);
+    const std::string file = display_name(in_, console.tr());
+    const auto solved = solve_model(model, file, {}, console);
     if (const auto* status = std::get_if<ExitStatus>(&solved)) return *status;
-    deliver(femoop::long_csv(model, std::get<Solved>(solved).results, all_cases(model), femoop::usual_n_stations),
-            console);
+    const femoop::Results& results = std::get<Solved>(solved).results;
+    console.report(file, results.warnings());
+    deliver(femoop::long_csv(model, results, all_cases(model), femoop::usual_n_stations), console);
     return ExitStatus::Done;
 }
 

@@ -416,6 +416,8 @@ std::string description(const Session& session)
         return session.hidden ? words + "\n" + tr(*session.why_no_results()) + "\n" : words;
     }
     std::string words = femoop::describe(session.model(), *told, session.solution().solved_cases(), tr);
+    for (const femoop::Fault& warning : told->warnings())
+        words += "\n" + tr("warning") + ": " + femoop::message(warning, tr) + "\n";
     for (const BlankCase& one : session.solution().blank) {
         words += "\n" + tr("Case {case} has no results.", {{"case", session.model().case_name(one.id)}}) + "\n";
         for (const femoop::Fault& fault : one.faults) words += sentence(fault, tr) + "\n";

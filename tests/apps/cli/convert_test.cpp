@@ -57,6 +57,16 @@ TEST_CASE("To CSV every result stands in one long table with its unit")
     CHECK(has(table, "\nU,member,AB,4,"));
 }
 
+TEST_CASE("What is doubtful about the results is told beside their table, too")
+{
+    const Folder folder;
+    json soft = json::parse(cantilever());
+    soft["materials"][0]["E"] = 2e-3;
+    const Run run = cremona({"convert", folder.write("soft.json", soft.dump()), folder.path("out.csv")});
+    CHECK(run.status == 0);
+    CHECK(has(run.err, "warning: node B moves"));
+}
+
 TEST_CASE("Kinds that are not written, and models that would become solids, are told")
 {
     const Folder folder;

@@ -69,6 +69,15 @@ TEST_SUITE("frame session")
         CHECK(description(workspace.session) == with_results);
     }
 
+    TEST_CASE("What is doubtful about the results is told in words, too")
+    {
+        const Workspace workspace = workspace_with("portal.json");
+        CHECK(description(workspace.session).find("warning") == std::string::npos);
+        Document soft{workspace.session.model()};
+        soft.model.materials[0].E = 1e-3;
+        CHECK(description(Session(soft)).find("warning: node ") != std::string::npos);
+    }
+
     TEST_CASE("Moments are not guessed in space, of a mechanism, nor of an envelope, and the reason is told")
     {
         Workspace grillage = workspace_with("grillage.json");
