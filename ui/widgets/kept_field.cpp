@@ -70,6 +70,7 @@ bool KeptField::show(const char* id, const std::string& hint)
     const bool was_active = std::exchange(is_active_, ImGui::IsItemActive());
     if (is_active_) n_waited_ = 0;
     const bool is_given_up = ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape), false);
+    if (is_given_up && was_active && hold_ == Hold::UntilLeft) text_.clear(); // early letters, too
     const bool is_left = is_given_up || (text_.empty() && ((was_active && !is_active_ && !is_entered) ||
                                                            (waits && ImGui::IsMouseClicked(0))));
     has_keyboard_ = is_active_ || hold_ == Hold::UntilDone || (has_keyboard_ && !is_left);

@@ -15,7 +15,7 @@ bool do_keys_go_elsewhere();
 class KeptField {
 public:
     enum class Hold : std::uint8_t {
-        UntilLeft, ///< Esc lets the keyboard go, and a click elsewhere unless a text is half typed
+        UntilLeft, ///< Esc drops the text and lets the keyboard go, and a click elsewhere unless a text is half typed
         UntilDone  ///< it has the keyboard as long as it is shown
     };
     /// \param edited  told of every edit, to cut what is too long
