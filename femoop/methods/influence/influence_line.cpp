@@ -11,6 +11,7 @@
 #include "femoop/methods/influence/dislocation.h"
 #include "femoop/methods/influence/effect_name.h"
 #include "femoop/methods/influence/load_components.h"
+#include "femoop/methods/unit_load_case.h"
 #include "femoop/result/components.h"
 #include "femoop/result/curve_reader.h"
 
@@ -23,25 +24,6 @@ constexpr double negligible = 1e-14;  // of the largest ordinate: a coefficient 
 constexpr double doubtful = 1e-8;     // of the largest ordinate: a load on the path should not say more against it
 constexpr double least_effect = 1e-6; // of a unit load: a line with smaller ordinates is held against this
 constexpr double golden_ratio = 0.6180339887498949;
-
-Model without_loads(Model model)
-{
-    model.load_cases.clear();
-    model.combinations.clear();
-    model.moving_loads = {};
-    model.expected.clear();
-    model.extra.clear();
-    return model;
-}
-
-Dof displacement_dof(MemberComponent component)
-{
-    switch (component) {
-    case MemberComponent::u: return Dof::ux;
-    case MemberComponent::v: return Dof::uy;
-    default: return Dof::uz;
-    }
-}
 
 bool is_section_force(const MovingEffect& effect) { return effect.member && !is_displacement(*effect.component); }
 
@@ -228,17 +210,13 @@ InfluenceAnalysis::Adjoint InfluenceAnalysis::adjoint(const MovingEffect& effect
     if (effect.quantity == ExpectedQuantity::Reaction) {
         if (const auto* support = structure_.support_of(*effect.node))
             load_case.settlements.push_back(settlement_against(*support, *effect.dof));
-    } else if (effect.node) {
-        load_case.nodes.push_back({.node = *effect.node, .components = {{.dof = *effect.dof, .value = 1.0}}});
     } else if (is_section_force(effect)) {
         const Dislocation dislocation(structure_, *effect.member, *effect.component, place(effect));
         for (std::size_t end = 0; end < 2; ++end)
             for (const NodeVector& part : {dislocation.node_loads()[end].high, dislocation.node_loads()[end].low})
                 load_case.nodes.push_back({model_[*effect.member].nodes[end], components_of(part)});
     } else {
-        const Component unit{.dof = displacement_dof(*effect.component), .value = 1.0};
-        load_case.members.push_back(
-            {*effect.member, PointLoad{.at = Quantity(place(effect)), .components = {unit}, .axes = LoadAxes::Local}});
+        load_case = unit_load_case(model_, effect, load_case.id);
     }
     return adjoint;
 }

@@ -1,0 +1,301 @@
+#include "femoop/methods/virtual_work/virtual_work.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "femoop/analysis/linear_static.h"
+#include "femoop/discretisation/case_loads.h"
+#include "femoop/discretisation/discretisation.h"
+#include "femoop/load/case_terms.h"
+#include "femoop/methods/influence/effect_name.h"
+#include "femoop/methods/influence/influence_line.h"
+#include "femoop/methods/influence/polynomial_terms.h"
+#include "femoop/methods/unit_load_case.h"
+#include "femoop/result/components.h"
+
+namespace femoop::virtual_work {
+
+namespace {
+
+constexpr double shortest_stretch = 1e-12; ///< of a member: places that are nearer are one
+
+bool is_nothing(const Polynomial& p)
+{
+    for (std::size_t i = 0; i < p.n_terms(); ++i)
+        if (p[i] != 0.0) return false;
+    return true;
+}
+
+double integral_of_product(const Polynomial& p, const Polynomial& q, double end)
+{
+    double sum = 0.0;
+    double power = end;
+    for (std::size_t k = 0; k + 1 < p.n_terms() + q.n_terms(); ++k, power *= end) {
+        double coefficient = 0.0; // of t^k in the product
+        for (std::size_t i = 0; i <= k; ++i) coefficient += p[i] * q[k - i];
+        sum += coefficient * power / static_cast<double>(k + 1);
+    }
+    return sum;
+}
+
+double integral_of(const Polynomial& p, double end) { return integral_of_product(p, {1.0}, end); }
+
+/// A loading, as far as its members and supports are asked.
+class LoadedStructure {
+public:
+    explicit LoadedStructure(const Loading& loading)
+        : structure_(discretise(loading.model)),
+          loads_(loads_of(loading.model, structure_)),
+          terms_(terms_of(loading.model, loading.load_case).terms),
+          result_(loading.results[loading.load_case])
+    {}
+
+    const Discretisation& structure() const { return structure_; }
+    const CaseResult& result() const { return result_; }
+
+    SpanLoading span_loading(MemberId member) const
+    {
+        std::vector<SpanLoading::Scaled> scaled;
+        for (const CaseTerms::Term& term : terms_)
+            scaled.push_back({.loads = loads_[term.load_case].of(member), .factor = term.factor});
+        SpanLoading loading;
+        loading.assign(structure_.geometry(member).length, scaled, SpanLoading::no_settling);
+        return loading;
+    }
+
+private:
+    Discretisation structure_;
+    std::vector<CaseLoads> loads_;
+    std::vector<CaseTerms::Term> terms_;
+    CaseResult result_;
+};
+
+/// The force that works on a displacement of a member's end, and which axis of it.
+struct EndForce {
+    MemberComponent force;
+    LocalAxis axis;
+};
+constexpr std::array<EndForce, 6> end_forces{{{MemberComponent::N, LocalAxis::x},
+                                              {MemberComponent::Vy, LocalAxis::y},
+                                              {MemberComponent::Vz, LocalAxis::z},
+                                              {MemberComponent::T, LocalAxis::rx},
+                                              {MemberComponent::My, LocalAxis::ry},
+                                              {MemberComponent::Mz, LocalAxis::rz}}};
+
+/// A section force inside a joint: before what acts on the member's very end.
+double force_in_joint(const Curve& curve, const SpanLoading& loading, std::size_t end, const EndForce& asked)
+{
+    // What a point load along an axis adds to the section force there: see Beam::after_jump and Bar.
+    const bool is_added = asked.force == MemberComponent::Vy || asked.force == MemberComponent::Vz ||
+                          asked.force == MemberComponent::My;
+    const double sign = is_added ? 1.0 : -1.0;
+    const std::size_t axis = index(asked.axis);
+    if (end == 0) return curve.value(asked.force, 0.0) - sign * loading.pieces().front().jump[axis];
+    return curve.value(asked.force, curve.length(), Side::Before) + sign * loading.last_jump()[axis];
+}
+
+/// All that works along one member.
+class MemberWork {
+public:
+    MemberWork(const LoadedStructure& real, const LoadedStructure& unit, MemberId member, Work& work)
+        : member_(member),
+          work_(work),
+          properties_(real.structure().properties_of(member)),
+          end_conditions_(real.structure().end_conditions_of(member)),
+          real_(real.result().curve(member)),
+          unit_(unit.result().curve(member)),
+          real_loading_(real.span_loading(member)),
+          unit_loading_(unit.span_loading(member))
+    {}
+
+    void add(AnalysisKind kind)
+    {
+        for (const MemberComponent force : section_force_components(kind)) add_integrals(force);
+        if (is_founded()) add_pressure();
+        if (end_conditions_ == nullptr) return;
+        for (std::size_t end = 0; end < 2; ++end)
+            for (const EndForce& force : end_forces) add_joint(end, force);
+    }
+
+private:
+    bool is_bar() const { return end_conditions_ != nullptr && end_conditions_->is_bar; }
+    bool is_rigid() const { return constraint() == Constraint::Rigid; }
+    Constraint constraint() const
+    {
+        return end_conditions_ == nullptr ? Constraint::None : end_conditions_->constraint;
+    }
+    bool is_founded() const { return !is_bar() && properties_.xy.foundation > 0.0; }
+
+    static double inverse(double stiffness) { return stiffness > 0.0 ? 1.0 / stiffness : 0.0; }
+
+    double flexibility(MemberComponent force) const
+    {
+        if (force == MemberComponent::N) return constraint() == Constraint::None ? inverse(properties_.axial.EA) : 0.0;
+        if (is_bar() || is_rigid()) return 0.0;
+        switch (force) {
+        case MemberComponent::T: return inverse(properties_.torsion.EA);
+        case MemberComponent::Vy: return properties_.xy.shear_flexibility;
+        case MemberComponent::Vz: return properties_.xz.shear_flexibility;
+        case MemberComponent::Mz: return inverse(properties_.xy.EI);
+        default: return inverse(properties_.xz.EI);
+        }
+    }
+
+    double strain(MemberComponent force) const
+    {
+        if (force == MemberComponent::N) return real_loading_.strain();
+        return force == MemberComponent::Mz && !is_bar() ? real_loading_.curvature() : 0.0;
+    }
+
+    void add_integrals(MemberComponent force)
+    {
+        const double flexibility = this->flexibility(force), strain = this->strain(force);
+        if (flexibility == 0.0 && strain == 0.0) return;
+        visit_stretches([&](const Curve::Piece& real, const Curve::Piece& unit, double from, double to) {
+            add_integral({.member = member_,
+                          .force = force,
+                          .from = from,
+                          .to = to,
+                          .real = about(real_, force, real, from),
+                          .unit = about(unit_, force, unit, from),
+                          .flexibility = flexibility,
+                          .strain = strain});
+        });
+    }
+
+    /// p = -k v works on v: with the flexibility 1 / k.
+    void add_pressure()
+    {
+        const double k = properties_.xy.foundation;
+        const auto pressure = [&](const Curve& curve, const Curve::Piece& piece, double from) {
+            Polynomial p;
+            const Polynomial v = about(curve, MemberComponent::v, piece, from);
+            for (std::size_t i = 0; i < v.n_terms(); ++i) p.append(-k * v[i]);
+            return p;
+        };
+        visit_stretches([&](const Curve::Piece& real, const Curve::Piece& unit, double from, double to) {
+            add_integral({.member = member_,
+                          .force = {},
+                          .from = from,
+                          .to = to,
+                          .real = pressure(real_, real, from),
+                          .unit = pressure(unit_, unit, from),
+                          .flexibility = 1.0 / k});
+        });
+    }
+
+    static Polynomial about(const Curve& curve, MemberComponent component, const Curve::Piece& piece, double from)
+    {
+        return influence::about(curve.polynomial(component, piece), from - piece.load.begin);
+    }
+
+    /// Calls visit(real piece, unit piece, from, to) for every stretch that two pieces share.
+    template <class Visit> void visit_stretches(Visit&& visit) const
+    {
+        const std::vector<Curve::Piece>&reals = real_.pieces(), &units = unit_.pieces();
+        for (std::size_t i = 0, j = 0; i < reals.size() && j < units.size();) {
+            const SpanPiece &real = reals[i].load, &unit = units[j].load;
+            const double from = std::max(real.begin, unit.begin), to = std::min(real.end, unit.end);
+            if (to - from > shortest_stretch * real_.length()) visit(reals[i], units[j], from, to);
+            const bool real_ends = real.end <= unit.end;
+            if (unit.end <= real.end) ++j;
+            if (real_ends) ++i;
+        }
+    }
+
+    void add_integral(WorkIntegral integral)
+    {
+        if (is_nothing(integral.unit) || (is_nothing(integral.real) && integral.strain == 0.0)) return;
+        const double length = integral.to - integral.from;
+        integral.value = integral.flexibility * integral_of_product(integral.real, integral.unit, length) +
+                         integral.strain * integral_of(integral.unit, length);
+        work_.integrals.push_back(integral);
+    }
+
+    void add_joint(std::size_t end, const EndForce& asked)
+    {
+        const double stiffness = end_conditions_->joints[end][index(asked.axis)];
+        if (!std::isfinite(stiffness) || stiffness == 0.0) return;
+        const double real = force_in_joint(real_, real_loading_, end, asked);
+        const double unit = force_in_joint(unit_, unit_loading_, end, asked);
+        if (real == 0.0 || unit == 0.0) return;
+        work_.joints.push_back({member_, end, asked.force, real, unit, stiffness, real * unit / stiffness});
+    }
+
+    MemberId member_;
+    Work& work_;
+    const MemberProperties& properties_;
+    const MemberEndConditions* end_conditions_;
+    Curve real_, unit_;
+    SpanLoading real_loading_, unit_loading_;
+};
+
+/// From global axes to those of a support.
+NodeVector in_axes_of(const Discretisation::SupportRow& support, NodeVector v)
+{
+    const double c = std::cos(support.angle), s = std::sin(support.angle);
+    const double x = v[index(Dof::ux)], y = v[index(Dof::uy)];
+    v[index(Dof::ux)] = c * x + s * y;
+    v[index(Dof::uy)] = c * y - s * x;
+    return v;
+}
+
+void add_support(const LoadedStructure& real, const LoadedStructure& unit, const Discretisation::SupportRow& support,
+                 Work& work)
+{
+    const NodeVector moved = in_axes_of(support, real.result().displacement(support.node));
+    const NodeVector held = in_axes_of(support, unit.result().reaction(support.node));
+    for (const Dof dof : all_dofs) {
+        const double c = moved[index(dof)], r = held[index(dof)];
+        const bool moves = support.springs[index(dof)] > 0.0 || support.blocked.contains(dof);
+        if (moves && c != 0.0 && r != 0.0) work.supports.push_back({support.node, dof, c, r, -r * c});
+    }
+}
+
+} // namespace
+
+double Work::of(MemberId member) const
+{
+    double sum = 0.0;
+    for (const WorkIntegral& one : integrals) sum += one.member == member ? one.value : 0.0;
+    for (const JointWork& one : joints) sum += one.member == member ? one.value : 0.0;
+    return sum;
+}
+
+double Work::sum() const
+{
+    double sum = 0.0;
+    for (const WorkIntegral& one : integrals) sum += one.value;
+    for (const JointWork& one : joints) sum += one.value;
+    for (const SupportWork& one : supports) sum += one.value;
+    return sum;
+}
+
+Work work_between(const Loading& real, const Loading& unit)
+{
+    Work work;
+    const LoadedStructure under_loads(real), under_unit(unit);
+    const Discretisation& structure = under_loads.structure();
+    for (std::size_t i = 0; i < structure.members.size(); ++i)
+        MemberWork(under_loads, under_unit, MemberId(i), work).add(structure.kind);
+    for (const Discretisation::SupportRow& support : structure.supports)
+        if (under_unit.structure().support_of(support.node) != nullptr)
+            add_support(under_loads, under_unit, support, work);
+    return work;
+}
+
+VirtualWork displacement_by_work(const Model& model, const Results& results, CaseId load_case,
+                                 const MovingEffect& displacement)
+{
+    VirtualWork found{.displacement = displacement, .load_case = load_case, .unit_model = without_loads(model)};
+    found.unit_model.load_cases.push_back(
+        unit_load_case(model, displacement, influence::effect_name(model, displacement)));
+    const Results under_unit = analyse(found.unit_model);
+    found.work = work_between({model, results, load_case}, {found.unit_model, under_unit, CaseId(0)});
+    found.sum = found.work.sum();
+    found.value = influence::effect_in(displacement, results[load_case]);
+    return found;
+}
+
+} // namespace femoop::virtual_work
