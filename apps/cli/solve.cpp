@@ -22,7 +22,9 @@
 #include "femoop/io/results/results_csv.h"
 #include "femoop/io/results/results_json.h"
 #include "femoop/io/results/results_table.h"
+#include "femoop/io/virtual_work/virtual_work_text.h"
 #include "femoop/methods/derivation/derivation.h"
+#include "femoop/methods/virtual_work/virtual_work.h"
 #include "femoop/model/quantity/number_text.h"
 #include "femoop/result/describe.h"
 
@@ -58,12 +60,14 @@ private:
                             const ui::Catalogue& tr) const;
     void require_one_output(const ui::Catalogue& tr) const;
     std::string trace(const Model& model, const ui::Catalogue& tr) const;
+    CaseId followed_case(const Model& model, const ui::Catalogue& tr) const;
     std::string derivation(const Model& model, const Results& results, const ui::Catalogue& tr) const;
+    std::string virtual_work(const Model& model, const Results& results, const ui::Catalogue& tr) const;
     void write_csv(const Model& model, const Results& results, const Selection& selection,
                    const Console& console) const;
 
     std::string file_, case_ = "all", stations_ = std::to_string(femoop::usual_n_stations), solver_ = "automatic";
-    std::optional<std::string> csv_folder_, traced_member_, asked_number_;
+    std::optional<std::string> csv_folder_, traced_member_, asked_number_, worked_displacement_;
     bool is_json_ = false, is_timed_ = false, is_refined_ = false, is_described_ = false;
     SolverTraceOptions solver_trace_;
 };
@@ -87,6 +91,8 @@ HelpText Solve::help(const ui::Catalogue& tr) const
           tr("How member BC enters the system: its stiffness, its rotation, its fixed-end forces, its places.")},
          {"cremona solve examples/portal.json --why member=BC,at=50%,component=M",
           tr("Where this moment comes from, step by step from the data: matrices, equations, end forces.")},
+         {"cremona solve examples/portal.json --virtual-work node=C,component=ux",
+          tr("The sway as the work of a unit load's forces on the strains: integrals of M m / EI and their sum.")},
          {"cremona solve examples/storey_frame.json --trace-solver",
           tr("Which solver and which order are chosen, and how the front walks over the structure.")},
          {"cremona solve examples/portal.json --describe",
@@ -127,6 +133,11 @@ void Solve::declare(CLI::App& app, const ui::Catalogue& tr)
               "member=M,at=X,component=C asks for a section force or a displacement of a member (without at: its "
               "extreme), node=N,component=C for a reaction (fx ..) or a displacement (ux ..); of the first load "
               "case, or that of --case"))
+        ->option_text("WHAT");
+    app.add_option("--virtual-work", worked_displacement_,
+                   tr("print one displacement as virtual work, instead of the results: the forces of a unit load times "
+                      "the strains, integrated along each member. node=N,component=ux or member=M,at=X,component=v; of "
+                      "the first load case, or that of --case"))
         ->option_text("WHAT");
     solver_trace_.declare(app, tr);
     app.add_flag("--describe", is_described_,
@@ -169,20 +180,24 @@ void Solve::require_one_output(const ui::Catalogue& tr) const
             throw UsageError(tr("{a} and {b} print different things; give one of them",
                                 {{"a", std::string(a)}, {"b", std::string(b)}}));
     };
-    const bool traces_solver = solver_trace_.are_given();
-    refuse(traces_solver && traced_member_, "--trace-solver", "--trace");
-    refuse(traces_solver && is_described_, "--trace-solver", "--describe");
-    refuse(traces_solver && case_ != "all", "--trace-solver", "--case");
-    refuse(traces_solver && csv_folder_, "--trace-solver", "--csv");
-    refuse(traced_member_ && is_described_, "--trace", "--describe");
-    refuse(traced_member_ && case_ != "all", "--trace", "--case");
-    refuse(traced_member_ && csv_folder_, "--trace", "--csv");
-    refuse(is_described_ && case_ == "envelope", "--describe", "--case envelope");
-    refuse(asked_number_ && traces_solver, "--why", "--trace-solver");
-    refuse(asked_number_ && traced_member_, "--why", "--trace");
-    refuse(asked_number_ && is_described_, "--why", "--describe");
-    refuse(asked_number_ && csv_folder_, "--why", "--csv");
-    refuse(asked_number_ && case_ == "envelope", "--why", "--case envelope");
+    struct Output {
+        bool is_given;
+        std::string_view option;
+        bool is_of_a_case, has_csv;
+    };
+    const std::array outputs{Output{solver_trace_.are_given(), "--trace-solver", false, false},
+                             Output{traced_member_.has_value(), "--trace", false, false},
+                             Output{asked_number_.has_value(), "--why", true, false},
+                             Output{worked_displacement_.has_value(), "--virtual-work", true, false},
+                             Output{is_described_, "--describe", true, true}};
+    for (std::size_t i = 0; i < outputs.size(); ++i) {
+        const auto& [is_given, option, is_of_a_case, has_csv] = outputs[i];
+        for (std::size_t j = i + 1; j < outputs.size(); ++j)
+            refuse(is_given && outputs[j].is_given, option, outputs[j].option);
+        refuse(is_given && !is_of_a_case && case_ != "all", option, "--case");
+        refuse(is_given && is_of_a_case && case_ == "envelope", option, "--case envelope");
+        refuse(is_given && !has_csv && csv_folder_, option, "--csv");
+    }
 }
 
 std::string Solve::description(const Model& model, const Results& results, const Selection& selection,
@@ -207,6 +222,13 @@ std::string Solve::trace(const Model& model, const ui::Catalogue& tr) const
     return is_json_ ? femoop::trace_json(trace, model.units) : femoop::trace_text(trace, model.units, tr);
 }
 
+/// That of --case, else the first.
+CaseId Solve::followed_case(const Model& model, const ui::Catalogue& tr) const
+{
+    if (model.n_cases() == 0) throw UsageError(tr("The model has no load case."));
+    return case_ == "all" && !model.find_case("all") ? CaseId(0) : find_case(model, case_, tr);
+}
+
 std::string Solve::derivation(const Model& model, const Results& results, const ui::Catalogue& tr) const
 {
     AskedEffect asked;
@@ -217,10 +239,23 @@ std::string Solve::derivation(const Model& model, const Results& results, const 
         throw UsageError(tr("--why: member {member} is inextensible or rigid: a constraint stands where its stiffness "
                             "would, and is not written as steps yet; give it a stiffness to see them",
                             {{"member", model[*member].id}}));
-    if (model.n_cases() == 0) throw UsageError(tr("The model has no load case."));
-    const CaseId load_case = case_ == "all" && !model.find_case("all") ? CaseId(0) : find_case(model, case_, tr);
-    const auto derivation = femoop::derivation::derive(model, results, load_case, effect);
+    const auto derivation = femoop::derivation::derive(model, results, followed_case(model, tr), effect);
     return is_json_ ? derivation_json(derivation, model, tr) : derivation_text(derivation, model, tr);
+}
+
+std::string Solve::virtual_work(const Model& model, const Results& results, const ui::Catalogue& tr) const
+{
+    AskedEffect asked;
+    asked.take("--virtual-work", *worked_displacement_, tr);
+    asked.require_sensible(tr);
+    const femoop::MovingEffect displacement = asked.sound_effect(model, tr);
+    if (displacement.quantity != femoop::ExpectedQuantity::Displacement)
+        throw UsageError(
+            tr("--virtual-work finds displacements: u v w along a member, ux uy uz rx ry rz of a node; for "
+               "a force see --why"));
+    const auto work = femoop::virtual_work::displacement_by_work(model, results, followed_case(model, tr),
+                                                                 displacement);
+    return is_json_ ? virtual_work_json(work, model) : virtual_work_text(work, model, tr);
 }
 
 std::string Solve::output(const Model& model, const Results& results, const Selection& selection,
@@ -228,6 +263,7 @@ std::string Solve::output(const Model& model, const Results& results, const Sele
 {
     if (traced_member_) return trace(model, tr);
     if (asked_number_) return derivation(model, results, tr);
+    if (worked_displacement_) return virtual_work(model, results, tr);
     if (is_described_) return description(model, results, selection, tr);
     if (!is_json_) return tables(model, results, selection, tr);
     return selection.is_envelope ? femoop::envelope_json(model, results, selection.cases, selection.n_stations)
@@ -326,8 +362,13 @@ ExitStatus Solve::run(Console& console)
 
     if (is_timed_) phases.recover = seconds_to_recover(*model, results, selected);
     watch.lap();
-    if (solver_trace_.are_given()) solver_trace_.show(*model, options.solver.kind, is_json_, console);
-    else console.print(output(*model, results, selected, tr));
+    try {
+        if (solver_trace_.are_given()) solver_trace_.show(*model, options.solver.kind, is_json_, console);
+        else console.print(output(*model, results, selected, tr));
+    } catch (const femoop::MechanismError& error) {
+        console.message(tr("under the unit load of --virtual-work:"));
+        return report_unsolved(error, file, console);
+    }
     if (csv_folder_) write_csv(*model, results, selected, console);
     if (is_timed_) {
         console.flush();

@@ -64,15 +64,19 @@ std::string_view power_text(std::size_t power)
 
 } // namespace
 
+Expression expression(const Polynomial& p, double from, double to, double length)
+{
+    Expression of{from, to, shifted(p, from), p.n_terms() > most_terms};
+    drop_noise(of.coefficients, length);
+    return of;
+}
+
 std::vector<Expression> expressions(const Curve& curve, MemberComponent component)
 {
     const double length = curve.length();
     std::vector<Expression> all;
     for (const Curve::Piece& piece : curve.pieces()) {
-        const Polynomial p = curve.polynomial(component, piece);
-        Expression next{piece.load.begin, piece.load.end, {}, p.n_terms() > most_terms};
-        next.coefficients = shifted(p, piece.load.begin);
-        drop_noise(next.coefficients, length);
+        Expression next = expression(curve.polynomial(component, piece), piece.load.begin, piece.load.end, length);
         if (!all.empty() && go_on(all.back(), next, length)) all.back().to = next.to;
         else all.push_back(std::move(next));
     }

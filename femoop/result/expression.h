@@ -14,6 +14,9 @@ struct Expression {
     bool is_series = false;           ///< on an elastic foundation: a power series, cut where it no longer changes
 };
 
+/// p(x - from), from one place of a member of this length to another.
+Expression expression(const Polynomial& p, double from, double to, double length);
+
 /// The formulas of a component from load point to load point; neighbours that go on by the same formula are one.
 std::vector<Expression> expressions(const Curve& curve, MemberComponent component);
 

@@ -243,6 +243,36 @@ TEST_CASE("--trace gives a member's 12 E I / L^3 and its places in the system")
     CHECK(has(wrong.err, "--trace: there is no \"BA1\""));
 }
 
+TEST_CASE("--virtual-work gives the sag of a cantilever as the integral of M m / EI")
+{
+    const Run run = cremona({"solve", "-", "--virtual-work", "node=B,component=uy", "--json"}, cantilever());
+    REQUIRE(run.status == 0);
+    const json work = json::parse(run.out)["virtual_work"];
+    const double sag = P * L * L * L / (3.0 * EI);
+    CHECK(work["sum"].get<double>() == doctest::Approx(-sag));
+    CHECK(work["value"].get<double>() == doctest::Approx(-sag));
+    REQUIRE(work["members"].size() == 1);
+    CHECK(work["members"][0]["force"] == "M");
+    CHECK(work["members"][0]["unit"][0].get<double>() == doctest::Approx(L));
+    CHECK(work["members"][0]["work"].get<double>() == doctest::Approx(-sag));
+    const std::vector<std::string> combined{"solve",  "-", "--virtual-work", "node=B,component=uy",
+                                            "--case", "U", "--lang",         "pt"};
+    CHECK(has(cremona(combined, cantilever()).out, "em U: pelo trabalho virtual"));
+}
+
+TEST_CASE("--virtual-work asks for a displacement, and refuses what goes with something else")
+{
+    const Run force = cremona({"solve", "-", "--virtual-work", "node=A,component=fy"}, cantilever());
+    CHECK(force.status == 2);
+    CHECK(has(force.err, "--virtual-work finds displacements"));
+    const Run nowhere = cremona({"solve", "-", "--virtual-work", "node=C,component=uy"}, cantilever());
+    CHECK(nowhere.status == 2);
+    CHECK(has(nowhere.err, "--virtual-work node: there is no \"C\""));
+    const Run both = cremona({"solve", "-", "--virtual-work", "node=B,component=uy", "--describe"}, cantilever());
+    CHECK(both.status == 2);
+    CHECK(has(both.err, "--virtual-work and --describe print different things"));
+}
+
 TEST_CASE("--trace-solver tells the four orders with their costs, the chosen one, the fronts and the pattern of L")
 {
     const Run run = cremona({"solve", "examples/pratt_truss.json", "--trace-solver"});

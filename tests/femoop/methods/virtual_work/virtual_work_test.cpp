@@ -9,7 +9,7 @@
 
 #include "femoop/analysis/linear_static.h"
 #include "femoop/methods/influence/effect_name.h"
-#include "femoop/methods/unit_load_case.h"
+#include "femoop/methods/influence/influence_line.h"
 #include "femoop/result/components.h"
 #include "tests/femoop/analysis/random_structure.h"
 #include "tests/frame_maker.h"
@@ -56,28 +56,34 @@ double size_of(const Work& work)
     return size;
 }
 
-/// Nothing holds an idle rotation, which stays 0: no unit couple can stand there.
-bool is_idle(const Model& model, std::size_t node, Dof dof)
-{
-    Model unit = without_loads(model);
-    unit.load_cases.push_back(unit_load_case(model, of_node(node, dof), "unit"));
-    try {
-        static_cast<void>(analyse(unit));
-        return false;
-    } catch (const MechanismError&) {
-        return true;
-    }
-}
+/// One case of a structure whose displacements are all found by work as well.
+class Checked {
+public:
+    Checked(const Model& model, CaseId load_case)
+        : model_(model),
+          results_(analyse(model)),
+          load_case_(load_case),
+          rounding_(1e-13 * results_[load_case].magnitudes().displacement)
+    {}
 
-void check_is_the_displacement(const Model& model, const Results& results, const MovingEffect& displacement)
-{
-    for (std::size_t i = 0; i < model.n_cases(); ++i) {
-        const VirtualWork work = displacement_by_work(model, results, CaseId(i), displacement);
-        CAPTURE(influence::effect_name(model, displacement));
-        const double rounding = 1e-13 * results[CaseId(i)].magnitudes().displacement;
-        CHECK(std::abs(work.sum - work.value) <= 1e-9 * size_of(work.work) + rounding);
+    void check(const MovingEffect& displacement) const
+    {
+        CAPTURE(influence::effect_name(model_, displacement));
+        try {
+            const VirtualWork work = displacement_by_work(model_, results_, load_case_, displacement);
+            CHECK(std::abs(work.sum - work.value) <= 1e-9 * size_of(work.work) + rounding_);
+        } catch (const MechanismError&) { // nothing holds an idle rotation, which stays 0
+            CHECK(is_rotation(displacement.dof.value()));
+            CHECK(influence::effect_in(displacement, results_[load_case_]) == 0.0);
+        }
     }
-}
+
+private:
+    const Model& model_;
+    Results results_;
+    CaseId load_case_;
+    double rounding_;
+};
 
 } // namespace
 
@@ -174,19 +180,17 @@ TEST_SUITE("virtual work")
     TEST_CASE("In any structure the work is the displacement of the analysis")
     {
         for (const AnalysisKind kind : every_model)
-            for (unsigned seed = 1; seed <= 8; ++seed) {
+            for (unsigned seed = 1; seed <= 3; ++seed) {
                 Model model = random_structure(kind, seed);
                 model.combinations.push_back({.id = "ULS", .terms = {{CaseId(0), 1.35}, {CaseId(1), -1.5}}});
                 CAPTURE(name(kind));
                 CAPTURE(seed);
-                const Results results = analyse(model);
+                const Checked checked(model, CaseId(2));
                 for (std::size_t m = 0; m < model.members.size(); ++m)
                     for (const MemberComponent component : local_displacement_components(kind))
-                        for (const double at : {0.0, 37.0, 100.0})
-                            check_is_the_displacement(model, results, along(m, component, Percent{at}));
+                        for (const double at : {0.0, 37.0}) checked.check(along(m, component, Percent{at}));
                 for (std::size_t n = 0; n < model.nodes.size(); ++n)
-                    for (const Dof dof : dof_list(kind))
-                        if (!is_idle(model, n, dof)) check_is_the_displacement(model, results, of_node(n, dof));
+                    for (const Dof dof : dof_list(kind)) checked.check(of_node(n, dof));
             }
     }
 }
