@@ -9,6 +9,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <vector>
 
 namespace drawing {
 
@@ -39,6 +40,7 @@ struct DrawInput {
     /// for it. None when null.
     const MomentOverlay* overlay = nullptr;
     const InfluencePicture* influence = nullptr; ///< drawn where Show::Influence is; none when null
+    std::vector<std::string> reasons{};          ///< sentences at the foot: why there are no results
 };
 
 } // namespace drawing

@@ -542,6 +542,8 @@ void Subject::draw_left_out(ui::Painter& painter, std::size_t n_left_out) const
     painter.text(chosen.at, words, style_at(chosen));
 }
 
+bool Subject::has_no_results() const { return input_.motion || !input_.reasons.empty(); }
+
 bool Subject::has_curve() const { return input_.influence != nullptr && input_.influence->curve; }
 
 bool Subject::has_overlay_text() const
@@ -551,19 +553,35 @@ bool Subject::has_overlay_text() const
 
 ui::TextStyle Subject::foot_style() const
 {
-    return theme_.text(input_.motion ? ui::Role::Error : ui::Role::Label, ui::Anchor::BottomLeft);
+    return theme_.text(has_no_results() ? ui::Role::Error : ui::Role::Label, ui::Anchor::BottomLeft);
 }
 
 // What comes first is the number, or what it all says.
 ui::Weight Subject::weight_in_foot(bool is_first) const
 {
-    return is_first && !input_.motion ? ui::Weight::Bold : ui::Weight::Regular;
+    return is_first && !has_no_results() ? ui::Weight::Bold : ui::Weight::Regular;
 }
+
+namespace {
+
+// The picture keeps the larger part of the sheet.
+void cut_short(std::vector<std::string>& lines, double line_height, double sheet_height)
+{
+    constexpr double share = 0.4;
+    constexpr std::size_t least = 2;
+    const std::size_t most = std::max(least, static_cast<std::size_t>(share * sheet_height / line_height));
+    if (lines.size() <= most) return;
+    lines.resize(most);
+    lines.back() += " …";
+}
+
+} // namespace
 
 std::vector<std::string> Subject::foot_lines(ui::Size sheet, const ui::Fonts& fonts) const
 {
     std::vector<std::string> sentences, lines;
     if (input_.motion) sentences.push_back(input_.motion->sentence);
+    else if (!input_.reasons.empty()) sentences = input_.reasons;
     else if (input_.influence) sentences = input_.influence->sentences;
     else if (has_overlay_text()) sentences = input_.overlay->foot({input_.model, shape_, units_, options_.tr});
     for (const std::string& one : sentences) {
@@ -572,6 +590,7 @@ std::vector<std::string> Subject::foot_lines(ui::Size sheet, const ui::Fonts& fo
         const std::vector<std::string> wrapped_one = ui::wrapped_lines(fonts, one, style, sheet.width - 32.0);
         lines.insert(lines.end(), wrapped_one.begin(), wrapped_one.end());
     }
+    if (!input_.reasons.empty()) cut_short(lines, 1.4 * foot_style().size, sheet.height);
     return lines;
 }
 

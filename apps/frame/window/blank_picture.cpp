@@ -14,18 +14,6 @@ namespace frame {
 
 namespace {
 
-std::vector<std::string> reasons(const Session& session, const BlankCase& blank)
-{
-    constexpr std::size_t most = 4;
-    const ui::Catalogue& tr = session.view.tr;
-    std::vector<std::string> all{tr("Case {case} has no results.", {{"case", session.model().case_name(blank.id)}})};
-    for (const femoop::Fault& fault : std::span(blank.faults).first(std::min(blank.faults.size(), most)))
-        all.push_back("• " + sentence(fault, tr));
-    if (blank.faults.size() > most)
-        all.push_back(tr("… and {count} more", {{"count", std::to_string(blank.faults.size() - most)}}));
-    return all;
-}
-
 // At the foot of the sheet, each in as many lines as it needs.
 void draw_at_foot(ui::Painter& painter, const std::vector<std::string>& sentences, const ui::Theme& theme)
 {
@@ -54,11 +42,18 @@ bool moves(const femoop::Mechanism& mechanism, std::size_t member)
 
 } // namespace
 
-void draw_why_blank(ui::Painter& painter, const Session& session, const DrawOptions& options)
+std::vector<std::string> why_blank(const Session& session)
 {
+    constexpr std::size_t most = 4;
     const BlankCase* const blank = session.shown_blank();
-    if (blank == nullptr || !blank->mechanisms.empty() || session.hidden) return;
-    draw_at_foot(painter, reasons(session, *blank), ui::Theme(options.theme));
+    if (blank == nullptr || !blank->mechanisms.empty() || session.hidden) return {};
+    const ui::Catalogue& tr = session.view.tr;
+    std::vector<std::string> all{tr("Case {case} has no results.", {{"case", session.model().case_name(blank->id)}})};
+    for (const femoop::Fault& fault : std::span(blank->faults).first(std::min(blank->faults.size(), most)))
+        all.push_back("• " + sentence(fault, tr));
+    if (blank->faults.size() > most)
+        all.push_back(tr("… and {count} more", {{"count", std::to_string(blank->faults.size() - most)}}));
+    return all;
 }
 
 void draw_loose_part(ui::Painter& painter, const Session& session, const DrawOptions& options,

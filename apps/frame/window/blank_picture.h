@@ -5,11 +5,14 @@
 #include "apps/frame/session/session.h"
 #include "ui/paint/painter.h"
 
+#include <string>
+#include <vector>
+
 namespace frame {
 
-/// At the foot of the picture: why the case that is shown has no results. Nothing where it has, and where the picture
-/// shows how its loads move the structure.
-void draw_why_blank(ui::Painter& painter, const Session& session, const DrawOptions& options);
+/// Why the case that is shown has no results, as sentences. None where it has, and where the picture shows how its loads
+/// move the structure.
+std::vector<std::string> why_blank(const Session& session);
 
 /// Where a part of the structure stands and another can move: the members of that one, and why there are no results. It
 /// takes the place of the motion while members are drawn, and moves nothing under the hand.

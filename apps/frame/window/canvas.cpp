@@ -99,9 +99,12 @@ DrawInput input_of(const Workspace& workspace, const DrawOptions& options, const
                     .reference = session.reference.get(),
                     .dimensions = session.document().companion.dimensions,
                     .overlay = guess ? &*guess : nullptr};
-    if (const auto i = shown_mechanism(workspace))
+    if (const auto i = shown_mechanism(workspace)) {
         input.motion = motion_choice(session.shown_mechanisms(), *i, options.tr);
-    else input.results = session.shown_results();
+        return input;
+    }
+    input.results = session.shown_results();
+    input.reasons = why_blank(session);
     return input;
 }
 
@@ -446,7 +449,6 @@ Subject::Picture Canvas::draw(const Workspace& workspace, const DrawOptions& opt
     }
     const std::optional<GuessPicture> guess = guess_picture(session, options);
     Subject::Picture picture = Subject(input_of(workspace, options, guess), options, state).draw(painter);
-    draw_why_blank(painter, session, options);
     if (!shown_mechanism(workspace) && !picture.plan.panels.empty())
         draw_loose_part(painter, session, options, Projection(picture.plan.camera, picture.plan.panels.front().box.min),
                         shape_);

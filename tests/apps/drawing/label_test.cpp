@@ -9,6 +9,8 @@
 
 #include <algorithm>
 #include <chrono>
+#include <string>
+#include <vector>
 
 using namespace drawing;
 
@@ -62,6 +64,28 @@ TEST_CASE("The count of labels without room covers no label")
             marks.texts, [](const auto& text) { return text.words.starts_with("labels without room"); });
         REQUIRE(count != marks.texts.end());
         CHECK(std::ranges::count_if(marks.texts, [&](const auto& text) { return text.box.overlaps(count->box); }) == 1);
+    }
+}
+
+TEST_CASE("Why there are no results stands below the structure, and leaves it most of a low sheet")
+{
+    const ui::Fonts fonts;
+    const femoop::Model model = view_test::model("crowded_frame");
+    for (const double height : {190.0, 330.0, 742.0}) {
+        CAPTURE(height);
+        ui::Painter painter({576.0, height}, fonts);
+        draw(painter, {.model = model, .reasons = std::vector<std::string>(9, "reason")},
+             {.show = parse_show("labels"), .theme = ui::ThemeName::Projector, .layout = Layout::Overlay});
+        view_test::Marks marks(fonts);
+        painter.picture().draw_on(marks);
+        const auto is_reason = [](const auto& text) { return text.words.starts_with("reason"); };
+        const auto first = std::ranges::find_if(marks.texts, is_reason);
+        REQUIRE(first != marks.texts.end());
+        CHECK(first->box.min.y > 0.5 * height);
+        for (const auto& text : marks.texts) {
+            CAPTURE(text.words);
+            CHECK((is_reason(text) || text.box.max.y <= first->box.min.y));
+        }
     }
 }
 
