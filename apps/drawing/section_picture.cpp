@@ -187,14 +187,31 @@ struct Plates {
     double web_from = 0.0, web = 0.0;
 };
 
+Plates plates(const femoop::Profile& p, double k, const SectionOutline& figure)
+{
+    using femoop::ProfileFamily;
+    switch (p.family) {
+    case ProfileFamily::L:
+    case ProfileFamily::CHS:
+    case ProfileFamily::SHS:
+    case ProfileFamily::RHS: return {0.0, figure.left, k * p.tw};
+    case ProfileFamily::UPN: return {k * p.tf, figure.left, k * p.tw};
+    case ProfileFamily::IPE:
+    case ProfileFamily::HEA:
+    case ProfileFamily::HEB:
+    case ProfileFamily::HEM:
+    case ProfileFamily::W:
+    case ProfileFamily::WMetric:
+    case ProfileFamily::HPMetric: break;
+    }
+    return {k * p.tf, -0.5 * k * p.tw, k * p.tw};
+}
+
 std::optional<Plates> plates(const femoop::Section& section, const SectionOutline& figure, const femoop::Units& file)
 {
     using femoop::SectionShapeKind;
-    if (const femoop::Profile* p = section.profile ? femoop::find_profile(*section.profile) : nullptr) {
-        const double k = metres(p->unit) / metres(file.length);
-        const bool is_channel = p->family == femoop::ProfileFamily::UPN;
-        return Plates{k * p->tf, is_channel ? figure.left : -0.5 * k * p->tw, k * p->tw};
-    }
+    if (const femoop::Profile* p = section.profile ? femoop::find_profile(*section.profile) : nullptr)
+        return plates(*p, metres(p->unit) / metres(file.length), figure);
     if (!section.shape) return std::nullopt;
     const femoop::SectionShape& shape = *section.shape;
     switch (shape.kind) {

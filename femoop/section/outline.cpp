@@ -158,6 +158,37 @@ Sides tee(const Flanged& f)
 
 Sides angle(double h, double b, double t) { return polygon({{0, 0}, {b, 0}, {b, t}, {t, t}, {t, h}, {0, h}}); }
 
+Sides rolled_angle(const Flanged& f)
+{
+    const double toe = 0.5 * f.r, t = f.tw, r = f.r;
+    return Walk({0, 0})
+        .to({f.bf, 0})
+        .to({f.bf, t - toe})
+        .around({f.bf - toe, t - toe}, {f.bf - toe, t})
+        .to({t + r, t})
+        .around({t + r, t + r}, {t, t + r})
+        .to({t, f.h - toe})
+        .around({t - toe, f.h - toe}, {t - toe, f.h})
+        .to({0, f.h})
+        .closed();
+}
+
+/// With rounded corners, `inset` from a box of b and h.
+Sides rounded_rectangle(double b, double h, double r, double inset = 0.0)
+{
+    const double left = inset, right = b - inset, low = inset, high = h - inset;
+    return Walk({left + r, low})
+        .to({right - r, low})
+        .around({right - r, low + r}, {right, low + r})
+        .to({right, high - r})
+        .around({right - r, high - r}, {right - r, high})
+        .to({left + r, high})
+        .around({left + r, high - r}, {left, high - r})
+        .to({left, low + r})
+        .around({left + r, low + r}, {left + r, low})
+        .closed();
+}
+
 Sides rectangle(double b, double h, double inset = 0.0)
 {
     return polygon({{inset, inset}, {b - inset, inset}, {b - inset, h - inset}, {inset, h - inset}});
@@ -219,13 +250,37 @@ SectionOutline about_centroid(Sides outer, Sides hole = {})
     return {std::move(all), points, points_of(hole), top.y, bottom.y, left.z, right.z};
 }
 
+SectionOutline of_upn(const Flanged& f, double h_cm)
+{
+    const bool is_small = h_cm < 30.5; // up to UPN 300
+    return about_centroid(is_small ? rolled_c(f, 0.08, 0.5 * f.bf) : rolled_c(f, 0.05, 0.5 * (f.bf + f.tw)));
+}
+
+SectionOutline of_tube(double d, double t)
+{
+    return about_centroid(circle(0.5 * d, 0.5 * d), reversed(circle(0.5 * d, 0.5 * d - t)));
+}
+
 SectionOutline of_profile(const Profile& p, const Units& units)
 {
     const double k = metres(p.unit) / metres(units.length);
     const Flanged f{k * p.h, k * p.bf, k * p.tf, k * p.tw, k * p.r};
-    if (p.family != ProfileFamily::UPN) return about_centroid(rolled_i(f));
-    const bool is_small = p.h < 30.5; // up to UPN 300: the table counts in cm
-    return about_centroid(is_small ? rolled_c(f, 0.08, 0.5 * f.bf) : rolled_c(f, 0.05, 0.5 * (f.bf + f.tw)));
+    switch (p.family) {
+    case ProfileFamily::UPN: return of_upn(f, p.h);
+    case ProfileFamily::L: return about_centroid(rolled_angle(f));
+    case ProfileFamily::CHS: return of_tube(f.h, f.tw);
+    case ProfileFamily::SHS:
+    case ProfileFamily::RHS:
+        return about_centroid(rounded_rectangle(f.bf, f.h, f.r), reversed(rounded_rectangle(f.bf, f.h, f.tw, f.tw)));
+    case ProfileFamily::IPE:
+    case ProfileFamily::HEA:
+    case ProfileFamily::HEB:
+    case ProfileFamily::HEM:
+    case ProfileFamily::W:
+    case ProfileFamily::WMetric:
+    case ProfileFamily::HPMetric: break;
+    }
+    return about_centroid(rolled_i(f));
 }
 
 } // namespace
@@ -237,9 +292,7 @@ SectionOutline outline(const SectionShape& shape)
     switch (shape.kind) {
     case SectionShapeKind::Rectangle: return about_centroid(rectangle(*shape.b, *shape.h));
     case SectionShapeKind::Circle: return about_centroid(circle(*shape.d / 2.0, *shape.d / 2.0));
-    case SectionShapeKind::Tube:
-        return about_centroid(circle(*shape.d / 2.0, *shape.d / 2.0),
-                              reversed(circle(*shape.d / 2.0, *shape.d / 2.0 - *shape.t)));
+    case SectionShapeKind::Tube: return of_tube(*shape.d, *shape.t);
     case SectionShapeKind::Box:
         return about_centroid(rectangle(*shape.b, *shape.h), reversed(rectangle(*shape.b, *shape.h, *shape.t)));
     case SectionShapeKind::I: return about_centroid(rolled_i(flanged()));

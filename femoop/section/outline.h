@@ -31,7 +31,8 @@ struct OutlineSide {
 ///           o---> z'            sides and `outer` run counter-clockwise as seen, a hole clockwise
 ///
 /// For pictures circles are polygons of 72 sides and root radii of rolled profiles arcs of six. The flanges of UPN
-/// taper as their standard says: 8 % up to UPN 300, 5 % beyond, with root radius r and toe radius r/2.
+/// taper as their standard says: 8 % up to UPN 300, 5 % beyond, with root radius r and toe radius r/2; L has those radii
+/// too, and the corners of SHS and RHS are rounded by 1.5 t outside and t inside.
 struct SectionOutline {
     std::vector<OutlineSide> sides; ///< the figure as it is, of a hole too
     std::vector<OutlinePoint> outer;

@@ -4,6 +4,10 @@
 #include <array>
 #include <cstddef>
 #include <iterator>
+#include <numbers>
+#include <string>
+
+#include "femoop/section/area_sums.h"
 
 namespace femoop {
 
@@ -30,8 +34,45 @@ constexpr AmericanRow american_rows[] = {
 #include "femoop/section/aisc_w.inc"
 };
 
+constexpr EuropeanRow w_metric_rows[] = {
+#include "femoop/section/w_metric.inc"
+};
+constexpr EuropeanRow hp_metric_rows[] = {
+#include "femoop/section/hp_metric.inc"
+};
+
+struct AngleRow {
+    std::string_view name;
+    double mass, h, b, t, r;
+};
+constexpr AngleRow angle_rows[] = {
+#include "femoop/section/angle.inc"
+};
+
+struct HollowRow {
+    std::string_view name;
+    double h, b, t;
+};
+constexpr HollowRow chs_rows[] = {
+#include "femoop/section/chs.inc"
+};
+constexpr HollowRow shs_rows[] = {
+#include "femoop/section/shs.inc"
+};
+constexpr HollowRow rhs_rows[] = {
+#include "femoop/section/rhs.inc"
+};
+
+constexpr double mm = 10.0;     // in a cm
+constexpr double steel = 0.785; // kg/m of a cm^2
+constexpr double pi = std::numbers::pi;
+constexpr double square(double x) { return x * x; }
+constexpr double cube(double x) { return x * x * x; }
+
 constexpr ProfileFamily family_of(std::string_view name)
 {
+    if (name.starts_with("W")) return ProfileFamily::WMetric;
+    if (name.starts_with("HP")) return ProfileFamily::HPMetric;
     if (name.starts_with("IPE")) return ProfileFamily::IPE;
     if (name.starts_with("HEA")) return ProfileFamily::HEA;
     if (name.starts_with("HEB")) return ProfileFamily::HEB;
@@ -40,7 +81,6 @@ constexpr ProfileFamily family_of(std::string_view name)
 
 constexpr Profile profile(const EuropeanRow& row)
 {
-    constexpr double mm = 10.0; // in a cm
     return {.name = row.name,
             .family = family_of(row.name),
             .unit = LengthUnit::cm,
@@ -58,6 +98,7 @@ constexpr Profile profile(const EuropeanRow& row)
             .Zy = row.Wpl_z,
             .J = row.It,
             .zc = row.es > 0.0 ? row.es : row.b / (2.0 * mm),
+            .yc = row.h / (2.0 * mm),
             .mass = row.mass};
 }
 
@@ -81,70 +122,197 @@ constexpr Profile profile(const AmericanRow& row)
             .Zy = row.Zy,
             .J = row.J,
             .zc = row.bf / 2.0,
+            .yc = row.d / 2.0,
             .mass = row.weight * kg_per_m};
 }
 
+constexpr double torsion_of_angle(double h, double b, double t, double r)
+{
+    const double D = 2.0 * (3.0 * r + 2.0 * t - std::numbers::sqrt2 * (2.0 * r + t)), alpha = 0.0768 + 0.0479 * r / t;
+    return (h + b - t) * cube(t) / 3.0 - 0.21 * square(square(t)) + alpha * square(square(D));
+}
+
+constexpr Profile profile(const AngleRow& row)
+{
+    const double h = row.h / mm, b = row.b / mm, t = row.t / mm, r = row.r / mm;
+    AreaSums sums;
+    sums.add_rectangle({0.0, h}, {0.0, t});
+    sums.add_rectangle({0.0, t}, {t, b});
+    sums.add_rounded_corner({t, t, 1.0, 1.0}, r);
+    sums.add_rounded_corner({h, t, -1.0, -1.0}, 0.5 * r, -1.0);
+    sums.add_rounded_corner({t, b, -1.0, -1.0}, 0.5 * r, -1.0);
+    const double yc = sums.centroid_y(), zc = sums.centroid_z();
+    return {.name = row.name,
+            .family = ProfileFamily::L,
+            .unit = LengthUnit::cm,
+            .h = h,
+            .bf = b,
+            .tf = t,
+            .tw = t,
+            .r = r,
+            .A = sums.A,
+            .Iz = sums.Iz(),
+            .Wz = sums.Iz() / (h - yc),
+            .Iy = sums.Iy(),
+            .Wy = sums.Iy() / (b - zc),
+            .J = torsion_of_angle(h, b, t, r),
+            .zc = zc,
+            .yc = yc,
+            .Iyz = sums.Iyz(),
+            .mass = row.mass};
+}
+
+constexpr Profile ring(const HollowRow& row)
+{
+    const double d = row.h / mm, t = row.t / mm, di = d - 2.0 * t;
+    const double A = pi * t * (d - t), I = A / 16.0 * (square(d) + square(di)), W = 2.0 * I / d;
+    const double Z = (cube(d) - cube(di)) / 6.0;
+    return {.name = row.name,
+            .family = ProfileFamily::CHS,
+            .unit = LengthUnit::cm,
+            .h = d,
+            .bf = d,
+            .tf = t,
+            .tw = t,
+            .A = A,
+            .Iz = I,
+            .Wz = W,
+            .Zz = Z,
+            .Iy = I,
+            .Wy = W,
+            .Zy = Z,
+            .J = 2.0 * I,
+            .zc = 0.5 * d,
+            .yc = 0.5 * d,
+            .mass = steel * A};
+}
+
+/// The quarter of a rectangle with one rounded corner, from the rectangle's centre.
+constexpr void add_quarter(AreaSums& sums, double h, double b, double r, double times)
+{
+    sums.add_rectangle({0.0, 0.5 * h}, {0.0, 0.5 * b}, times);
+    sums.add_rounded_corner({0.5 * h, 0.5 * b, -1.0, -1.0}, r, -times);
+}
+
+constexpr double torsion_of_hollow(double h, double b, double t)
+{
+    const double rc = 1.25 * t; // of the mid-line's corners
+    const double wall = 2.0 * (h + b - 2.0 * t) - 2.0 * rc * (4.0 - pi),
+                 Am = (h - t) * (b - t) - square(rc) * (4.0 - pi);
+    return cube(t) * wall / 3.0 + 4.0 * square(Am) * t / wall;
+}
+
+constexpr Profile hollow(const HollowRow& row, ProfileFamily family)
+{
+    const double h = row.h / mm, b = row.b / mm, t = row.t / mm;
+    AreaSums quarter;
+    add_quarter(quarter, h, b, 1.5 * t, 1.0);
+    add_quarter(quarter, h - 2.0 * t, b - 2.0 * t, t, -1.0);
+    const double Iz = 4.0 * quarter.yy, Iy = 4.0 * quarter.zz;
+    return {.name = row.name,
+            .family = family,
+            .unit = LengthUnit::cm,
+            .h = h,
+            .bf = b,
+            .tf = t,
+            .tw = t,
+            .r = 1.5 * t,
+            .A = 4.0 * quarter.A,
+            .Iz = Iz,
+            .Wz = 2.0 * Iz / h,
+            .Zz = 4.0 * quarter.y,
+            .Iy = Iy,
+            .Wy = 2.0 * Iy / b,
+            .Zy = 4.0 * quarter.z,
+            .J = torsion_of_hollow(h, b, t),
+            .zc = 0.5 * b,
+            .yc = 0.5 * h,
+            .mass = steel * 4.0 * quarter.A};
+}
+
+constexpr std::size_t n_profiles = std::size(european_rows) + std::size(upn_rows) + std::size(american_rows) +
+                                   std::size(w_metric_rows) + std::size(hp_metric_rows) + std::size(angle_rows) +
+                                   std::size(chs_rows) + std::size(shs_rows) + std::size(rhs_rows);
+
 constexpr auto all_profiles = [] {
-    std::array<Profile, std::size(european_rows) + std::size(upn_rows) + std::size(american_rows)> all;
+    std::array<Profile, n_profiles> all;
     auto* next = all.data();
     for (const EuropeanRow& row : european_rows) *next++ = profile(row);
     for (const EuropeanRow& row : upn_rows) *next++ = profile(row);
     for (const AmericanRow& row : american_rows) *next++ = profile(row);
+    for (const EuropeanRow& row : w_metric_rows) *next++ = profile(row);
+    for (const EuropeanRow& row : hp_metric_rows) *next++ = profile(row);
+    for (const AngleRow& row : angle_rows) *next++ = profile(row);
+    for (const HollowRow& row : chs_rows) *next++ = ring(row);
+    for (const HollowRow& row : shs_rows) *next++ = hollow(row, ProfileFamily::SHS);
+    for (const HollowRow& row : rhs_rows) *next++ = hollow(row, ProfileFamily::RHS);
     return all;
 }();
 
-constexpr std::array families{ProfileFamily::IPE, ProfileFamily::HEA, ProfileFamily::HEB,
-                              ProfileFamily::HEM, ProfileFamily::UPN, ProfileFamily::W};
-constexpr std::array<std::string_view, families.size()> family_names{"IPE", "HEA", "HEB", "HEM", "UPN", "W"};
+constexpr std::array families{ProfileFamily::IPE, ProfileFamily::HEA, ProfileFamily::HEB,     ProfileFamily::HEM,
+                              ProfileFamily::UPN, ProfileFamily::W,   ProfileFamily::WMetric, ProfileFamily::HPMetric,
+                              ProfileFamily::L,   ProfileFamily::CHS, ProfileFamily::SHS,     ProfileFamily::RHS};
+constexpr std::array<std::string_view, families.size()> family_names{"IPE",  "HEA", "HEB", "HEM", "UPN", "W",
+                                                                     "W BR", "HP",  "L",   "CHS", "SHS", "RHS"};
 
 constexpr bool is_digit(char c) { return c >= '0' && c <= '9'; }
 constexpr char upper(char c) { return c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c; }
 
-/// A name as the tables write it, on the stack.
-class Key {
-public:
-    explicit Key(std::string_view name)
-    {
-        constexpr std::string_view times = "\u00d7";
-        for (std::size_t i = 0; i < name.size(); ++i) {
-            if (name.substr(i).starts_with(times)) {
-                add('X');
-                i += times.size() - 1;
-            } else if (name[i] != ' ' && name[i] != '\t') {
-                add(upper(name[i]));
-            }
+/// Without blanks and what stands in brackets, in capitals, with a decimal point.
+std::string letters(std::string_view name)
+{
+    constexpr std::string_view times = "\u00d7";
+    std::string text;
+    for (std::size_t i = 0; i < name.size() && name[i] != '('; ++i) {
+        if (name.substr(i).starts_with(times)) {
+            text += 'X';
+            i += times.size() - 1;
+        } else if (name[i] != ' ' && name[i] != '\t') {
+            text += name[i] == ',' ? '.' : upper(name[i]);
         }
-        move_series_letter();
     }
+    return text;
+}
 
-    /// Empty when the name is longer than any in the tables.
-    std::string_view text() const { return size_ > text_.size() ? std::string_view() : view(); }
+/// "W150X13.0" becomes "W150X13".
+void drop_zero_decimals(std::string& text)
+{
+    for (std::size_t at = text.find(".0"); at != std::string::npos; at = text.find(".0", at + 1))
+        if (at + 2 == text.size() || text[at + 2] == 'X') text.erase(at, 2);
+}
 
-private:
-    std::string_view view() const { return {text_.data(), std::min(size_, text_.size())}; }
-    void add(char c)
-    {
-        if (size_ < text_.size()) text_[size_] = c;
-        ++size_;
-    }
-    /// "HE300A" becomes "HEA300".
-    void move_series_letter()
-    {
-        if (view().starts_with("HE") && size_ > 3 && size_ <= text_.size() && is_digit(text_[2]))
-            std::rotate(text_.begin() + 2, text_.begin() + static_cast<std::ptrdiff_t>(size_) - 1,
-                        text_.begin() + static_cast<std::ptrdiff_t>(size_));
-    }
+/// "HE300A" becomes "HEA300".
+void move_series_letter(std::string& text)
+{
+    if (text.starts_with("HE") && text.size() > 3 && is_digit(text[2]))
+        std::rotate(text.begin() + 2, text.end() - 1, text.end());
+}
 
-    std::array<char, 16> text_{};
-    std::size_t size_ = 0;
-};
+/// "L100X10" becomes "L100X100X10".
+void repeat_only_width(std::string& text)
+{
+    const bool has_equal_widths = text.starts_with("SHS") || (text.starts_with("L") && text.size() > 1);
+    if (!has_equal_widths || std::ranges::count(text, 'X') != 1) return;
+    const std::size_t begin = text.find_first_of("0123456789"), times = text.find('X');
+    if (begin < times) text.insert(times, 'X' + text.substr(begin, times - begin));
+}
+
+/// A name as the tables write it.
+std::string key(std::string_view name)
+{
+    std::string text = letters(name);
+    drop_zero_decimals(text);
+    move_series_letter(text);
+    repeat_only_width(text);
+    return text;
+}
 
 } // namespace
 
 const Profile* find_profile(std::string_view name)
 {
-    const Key key(name);
-    const auto found = std::ranges::find(all_profiles, key.text(), &Profile::name);
+    const std::string wanted = key(name);
+    const auto found = std::ranges::find(all_profiles, std::string_view(wanted), &Profile::name);
     return found == all_profiles.end() ? nullptr : &*found;
 }
 
@@ -163,7 +331,21 @@ std::string_view name(ProfileFamily family) { return family_names[static_cast<st
 
 std::string_view standard(ProfileFamily family)
 {
-    return family == ProfileFamily::W ? "AISC Shapes Database v16.0" : "EN 10365:2017";
+    switch (family) {
+    case ProfileFamily::W: return "AISC Shapes Database v16.0";
+    case ProfileFamily::WMetric:
+    case ProfileFamily::HPMetric: return "ABNT NBR 15980:2020";
+    case ProfileFamily::L: return "EN 10056-1:2017";
+    case ProfileFamily::CHS:
+    case ProfileFamily::SHS:
+    case ProfileFamily::RHS: return "EN 10210-2:2019";
+    case ProfileFamily::IPE:
+    case ProfileFamily::HEA:
+    case ProfileFamily::HEB:
+    case ProfileFamily::HEM:
+    case ProfileFamily::UPN: break;
+    }
+    return "EN 10365:2017";
 }
 
 } // namespace femoop

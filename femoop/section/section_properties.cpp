@@ -163,21 +163,34 @@ SectionProperties scaled(SectionProperties s, double k)
     return s;
 }
 
+/// As of the shape that the profile is like: i, c, l, tube or box.
+SectionProperties with_shear_areas(const SectionProperties& s, const Profile& p)
+{
+    const Flanged f{p.h, p.bf, p.tf, p.tw};
+    switch (p.family) {
+    case ProfileFamily::L: return with_shear_areas(s, 5.0 / 6.0 * p.h * p.tw, 5.0 / 6.0 * p.bf * p.tf);
+    case ProfileFamily::CHS: return with_shear_areas(s, 0.5 * p.A, 0.5 * p.A);
+    case ProfileFamily::SHS:
+    case ProfileFamily::RHS: return with_shear_areas(s, 2.0 * p.h * p.tw, 2.0 * p.bf * p.tf);
+    case ProfileFamily::IPE:
+    case ProfileFamily::HEA:
+    case ProfileFamily::HEB:
+    case ProfileFamily::HEM:
+    case ProfileFamily::UPN:
+    case ProfileFamily::W:
+    case ProfileFamily::WMetric:
+    case ProfileFamily::HPMetric: break;
+    }
+    return with_shear_areas(s, web_area(f), 2.0 * flange_area(f));
+}
+
 SectionProperties of_profile(const std::string& text, const Units& units)
 {
     const Profile* profile = find_profile(text);
     if (profile == nullptr) throw std::invalid_argument("no profile \"" + text + "\"");
     const Profile& p = *profile;
-    const SectionProperties s{.A = p.A,
-                              .Iy = p.Iy,
-                              .Iz = p.Iz,
-                              .J = p.J,
-                              .Asy = web_area({p.h, p.bf, p.tf, p.tw}),
-                              .Asz = 2.0 * flange_area({p.h, p.bf, p.tf, p.tw}),
-                              .h = p.h,
-                              .yc = p.h / 2.0,
-                              .Wy = p.Wy,
-                              .Wz = p.Wz};
+    const SectionProperties s = with_shear_areas(
+        {.A = p.A, .Iy = p.Iy, .Iz = p.Iz, .J = p.J, .Iyz = p.Iyz, .h = p.h, .yc = p.yc, .Wy = p.Wy, .Wz = p.Wz}, p);
     return p.unit == units.length ? s : scaled(s, metres(p.unit) / metres(units.length));
 }
 

@@ -19,7 +19,7 @@ struct SectionProperties {
     double Iy = 0.0;             ///< integral of z'^2
     double Iz = 0.0;             ///< integral of y'^2
     double J = 0.0;              ///< Saint-Venant's torsion constant
-    double Iyz = 0.0;            ///< integral of y' z'; only `l` has one, and the analysis leaves it out
+    double Iyz = 0.0;            ///< integral of y' z'; only `l` and L have one, and the analysis leaves it out
     std::optional<double> Asy{}; ///< shear area for Vy; absent: no shear strain in the x'y' plane
     std::optional<double> Asz{}; ///< shear area for Vz; absent: no shear strain in the x'z' plane
     std::optional<double> h{};   ///< depth along y'

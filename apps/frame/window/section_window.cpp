@@ -256,15 +256,16 @@ void SectionWindow::show_shapes(Workspace& workspace, ui::ImGuiSession& gui)
 void SectionWindow::show_families(Workspace& workspace)
 {
     const float gap = 0.2F * ImGui::GetFontSize();
-    const auto families = femoop::profile_families();
-    const auto n = static_cast<float>(families.size());
-    const float width = (ImGui::GetContentRegionAvail().x - (n - 1.0F) * gap) / n;
-    for (const femoop::ProfileFamily family : families) {
-        if (family != families.front()) ImGui::SameLine(0.0F, gap);
+    constexpr int n_in_row = 6;
+    const float width = (ImGui::GetContentRegionAvail().x - (n_in_row - 1) * gap) / n_in_row;
+    int place = 0;
+    for (const femoop::ProfileFamily family : femoop::profile_families()) {
+        if (place++ % n_in_row != 0) ImGui::SameLine(0.0F, gap);
         const bool is_chosen = lists_profiles(workspace.section) && family_ == family;
         if (is_chosen) ImGui::PushStyleColor(ImGuiCol_Button, ImGui::GetColorU32(ImGuiCol_ButtonActive));
         const bool is_clicked = ImGui::Button(std::string(name(family)).c_str(), {width, 0.0F});
         if (is_chosen) ImGui::PopStyleColor();
+        if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", std::string(standard(family)).c_str());
         if (!is_clicked) continue;
         family_ = is_chosen ? std::nullopt : std::optional(family);
         filter_.clear();

@@ -56,11 +56,20 @@ Message shape_sentence(const femoop::ShapeFault& fault)
             {key, {"limit", std::string(fault.limit_key)}, {"value", ui::number_text(fault.limit) + " mm"}}};
 }
 
+Message angle_sentence()
+{
+    return translatable("a single angle bends out of its plane; choose a section that is symmetric about y′ or z′");
+}
+
+std::variant<femoop::mohr::SectionFigure, Message> figure_of(const femoop::Profile& profile)
+{
+    if (profile.family == femoop::ProfileFamily::L) return angle_sentence();
+    return femoop::mohr::SectionFigure(profile, newtons_and_mm);
+}
+
 std::variant<femoop::mohr::SectionFigure, Message> figure_of(const SectionShape& shape)
 {
-    if (shape.kind == femoop::SectionShapeKind::L)
-        return Message(
-            translatable("a single angle bends out of its plane; choose a section that is symmetric about y′ or z′"));
+    if (shape.kind == femoop::SectionShapeKind::L) return angle_sentence();
     if (const auto fault = femoop::why_not(shape))
         return Message(translatable("the shape cannot be: {reason}"), {{"reason", shape_sentence(*fault)}});
     return femoop::mohr::SectionFigure(shape);
@@ -70,8 +79,7 @@ std::variant<femoop::mohr::SectionFigure, Message> figure_of(const SectionShape&
 
 std::variant<femoop::mohr::SectionFigure, Message> section_figure(std::string_view text)
 {
-    if (const femoop::Profile* const profile = femoop::find_profile(text))
-        return femoop::mohr::SectionFigure(*profile, newtons_and_mm);
+    if (const femoop::Profile* const profile = femoop::find_profile(text)) return figure_of(*profile);
     std::istringstream words{std::string(text)};
     std::string kind;
     words >> kind;

@@ -54,7 +54,11 @@ void Checker::check_shape(const SectionShape& shape, const Entry& place)
 
 void Checker::check_profile(const std::string& profile, const Entry& place)
 {
-    if (find_profile(profile) != nullptr) return;
+    if (const Profile* const found = find_profile(profile)) {
+        const bool is_unsymmetric = found->family == ProfileFamily::L;
+        if (is_unsymmetric && !is_truss(model_.analysis)) add(FaultKind::IyzLeftOut, place, {"l"});
+        return;
+    }
     std::string typed; // as the tables write names: without blanks
     std::copy_if(profile.begin(), profile.end(), std::back_inserter(typed), [](char c) { return c != ' '; });
     std::vector<std::string_view> names;

@@ -144,6 +144,7 @@ TEST_CASE("A fibre of a section has the stresses of Navier and Jourawski and oth
           "a forma não pode ser: falta h");
     CHECK(refusal("rectangle b=100kN h=3") == "\"b=100kN\" is no dimension; write it like h=210mm");
     CHECK(refusal("l h=100 b=80 t=9").find("a single angle bends out of its plane") == 0);
+    CHECK(refusal("L 100x10").find("a single angle bends out of its plane") == 0);
     CHECK(reason(with_number(d, state(3), "101 mm")) ==
           "the fibre lies outside the section, which goes from −100 to 100 mm");
     CHECK(reason(with_number(d, state(0), "3 MPa")).find("measures stress") != std::string::npos);

@@ -703,5 +703,8 @@ std::vector<BadFile> files_with_warnings()
         {with_section(R"([{"id": "s", "shape": "l", "h": "100 mm", "b": "75 mm", "t": "10 mm"}])"),
          "sections[0] \"s\": shape l bends about y' and z' through its centroid: Iyz and the shear "
          "centre's distance are left out; expect this where the member is held against bending sideways and twisting"},
+        {with_section(R"([{"id": "s", "profile": "L 100x75x10"}])"),
+         "sections[0] \"s\": shape l bends about y' and z' through its centroid: Iyz and the shear "
+         "centre's distance are left out; expect this where the member is held against bending sideways and twisting"},
     };
 }
