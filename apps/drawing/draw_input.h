@@ -27,6 +27,11 @@ struct MotionChoice {
 struct ReferenceResults {
     femoop::Model model;
     femoop::Results results;
+    std::optional<femoop::CaseId> load_case{}; ///< that every case is compared with; absent: each with its namesake
+    std::string name{};                        ///< of what is compared with: a load case, a file
+
+    /// The case that one of the present model is compared with; nothing where there is none.
+    std::optional<femoop::CaseId> counterpart(const femoop::Model& present, femoop::CaseId shown) const;
 };
 
 /// What a picture is of. All of it outlives whatever draws it.

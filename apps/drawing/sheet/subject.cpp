@@ -111,8 +111,9 @@ private:
     void draw_former(const std::vector<Diagram>& present)
     {
         if (input_.reference == nullptr) return;
-        const auto& [model, results] = *input_.reference;
-        const auto solved = solved_case(results, scene_.options.load_case);
+        const femoop::Model& model = input_.reference->model;
+        const auto counterpart = input_.reference->counterpart(scene_.model, scene_.options.load_case);
+        const auto solved = counterpart ? solved_case(input_.reference->results, *counterpart) : std::nullopt;
         if (!solved || model.analysis != scene_.model.analysis) return;
         const StructureShape shape = shape_of(model);
         const Scene former{model,        shape,         scene_.projection, scene_.options, scene_.state,

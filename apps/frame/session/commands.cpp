@@ -99,7 +99,47 @@ void keep_reference(Workspace& workspace, bool is_kept)
     session.reference.reset();
     if (is_kept)
         session.reference = std::make_shared<const ReferenceResults>(
-            ReferenceResults{session.model(), *session.solution().results});
+            ReferenceResults{.model = session.model(), .results = *session.solution().results});
+}
+
+// Keeps the case that is shown to compare the others with it.
+void keep_case(Workspace& workspace, bool is_kept)
+{
+    keep_reference(workspace, false);
+    if (!is_kept) return;
+    Session& session = workspace.session;
+    session.reference = std::make_shared<const ReferenceResults>(
+        ReferenceResults{.model = session.model(),
+                         .results = *session.solution().results,
+                         .load_case = session.view.load_case,
+                         .name = session.model().case_name(session.view.load_case)});
+}
+
+std::optional<std::size_t> neighbour_tab(const Workspace& workspace)
+{
+    if (n_tabs(workspace) < 2) return std::nullopt;
+    return workspace.tab > 0 ? workspace.tab - 1 : workspace.tab + 1;
+}
+
+Reason why_not_compare_tab(const Workspace& workspace)
+{
+    const auto place = neighbour_tab(workspace);
+    if (!place) return translatable("no other document is open; open it in a tab first");
+    if (!tab(workspace, *place).solution().results) return translatable("the document in the other tab has no results");
+    const femoop::Model &other = tab(workspace, *place).model(), &present = workspace.session.model();
+    if (other.analysis != present.analysis)
+        return translatable("the document in the other tab is of another kind of structure");
+    if (other.units == present.units) return std::nullopt;
+    return translatable("the document in the other tab counts in other units; convert one of the files first");
+}
+
+void compare_tab(Workspace& workspace)
+{
+    const std::size_t place = *neighbour_tab(workspace);
+    const Session& other = tab(workspace, place);
+    workspace.session.reference = std::make_shared<const ReferenceResults>(ReferenceResults{
+        .model = other.model(), .results = *other.solution().results, .name = tab_name(workspace, place)});
+    workspace.topic = Topic::Results;
 }
 
 Reason why_not_compare(const Workspace& workspace)
@@ -139,6 +179,14 @@ void add_camera_commands(CommandTable& table)
         {"view.compare", translatable("Compare with the present results"), {{Key::G, {}}}},
         [](const Workspace& workspace) { return workspace.session.reference != nullptr; }, keep_reference,
         why_not_compare);
+    menu.toggle(
+        {"view.compare_case", translatable("Compare other cases with this one")},
+        [](const Workspace& workspace) {
+            return workspace.session.reference != nullptr && workspace.session.reference->load_case.has_value();
+        },
+        keep_case, why_not_compare);
+    menu.step({"view.compare_tab", translatable("Compare with the document in the tab beside")}, compare_tab,
+              why_not_compare_tab);
     ui::standard::add_projector(table);
     ui::standard::add_offer(table);
     menu.toggle(

@@ -18,6 +18,7 @@
 #include "apps/frame/window/no_results.h"
 #include "apps/frame/window/result_list.h"
 #include "femoop/result/components.h"
+#include "femoop/result/difference.h"
 #include "femoop/result/results.h"
 #include "ui/widgets/item_label.h"
 #include "ui/widgets/wrapped_text.h"
@@ -136,6 +137,49 @@ void show_equilibrium(const ShownCase& shown)
                         {{"residual", ui::number_text(equilibrium.residual, two_digits)}}));
 }
 
+/// "M", "Fy", "uy".
+std::string component_name(const Difference& one, AnalysisKind analysis)
+{
+    if (const auto* const component = std::get_if<MemberComponent>(&one.component))
+        return std::string(name(*component, analysis));
+    const Dof dof = std::get<Dof>(one.component);
+    return std::string(one.quantity == ComparedQuantity::Reaction ? force_name(dof) : name(dof));
+}
+
+Measure measure_of_difference(const Difference& one)
+{
+    if (const auto* const component = std::get_if<MemberComponent>(&one.component)) return measure_of(*component);
+    const Dof dof = std::get<Dof>(one.component);
+    return one.quantity == ComparedQuantity::Reaction ? force_measures.of(dof) : displacement_measures.of(dof);
+}
+
+/// "BC: M [kN·m]", the value, that of what is compared with, and the change.
+void difference_row(const ShownCase& shown, const Difference& one)
+{
+    const Measure measure = measure_of_difference(one);
+    const auto part = std::visit([](auto id) { return Part(id); }, one.part);
+    const std::string id = std::visit([&](auto id_of_part) { return shown.model()[id_of_part].id; }, one.part);
+    part_cell(shown.session, part, id + ": " + shown.units.label(component_name(one, shown.model().analysis), measure));
+    number_cell(shown.units.number(one.now, measure));
+    number_cell(one.then ? shown.units.number(*one.then, measure) : "");
+    number_cell(one.then ? shown.units.number(*one.change(), measure) : "");
+}
+
+/// The present results beside those that are kept, part by part.
+void show_differences(const ShownCase& shown)
+{
+    const ReferenceResults& reference = *shown.session.reference;
+    const auto counterpart = reference.counterpart(shown.model(), shown.session.view.load_case);
+    if (!counterpart) return;
+    const ui::Catalogue& tr = shown.tr();
+    const std::string name = reference.name.empty() ? tr("the results that were kept") : reference.name;
+    if (!result_section(tr("Compared with {name}", {{"name", name}}), "differences")) return;
+    const Differences all({&shown.model(), shown.result}, {&reference.model, reference.results[*counterpart]});
+    const std::vector<std::string> headings{tr("Part"), tr("now"), tr("kept"), "Δ"};
+    result_list("differences", headings, all.size(), [&](std::size_t i) { difference_row(shown, all[i]); });
+    ImGui::TextDisabled("%s", tr("Of a section force the largest along the member").c_str());
+}
+
 } // namespace
 
 void results_panel(Workspace& workspace)
@@ -154,6 +198,7 @@ void results_panel(Workspace& workspace)
     const ShownCase shown{session, result, units, CaseNumbers(result, units)};
     ImGui::TextDisabled("%s", tr("Case {case}", {{"case", result.name()}}).c_str());
     if (ui::wrapped_button(tr("Tables with places (F4)"), "tables")) workspace.bottom = {true, TableKind::Extremes};
+    if (session.reference) show_differences(shown);
     for (const MemberComponent component : section_force_components(session.model().analysis)) {
         const std::string id(name(component, session.model().analysis));
         if (result_section(tr("Members: {value}", {{"value", units.label(id, measure_of(component))}}), id.c_str()))
