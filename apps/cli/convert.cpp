@@ -9,6 +9,7 @@
 
 #include "apps/cli/analysis_run.h"
 #include "apps/cli/argument.h"
+#include "apps/cli/design_actions.h"
 #include "apps/cli/model_input.h"
 #include "apps/cli/output_file.h"
 #include "apps/cli/picture.h"
@@ -35,6 +36,8 @@ private:
 
     std::string in_, out_;
     std::optional<std::string> units_;
+    std::optional<std::string> combinations_;
+    std::string actions_;
 };
 
 HelpText Convert::help(const ui::Catalogue& tr) const
@@ -51,6 +54,8 @@ HelpText Convert::help(const ui::Catalogue& tr) const
         {{"cremona convert examples/portal.json portal_mm.json --units mm,N",
           tr("The same structure in millimetres and newtons.")},
          {"cremona convert examples/portal.json portal.csv", tr("Every result, for a spreadsheet.")},
+         {"cremona convert examples/portal.json ready.json --combinations EN1990 --actions G=permanent,Q=offices,W=wind",
+          tr("The same structure with the combinations of a code.")},
          {"cremona convert examples/cube.eul cube.off", tr("The surface of a solid, for another program.")}}};
 }
 
@@ -65,6 +70,15 @@ void Convert::declare(CLI::App& app, const ui::Catalogue& tr)
     app.add_option("--units", units_,
                    tr("base units of the new file: a length (m mm cm km in ft) and a force (N kN MN lbf kip tf kgf)"))
         ->option_text("LENGTH,FORCE");
+    app.add_option(
+           "--combinations", combinations_,
+           tr("add the combinations of a code: NBR8681, EN1990 or ASCE7; --actions says what the load cases are"))
+        ->option_text("CODE");
+    app.add_option(
+           "--actions", actions_,
+           tr("the action that each load case is, such as G=permanent,Q=offices,W=wind; a case without one is left "
+              "out of the combinations"))
+        ->option_text("CASE=ACTION,...");
 }
 
 femoop::Units units_named(const std::string& text, const ui::Catalogue& tr)
@@ -153,8 +167,9 @@ ExitStatus Convert::run(Console& console)
         throw UsageError(tr("{file}: cannot write the kind {kind}; choose from: .json, .csv, .svg, .pdf, .png",
                             {{"file", out_}, {"kind", "\"" + kind + "\""}}));
     if (out_ != "-") require_writable(out_, tr);
-    const std::optional<femoop::Model> model = load_model(in_, console);
+    std::optional<femoop::Model> model = load_model(in_, console);
     if (!model) return ExitStatus::BadInput;
+    if (combinations_) add_design_combinations(*model, {*combinations_, actions_}, console);
     if (units_ && kind != ".json") throw UsageError(tr("--units: only a .json file is written in other units"));
     if (kind == ".json") return to_json(*model, console);
     if (kind == ".csv") return to_csv(*model, console);

@@ -117,6 +117,9 @@ void add_case_commands(CommandTable& table)
     Menu menu(table, translatable("Loads"));
     menu.step({"case.new", translatable("New load case")}, new_case);
     menu.step({"case.combination", translatable("New combination")}, new_combination, needs_load_case);
+    menu.step(
+        {"case.code", translatable("Combinations of a code…")},
+        [](Workspace& workspace) { workspace.design.open(workspace.session); }, needs_load_case);
     add_shown(menu, {"case.rename", translatable("Rename the load case…")}, translatable("Rename: {part}"),
               [](Workspace& workspace) { workspace.requests.push_back(Request::RenameCase); });
     add_shown(menu, {"case.copy", translatable("Duplicate the load case")}, translatable("Duplicate: {part}"),

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "apps/frame/session/bottom_view.h"
+#include "apps/frame/session/design_draft.h"
 #include "apps/frame/session/distribution_check.h"
 #include "apps/frame/session/section_draft.h"
 #include "apps/frame/session/session.h"
@@ -75,6 +76,7 @@ struct Workspace : ui::Workspace {
     std::optional<Transform> transform{};        ///< under way: its numbers can still change
     TypicalDraft typical{};
     SectionDraft section{};
+    DesignDraft design{};
     std::vector<Request> requests{};
     std::optional<Cut> menu_cut{}; ///< where the context menu was asked for, on a member
     Topic topic = Topic::Properties;

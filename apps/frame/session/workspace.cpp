@@ -36,7 +36,7 @@ bool Workspace::is_moving() const
 
 void Workspace::open_dropped(const std::vector<std::string>& files)
 {
-    const bool is_choosing = typical.is_open() || section.is_open() || after_question;
+    const bool is_choosing = typical.is_open() || section.is_open() || design.is_open() || after_question;
     if (is_choosing && !files.empty()) return notify(ui::translatable("finish what is being made in the window first"));
     for (const std::string& file : files) open(file);
 }

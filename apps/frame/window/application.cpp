@@ -219,6 +219,7 @@ void Application::show_own_dialogs()
     if (const auto path = import_dialog_.show(session().tr())) import_properties(workspace().session, *path);
     typical_window_.show(workspace(), gui(), fields_);
     section_window_.show(workspace(), gui(), fields_);
+    design_window_.show(workspace(), fields_);
     view_list_.show(workspace());
     context_menu_.show(workspace(), commands());
     kind_question_.show(workspace(), commands());

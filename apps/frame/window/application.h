@@ -11,6 +11,7 @@
 #include "apps/frame/window/canvas.h"
 #include "apps/frame/window/case_list.h"
 #include "apps/frame/window/context_menu.h"
+#include "apps/frame/window/design_window.h"
 #include "apps/frame/window/kind_question.h"
 #include "apps/frame/window/property_sets.h"
 #include "apps/frame/window/section_window.h"
@@ -73,6 +74,7 @@ private:
     TypicalWindow typical_window_;
     TablesPanel tables_;
     SectionWindow section_window_;
+    DesignWindow design_window_;
     ViewList view_list_;
     PropertySets property_sets_;
     TitleRows title_rows_;

@@ -1,5 +1,6 @@
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
 #include <string>
 
@@ -46,6 +47,29 @@ TEST_CASE("In other units the structure sags the same, and its checks still pass
     CHECK(cremona({"verify", out}).out.ends_with("3 passed, 0 failed, 0 skipped\n"));
     const json solved = json::parse(cremona({"solve", out, "--json"}).out);
     CHECK(solved["cases"]["P"]["nodes"]["B"]["u"]["uy"].get<double>() == doctest::Approx(-12.8)); // mm
+}
+
+TEST_CASE("With the combinations of a code a model has them as ordinary ones, and each is told with its clause")
+{
+    const Folder folder;
+    json two_cases = json::parse(cantilever());
+    two_cases["load_cases"].push_back({{"id", "Q"}});
+    const std::string in = folder.write("in.json", two_cases.dump()), out = folder.path("out.json");
+    const Run run = cremona({"convert", in, out, "--combinations", "EN1990", "--actions", "P=permanent,Q=wind"});
+    REQUIRE(run.status == 0);
+    CHECK(has(run.err, "ULS 1.35 P + 1.5 Q: EN 1990:2002 + A1:2005, (6.10), Q leads"));
+    const json model = json::parse(folder.read("out.json"));
+    const json wanted = {{"id", "ULS 1.35 P + 1.5 Q"}, {"factors", {{"P", 1.35}, {"Q", 1.5}}}};
+    CHECK(std::ranges::find(model["combinations"], wanted) != model["combinations"].end());
+    const auto refused = [&](const char* code, const char* actions) {
+        const Run refusal = cremona({"convert", in, out, "--combinations", code, "--actions", actions});
+        CHECK(refusal.status == 2);
+        return refusal.err;
+    };
+    CHECK(has(refused("EN1991", "P=permanent"), "EN1990"));
+    CHECK(has(refused("EN1990", "P"), "such as G=permanent"));
+    CHECK(has(refused("EN1990", "P=rain"), "congregation"));
+    CHECK(has(refused("EN1990", "Z=wind"), "--actions"));
 }
 
 TEST_CASE("To CSV every result stands in one long table with its unit")

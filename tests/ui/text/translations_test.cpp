@@ -9,6 +9,7 @@
 
 #include "apps/euler/document/gallery/gallery.h"
 #include "apps/euler/document/stepper.h"
+#include "femoop/load/design_code.h"
 #include "femoop/model/fault/fault.h"
 #include "tests/source_folder.h"
 #include "tests/text_of.h"
@@ -104,6 +105,11 @@ std::set<std::string> sentences_in_sources()
         sentences.emplace(topology::pattern(static_cast<topology::ScriptFault>(fault)));
     for (int fault = 0; fault < topology::n_mesh_faults; ++fault)
         sentences.emplace(topology::pattern(static_cast<topology::MeshFault>(fault)));
+    for (const femoop::DesignCode code : femoop::design_codes())
+        for (const femoop::ActionKind& kind : action_kinds(code)) {
+            sentences.emplace(kind.label);
+            sentences.emplace(kind.table);
+        }
     collect_comments(sentences);
     sentences.emplace("line"); // before a line's number
     return sentences;

@@ -1,0 +1,48 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "apps/frame/session/session.h"
+#include "femoop/load/design_code.h"
+
+namespace frame {
+
+/// The combinations of a code while it is said which load case is which action. `accept` adds them to the document as
+/// ordinary ones, in one step.
+class DesignDraft {
+public:
+    bool is_open() const { return is_open_; }
+    /// With the actions that the names of the load cases suggest: G, D and self-weight are permanent, W and V wind ...
+    void open(Session& session);
+    void accept(Session& session);
+    void cancel() { is_open_ = false; }
+
+    femoop::DesignCode code() const { return code_; }
+    void set_code(const Session& session, femoop::DesignCode code);
+    const std::vector<femoop::CaseAction>& actions() const { return actions_; } ///< of every load case
+    void set_action(std::size_t load_case, const femoop::ActionKind* kind) { actions_[load_case].kind = kind; }
+    bool has(femoop::LimitState state) const { return has_[static_cast<std::size_t>(state)]; }
+    void set(femoop::LimitState state, bool is_on) { has_[static_cast<std::size_t>(state)] = is_on; }
+    std::vector<femoop::DesignCombination> combinations() const;
+
+    /// What a scenario says: "code EN1990", "action Q=offices", "state frequent", "accept", "cancel". \returns the
+    /// complaint
+    std::optional<std::string> run_command(Session& session, std::string_view verb, std::string_view argument);
+
+private:
+    std::optional<std::string> set_named_action(const Session& session, std::string_view argument);
+    std::optional<std::string> toggle_state(std::string_view argument);
+
+    bool is_open_ = false;
+    femoop::DesignCode code_ = femoop::DesignCode::EN1990;
+    std::vector<femoop::CaseAction> actions_;
+    std::vector<bool> has_{true, true, true, true}; ///< of each limit state
+};
+
+/// "ULS", "SLS rare": as the names of combinations begin.
+std::string_view short_name(femoop::LimitState state);
+
+} // namespace frame

@@ -1,0 +1,137 @@
+#include "apps/frame/window/design_window.h"
+
+#include <imgui.h>
+
+#include <algorithm>
+#include <string>
+
+#include "apps/frame/window/number_row.h"
+#include "ui/widgets/wrapped_text.h"
+
+namespace frame {
+
+using femoop::ActionKind;
+using femoop::DesignCode;
+using femoop::DesignCombination;
+using femoop::LimitState;
+using ui::translatable;
+
+namespace {
+
+void show_codes(Workspace& workspace)
+{
+    DesignDraft& draft = workspace.design;
+    for (const DesignCode code : femoop::design_codes()) {
+        const std::string label = std::string(name(code)) + "###" + std::string(id(code));
+        if (ImGui::RadioButton(label.c_str(), draft.code() == code)) draft.set_code(workspace.session, code);
+    }
+}
+
+std::string label_of(const ActionKind* kind, const ui::Catalogue& tr)
+{
+    return kind != nullptr ? tr(kind->label) : tr("not in the combinations");
+}
+
+/// "γ 1.5   ψ 0.7 0.5 0.3   tables A1.1, A1.2(B)"
+std::string factors_of(const ActionKind& kind, const Session& session)
+{
+    const ui::DisplayUnits units = session.units();
+    const auto number = [&](double value) { return units.number(value, ui::Measure::Plain); };
+    std::string text = "γ " + number(kind.unfavourable);
+    if (kind.is_permanent) text += " / " + number(kind.favourable);
+    if (kind.psi0 + kind.psi1 + kind.psi2 > 0.0)
+        text += "   ψ " + number(kind.psi0) + "  " + number(kind.psi1) + "  " + number(kind.psi2);
+    return text + "   " + session.view.tr(kind.table);
+}
+
+void show_action(Workspace& workspace, std::size_t place)
+{
+    DesignDraft& draft = workspace.design;
+    const ui::Catalogue& tr = workspace.session.view.tr;
+    const ActionKind* const chosen = draft.actions()[place].kind;
+    const std::string id = "###action" + std::to_string(place);
+    if (ImGui::BeginCombo(id.c_str(), label_of(chosen, tr).c_str(), ImGuiComboFlags_HeightLargest)) {
+        if (ImGui::Selectable(label_of(nullptr, tr).c_str(), chosen == nullptr)) draft.set_action(place, nullptr);
+        for (const ActionKind& kind : action_kinds(draft.code())) {
+            if (ImGui::Selectable(label_of(&kind, tr).c_str(), chosen == &kind)) draft.set_action(place, &kind);
+            if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", factors_of(kind, workspace.session).c_str());
+        }
+        ImGui::EndCombo();
+    }
+    if (chosen != nullptr && ImGui::IsItemHovered())
+        ImGui::SetTooltip("%s", factors_of(*chosen, workspace.session).c_str());
+}
+
+void show_actions(Workspace& workspace)
+{
+    const Rows rows("actions");
+    if (!rows.is_open()) return;
+    const femoop::Model& model = workspace.session.model();
+    for (std::size_t i = 0; i < workspace.design.actions().size(); ++i) {
+        rows.name(model.load_cases[i].id);
+        ImGui::SetNextItemWidth(-1.0F);
+        show_action(workspace, i);
+    }
+}
+
+void show_states(Workspace& workspace)
+{
+    DesignDraft& draft = workspace.design;
+    for (const LimitState state : limit_states(draft.code())) {
+        bool is_on = draft.has(state);
+        const std::string label = workspace.session.view.tr(short_name(state)) + "###" + std::string(id(state));
+        if (ImGui::Checkbox(label.c_str(), &is_on)) draft.set(state, is_on);
+    }
+}
+
+void show_combination(const Workspace& workspace, const DesignCombination& one)
+{
+    const ui::Catalogue& tr = workspace.session.view.tr;
+    const femoop::Model& model = workspace.session.model();
+    ui::wrapped_text(tr(short_name(one.state)) + ' ' + formula(model, one));
+    std::string meaning = std::string(one.clause);
+    if (one.leading) meaning += tr(", {case} leads", {{"case", model.case_name(*one.leading)}});
+    ImGui::PushStyleColor(ImGuiCol_Text, ImGui::GetColorU32(ImGuiCol_TextDisabled));
+    ui::wrapped_text(meaning);
+    ImGui::PopStyleColor();
+}
+
+void show_buttons(Workspace& workspace, const ui::NumberFields& fields, bool has_some)
+{
+    DesignDraft& draft = workspace.design;
+    const auto is_pressed = [&](int key) { return !fields.is_typing() && ui::is_pressed_outside_fields(key); };
+    ImGui::BeginDisabled(!has_some);
+    const bool is_accepted = ImGui::Button("OK###accept") || (has_some && is_pressed(ImGuiKey_Enter));
+    ImGui::EndDisabled();
+    ImGui::SameLine();
+    const std::string cancel = workspace.session.view.tr("Cancel") + "###cancel";
+    const bool is_cancelled = ImGui::Button(cancel.c_str()) || is_pressed(ImGuiKey_Escape);
+    if (is_accepted) draft.accept(workspace.session);
+    else if (is_cancelled) draft.cancel();
+}
+
+} // namespace
+
+void DesignWindow::show(Workspace& workspace, const ui::NumberFields& fields)
+{
+    const DesignDraft& draft = workspace.design;
+    const ui::Catalogue& tr = workspace.session.view.tr;
+    if (!window_.begin(draft.is_open(), "###design", tr("Combinations of a code"))) return;
+    ui::SideWindow::begin_content();
+    show_codes(workspace);
+    ImGui::Separator();
+    show_actions(workspace);
+    show_states(workspace);
+    ImGui::Separator();
+    const std::vector<DesignCombination> combinations = draft.combinations();
+    ui::wrapped_text(
+        tr("{count} combinations; they can be changed afterwards", {{"count", std::to_string(combinations.size())}}));
+    ImGui::BeginChild("###combinations", {0.0F, 0.0F});
+    for (const DesignCombination& one : combinations) show_combination(workspace, one);
+    ImGui::EndChild();
+    ui::SideWindow::end_content();
+    show_buttons(workspace, fields, !combinations.empty());
+    window_.end(draft.is_open());
+}
+
+} // namespace frame

@@ -1,0 +1,144 @@
+// The combinations that codes ask for, as they are written on a board.
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "femoop/load/design_code.h"
+
+using namespace femoop;
+
+namespace {
+
+struct Typed {
+    std::string load_case;
+    std::string_view kind;
+};
+
+Model model_of(const std::vector<Typed>& cases)
+{
+    Model model;
+    for (const Typed& one : cases) model.load_cases.push_back({.id = one.load_case});
+    return model;
+}
+
+std::vector<CaseAction> actions_of(DesignCode code, const std::vector<Typed>& cases)
+{
+    std::vector<CaseAction> actions;
+    for (std::size_t i = 0; i < cases.size(); ++i) actions.push_back({CaseId(i), find_action(code, cases[i].kind)});
+    return actions;
+}
+
+std::set<std::string> written(DesignCode code, LimitState state, const std::vector<Typed>& cases)
+{
+    const Model model = model_of(cases);
+    std::set<std::string> all;
+    const std::vector<DesignCombination> made = design_combinations(code, actions_of(code, cases), {{state}});
+    for (const DesignCombination& one : made) {
+        CHECK(one.state == state);
+        all.insert(formula(model, one));
+    }
+    CHECK(all.size() == made.size());
+    return all;
+}
+
+using Set = std::set<std::string>;
+
+const std::vector<Typed> office{{"G", "permanent"}, {"Q", "offices"}, {"W", "wind"}};
+
+} // namespace
+
+TEST_SUITE("design codes")
+{
+    TEST_CASE(
+        "EN 1990: each variable action leads in its turn, with the others or without, permanent ones large or small")
+    {
+        CHECK(written(DesignCode::EN1990, LimitState::Ultimate, office) ==
+              Set{"1.35 G", "1.35 G + 1.5 Q + 0.9 W", "1.35 G + 1.5 Q", "G + 1.5 Q + 0.9 W", "G + 1.5 Q",
+                  "1.35 G + 1.05 Q + 1.5 W", "1.35 G + 1.5 W", "G + 1.05 Q + 1.5 W", "G + 1.5 W"});
+        CHECK(written(DesignCode::EN1990, LimitState::Rare, office) ==
+              Set{"G + Q + 0.6 W", "G + Q", "G + 0.7 Q + W", "G + W"});
+        CHECK(written(DesignCode::EN1990, LimitState::Frequent, office) ==
+              Set{"G + 0.5 Q", "G + 0.3 Q + 0.2 W", "G + 0.2 W"});
+        CHECK(written(DesignCode::EN1990, LimitState::QuasiPermanent, office) == Set{"G + 0.3 Q"});
+    }
+
+    TEST_CASE("NBR 8681: a building has 1.4 G + 1.4 (Q + 0.6 W), and 1.4 G + 1.4 (W + 0.5 Q)")
+    {
+        const std::vector<Typed> building{{"G", "permanent"}, {"Q", "live"}, {"W", "wind"}};
+        CHECK(written(DesignCode::NBR8681, LimitState::Ultimate, building) ==
+              Set{"1.4 G", "1.4 G + 1.4 Q + 0.84 W", "1.4 G + 1.4 Q", "G + 1.4 Q + 0.84 W", "G + 1.4 Q",
+                  "1.4 G + 0.7 Q + 1.4 W", "1.4 G + 1.4 W", "G + 0.7 Q + 1.4 W", "G + 1.4 W"});
+        CHECK(written(DesignCode::NBR8681, LimitState::Rare, building) ==
+              Set{"G + Q + 0.3 W", "G + Q", "G + 0.4 Q + W", "G + W"});
+        CHECK(written(DesignCode::NBR8681, LimitState::QuasiPermanent, building) == Set{"G + 0.3 Q"});
+    }
+
+    TEST_CASE("ASCE 7: the basic combinations, with the roof's live load or the snow, never both")
+    {
+        const std::vector<Typed> hall{{"D", "permanent"}, {"L", "live"}, {"Lr", "roof"}, {"S", "snow"}, {"W", "wind"}};
+        CHECK(written(DesignCode::ASCE7, LimitState::Ultimate, hall) ==
+              Set{"1.4 D", "1.2 D + 1.6 L + 0.5 Lr", "1.2 D + 1.6 L + 0.5 S", "1.2 D + L + 1.6 Lr", "1.2 D + L + 1.6 S",
+                  "1.2 D + 1.6 Lr + 0.5 W", "1.2 D + 1.6 S + 0.5 W", "1.2 D + L + 0.5 Lr + W", "1.2 D + L + 0.5 S + W",
+                  "0.9 D + W"});
+        CHECK(written(DesignCode::ASCE7, LimitState::Rare, {{"D", "permanent"}, {"W", "wind"}}) ==
+              Set{"D", "D + 0.6 W", "D + 0.45 W", "0.6 D + 0.6 W"});
+    }
+
+    TEST_CASE("Wind from two sides never blows from both, floors act together, and a case without a kind stays out")
+    {
+        const std::vector<Typed> cases{{"G1", "permanent"}, {"G2", "permanent"}, {"Q1", "offices"}, {"Q2", "offices"},
+                                       {"W+", "wind"},      {"W-", "wind"},      {"erection", ""}};
+        const Set made = written(DesignCode::EN1990, LimitState::Ultimate, cases);
+        CHECK(made.contains("1.35 G1 + 1.35 G2 + 1.5 Q1 + 1.5 Q2 + 0.9 W+"));
+        CHECK(made.contains("G1 + G2 + 1.5 W-"));
+        for (const std::string& one : made) {
+            CAPTURE(one);
+            const auto has = [&](const char* name) { return one.find(name) != std::string::npos; };
+            CHECK_FALSE((has("W+") && has("W-")));
+            CHECK(has("Q1") == has("Q2"));
+            CHECK(has("G2"));
+            CHECK_FALSE(has("erection"));
+        }
+    }
+
+    TEST_CASE("Without variable actions each limit state has the permanent ones alone, without any actions nothing")
+    {
+        CHECK(written(DesignCode::EN1990, LimitState::Ultimate, {{"G", "permanent"}}) == Set{"1.35 G"});
+        CHECK(written(DesignCode::NBR8681, LimitState::Frequent, {{"G", "permanent"}}) == Set{"G"});
+        for (const DesignCode code : design_codes()) CHECK(written(code, LimitState::Ultimate, {{"G", ""}}).empty());
+    }
+
+    TEST_CASE("In every code psi0 >= psi1 >= psi2, all of them between 0 and 1, and a permanent action has no psi")
+    {
+        for (const DesignCode code : design_codes()) {
+            CHECK(design_code(id(code)) == code);
+            for (const ActionKind& kind : action_kinds(code)) {
+                CAPTURE(kind.label);
+                CHECK(find_action(code, kind.id) == &kind);
+                CHECK(kind.psi0 >= kind.psi1);
+                CHECK(kind.psi1 >= kind.psi2);
+                CHECK(kind.psi0 <= 1.0);
+                CHECK((!kind.is_permanent || kind.psi0 == 0.0));
+                CHECK(kind.unfavourable >= kind.favourable);
+            }
+        }
+        CHECK_FALSE(design_code("EN1991"));
+    }
+
+    TEST_CASE("Combinations come behind the others under their formula, and a second time they add nothing")
+    {
+        Model model = model_of(office);
+        model.combinations.push_back({"mine", {{CaseId(std::size_t{0}), 2.0}}});
+        const std::vector<DesignCombination> made = design_combinations(
+            DesignCode::EN1990, actions_of(DesignCode::EN1990, office), limit_states(DesignCode::EN1990));
+        const std::vector<std::string> prefixes{"ULS", "rare", "frequent", "quasi"};
+        CHECK(add_combinations(model, made, prefixes) == made.size());
+        CHECK(model.combinations.front().id == "mine");
+        CHECK(model.combinations[1].id == "ULS 1.35 G");
+        CHECK(model.combinations.back().id == "quasi G + 0.3 Q");
+        CHECK(add_combinations(model, made, prefixes) == 0);
+    }
+}
