@@ -181,11 +181,18 @@ private:
     const SectionLook& look_;
 };
 
-/// Thicknesses of what is built of plates.
+/// Thicknesses of what is built of plates, while it stands upright.
 struct Plates {
     double flange = 0.0; ///< 0: none to show
     double web_from = 0.0, web = 0.0;
 };
+
+/// The one thickness that is shown of a section that lies on its side: that of its flange, which stands then.
+Plates lying(const Plates& upright, const SectionOutline& figure)
+{
+    const double thickness = upright.flange > 0.0 ? upright.flange : upright.web;
+    return {.web_from = figure.left, .web = thickness};
+}
 
 Plates plates(const femoop::Profile& p, double k, const SectionOutline& figure)
 {
@@ -251,7 +258,8 @@ void draw_section(ui::Painter& painter, const femoop::Section& section, const fe
     SectionSheet picture(painter, *figure, fit, look);
     picture.draw_axes(section_properties(section, file));
     picture.draw_size();
-    if (const auto thin = plates(section, *figure, file)) draw_plates(picture, *thin, *figure);
+    if (const auto thin = plates(section, *figure, file))
+        draw_plates(picture, section.turned ? lying(*thin, *figure) : *thin, *figure);
 }
 
 void draw_section_icon(ui::Painter& painter, const femoop::SectionShape& shape, const ui::Theme& theme)

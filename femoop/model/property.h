@@ -41,13 +41,15 @@ struct Section {
     std::string id;
     std::optional<SectionShape> shape;
     std::optional<std::string> profile; ///< as typed: "IPE 300", "w12x26"
-    std::optional<Quantity> A;          ///< area
-    std::optional<Quantity> Iz;         ///< second moment for bending in the x'y' plane
-    std::optional<Quantity> Iy;         ///< second moment for bending in the x'z' plane
-    std::optional<Quantity> J;          ///< torsion constant
-    std::optional<Quantity> Asy, Asz;   ///< shear areas for Vy and Vz; absent: no shear strain in that plane
-    std::optional<Quantity> h;          ///< depth along y'
-    std::optional<Quantity> yc;         ///< centroid's distance from the -y' fibre; h/2 when absent
+    bool turned =
+        false; ///< the shape or profile lies on its side, turned by 90 degrees counter-clockwise as seen along +x'
+    std::optional<Quantity> A;        ///< area
+    std::optional<Quantity> Iz;       ///< second moment for bending in the x'y' plane
+    std::optional<Quantity> Iy;       ///< second moment for bending in the x'z' plane
+    std::optional<Quantity> J;        ///< torsion constant
+    std::optional<Quantity> Asy, Asz; ///< shear areas for Vy and Vz; absent: no shear strain in that plane
+    std::optional<Quantity> h;        ///< depth along y'
+    std::optional<Quantity> yc;       ///< centroid's distance from the -y' fibre; h/2 when absent
 
     friend bool operator==(const Section&, const Section&) = default;
 };

@@ -303,11 +303,39 @@ SectionOutline outline(const SectionShape& shape)
     throw std::invalid_argument("no such shape");
 }
 
-std::optional<SectionOutline> outline(const Section& section, const Units& units)
+SectionOutline turned(const SectionOutline& upright)
+{
+    const auto turn = [](OutlinePoint& point) { point = {.y = point.z, .z = -point.y}; };
+    SectionOutline all = upright;
+    for (OutlineSide& side : all.sides) {
+        turn(side.from);
+        turn(side.to);
+        if (side.centre) turn(*side.centre);
+    }
+    for (OutlinePoint& point : all.outer) turn(point);
+    for (OutlinePoint& point : all.hole) turn(point);
+    all.top = upright.right;
+    all.bottom = upright.left;
+    all.left = -upright.top;
+    all.right = -upright.bottom;
+    return all;
+}
+
+namespace {
+
+std::optional<SectionOutline> upright_outline(const Section& section, const Units& units)
 {
     if (section.shape) return why_not(*section.shape) ? std::nullopt : std::optional(outline(*section.shape));
     const Profile* const profile = section.profile ? find_profile(*section.profile) : nullptr;
     return profile != nullptr ? std::optional(of_profile(*profile, units)) : std::nullopt;
+}
+
+} // namespace
+
+std::optional<SectionOutline> outline(const Section& section, const Units& units)
+{
+    const auto upright = upright_outline(section, units);
+    return upright && section.turned ? std::optional(turned(*upright)) : upright;
 }
 
 } // namespace femoop

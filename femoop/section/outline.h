@@ -43,10 +43,13 @@ struct SectionOutline {
     double width() const { return right - left; }
 };
 
+/// Turned by 90 degrees counter-clockwise.
+SectionOutline turned(const SectionOutline& upright);
+
 /// In the unit of the shape's dimensions. \pre `why_not(shape)` has nothing to say \throws std::invalid_argument
 SectionOutline outline(const SectionShape& shape);
 
-/// In the model's unit of length; nothing for a section that is given by numbers alone, or by a profile or a shape that
+/// In the model's unit of length, turned where the section is; nothing for a section that is given by numbers alone, or by a profile or a shape that
 /// cannot be.
 std::optional<SectionOutline> outline(const Section& section, const Units& units);
 

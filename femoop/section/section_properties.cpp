@@ -8,6 +8,7 @@
 #include <span>
 #include <stdexcept>
 #include <string>
+#include <utility>
 
 #include "femoop/section/profile.h"
 #include "femoop/section/shape.h"
@@ -43,6 +44,8 @@ SectionProperties rectangle(double b, double h)
             .Asz = 5.0 / 6.0 * A,
             .h = h,
             .yc = h / 2.0,
+            .b = b,
+            .zc = b / 2.0,
             .Wy = h * square(b) / 6.0,
             .Wz = b * square(h) / 6.0};
 }
@@ -54,7 +57,19 @@ SectionProperties ring(double d, double t, double shear_factor)
     const double I = A / 16.0 * (square(d) + square(d - 2.0 * t));
     const double As = shear_factor * A;
     const double W = 2.0 * I / d;
-    return {.A = A, .Iy = I, .Iz = I, .J = 2.0 * I, .Asy = As, .Asz = As, .h = d, .yc = d / 2.0, .Wy = W, .Wz = W};
+    const double r = d / 2.0;
+    return {.A = A,
+            .Iy = I,
+            .Iz = I,
+            .J = 2.0 * I,
+            .Asy = As,
+            .Asz = As,
+            .h = d,
+            .yc = r,
+            .b = d,
+            .zc = r,
+            .Wy = W,
+            .Wz = W};
 }
 
 SectionProperties box(double b, double h, double t)
@@ -71,6 +86,8 @@ SectionProperties box(double b, double h, double t)
             .Asz = 2.0 * b * t,
             .h = h,
             .yc = h / 2.0,
+            .b = b,
+            .zc = b / 2.0,
             .Wy = 2.0 * Iy / b,
             .Wz = 2.0 * Iz / h};
 }
@@ -103,6 +120,8 @@ SectionProperties built_up(std::span<const Part> parts, double h, double b)
     }
     s.h = h;
     s.yc = y;
+    s.b = b;
+    s.zc = z;
     s.Wz = s.Iz / std::max(y, h - y);
     s.Wy = s.Iy / std::max(z, b - z);
     return s;
@@ -157,7 +176,7 @@ SectionProperties scaled(SectionProperties s, double k)
         if (*W) **W *= k2 * k;
     for (std::optional<double>* As : {&s.Asy, &s.Asz})
         if (*As) **As *= k2;
-    for (std::optional<double>* length : {&s.h, &s.yc})
+    for (std::optional<double>* length : {&s.h, &s.yc, &s.b, &s.zc})
         if (*length) **length *= k;
     s.A *= k2;
     return s;
@@ -189,8 +208,18 @@ SectionProperties of_profile(const std::string& text, const Units& units)
     const Profile* profile = find_profile(text);
     if (profile == nullptr) throw std::invalid_argument("no profile \"" + text + "\"");
     const Profile& p = *profile;
-    const SectionProperties s = with_shear_areas(
-        {.A = p.A, .Iy = p.Iy, .Iz = p.Iz, .J = p.J, .Iyz = p.Iyz, .h = p.h, .yc = p.yc, .Wy = p.Wy, .Wz = p.Wz}, p);
+    const SectionProperties s = with_shear_areas({.A = p.A,
+                                                  .Iy = p.Iy,
+                                                  .Iz = p.Iz,
+                                                  .J = p.J,
+                                                  .Iyz = p.Iyz,
+                                                  .h = p.h,
+                                                  .yc = p.yc,
+                                                  .b = p.bf,
+                                                  .zc = p.zc,
+                                                  .Wy = p.Wy,
+                                                  .Wz = p.Wz},
+                                                 p);
     return p.unit == units.length ? s : scaled(s, metres(p.unit) / metres(units.length));
 }
 
@@ -225,11 +254,26 @@ SectionProperties shape_properties(const SectionShape& shape)
     throw std::invalid_argument("no such shape");
 }
 
+SectionProperties turned(const SectionProperties& upright)
+{
+    SectionProperties s = upright;
+    std::swap(s.Iy, s.Iz);
+    std::swap(s.Asy, s.Asz);
+    std::swap(s.Wy, s.Wz);
+    s.Iyz = 0.0 - upright.Iyz; // and no negative zero
+    s.h = upright.b;
+    s.yc = upright.zc;
+    s.b = upright.h;
+    if (upright.h && upright.yc) s.zc = *upright.h - *upright.yc;
+    return s;
+}
+
 SectionProperties section_properties(const Section& section, const Units& units)
 {
     SectionProperties s;
     if (section.shape) s = shape_properties(*section.shape);
     else if (section.profile) s = of_profile(*section.profile, units);
+    if (section.turned) s = turned(s);
 
     if (section.A) s.A = *section.A;
     if (section.Iy) {

@@ -24,6 +24,8 @@ struct SectionProperties {
     std::optional<double> Asz{}; ///< shear area for Vz; absent: no shear strain in the x'z' plane
     std::optional<double> h{};   ///< depth along y'
     std::optional<double> yc{};  ///< centroid's distance from the -y' fibre
+    std::optional<double> b{};   ///< width along z'
+    std::optional<double> zc{};  ///< centroid's distance from the -z' fibre
     std::optional<double> Wy{};  ///< elastic modulus Iy / z'max; absent where the width is unknown
     std::optional<double> Wz{};  ///< elastic modulus Iz / y'max; absent where the depth is unknown
 };
@@ -53,8 +55,12 @@ struct SectionProperties {
 /// \throws   std::invalid_argument with that reason.
 SectionProperties shape_properties(const SectionShape& shape);
 
-/// Properties of a model's section in the model's base units: those of its shape or profile, then overridden by what
-/// the section itself gives. yc is h/2 where nothing else is known; a given h without yc keeps the shape's yc / h.
+/// What the section brings when it is turned by 90 degrees counter-clockwise, its top to -z' and its right side to the
+/// top: the properties of the two axes change places, Iyz its sign.
+SectionProperties turned(const SectionProperties& upright);
+
+/// Properties of a model's section in the model's base units: those of its shape or profile, turned where it is, then
+/// overridden by what the section itself gives. yc is h/2 where nothing else is known; a given h without yc keeps the shape's yc / h.
 /// An overridden Iz or Iy drops the modulus of the shape or profile that belonged to it.
 /// \throws std::invalid_argument for a shape that cannot be or a profile that no table has (`check` reports both).
 SectionProperties section_properties(const Section& section, const Units& units);

@@ -120,11 +120,14 @@ std::string text_of(const femoop::Quantity& quantity, femoop::Dimension kind, co
     return femoop::quantity_text(value, kind, mohr::newtons_and_mm);
 }
 
+constexpr std::string_view turned_suffix = " turned";
+
 } // namespace
 
 std::optional<std::string> section_text(const femoop::Section& section, const femoop::Units& units)
 {
-    if (section.profile) return section.profile;
+    const std::string_view end = section.turned ? turned_suffix : "";
+    if (section.profile) return *section.profile + std::string(end);
     if (!section.shape) return std::nullopt;
     std::string words(name(section.shape->kind));
     for (const femoop::ShapeDimension& side : dimensions(section.shape->kind)) {
@@ -133,7 +136,7 @@ std::optional<std::string> section_text(const femoop::Section& section, const fe
         const double mm = femoop::converted(value->value(), dimension::length, units, mohr::newtons_and_mm);
         words += " " + std::string(side.key) + "=" + femoop::number_text(mm) + "mm";
     }
-    return words;
+    return words + std::string(end);
 }
 
 namespace {
@@ -270,11 +273,13 @@ Offer circle_at(const Session& session, const Cut& cut, femoop::CaseId load_case
     return ui::ExportToApp{.program = "mohr", .document = mohr::file_text(document)};
 }
 
-std::optional<femoop::Section> section_named(const std::string& words, const femoop::Section& section,
+std::optional<femoop::Section> section_named(const std::string& typed_words, const femoop::Section& section,
                                              const femoop::Units& units)
 {
-    if (std::holds_alternative<Message>(mohr::section_figure(words))) return std::nullopt;
-    femoop::Section next{.id = section.id};
+    if (std::holds_alternative<Message>(mohr::section_figure(typed_words))) return std::nullopt;
+    const bool is_turned = typed_words.ends_with(turned_suffix);
+    const std::string words = typed_words.substr(0, typed_words.size() - (is_turned ? turned_suffix.size() : 0));
+    femoop::Section next{.id = section.id, .turned = is_turned};
     if (femoop::find_profile(words) != nullptr) {
         next.profile = words;
         return next;

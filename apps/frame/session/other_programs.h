@@ -30,7 +30,7 @@ Offer circle_at_section(const Session& session);
 Offer circle_at(const Session& session, const Cut& cut, femoop::CaseId load_case);
 std::optional<Cut> cut_for_circle(const Session& session); ///< where it would be
 
-/// "IPE 300", "rectangle b=90mm h=210mm"; nothing for a section of numbers alone.
+/// "IPE 300", "rectangle b=90mm h=210mm", "IPE 300 turned"; nothing for a section of numbers alone.
 std::optional<std::string> section_text(const femoop::Section& section, const femoop::Units& units);
 /// The section with the profile or the shape of words such as "IPE 300" and "rectangle b=90mm h=210mm" in place of what
 /// it has; nothing where they name none.

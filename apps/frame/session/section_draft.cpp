@@ -67,13 +67,19 @@ void SectionDraft::cancel(Session& session)
 void SectionDraft::choose_shape(Session& session, SectionShapeKind kind)
 {
     if (section_.shape && section_.shape->kind == kind) return;
-    section_ = Section{.id = section_.id, .shape = usual_shape(kind, session.model().units)};
+    section_ = Section{.id = section_.id, .shape = usual_shape(kind, session.model().units), .turned = section_.turned};
     show(session);
 }
 
 void SectionDraft::choose_profile(Session& session, std::string_view name)
 {
-    section_ = Section{.id = section_.id, .profile = std::string(name)};
+    section_ = Section{.id = section_.id, .profile = std::string(name), .turned = section_.turned};
+    show(session);
+}
+
+void SectionDraft::set_turned(Session& session, bool turned)
+{
+    section_.turned = turned;
     show(session);
 }
 
@@ -134,6 +140,9 @@ std::optional<std::string> SectionDraft::run_command(Session& session, std::stri
     } else if (verb == "profile") {
         if (find_profile(argument) == nullptr) return "no profile \"" + std::string(argument) + "\"";
         choose_profile(session, argument);
+    } else if (verb == "turned") {
+        if (!section_.shape && !section_.profile) return "the section has neither a shape nor a profile";
+        set_turned(session, argument != "no");
     } else if (verb == "name") {
         if (const auto reason = set_name(session, argument)) return english(*reason);
     } else if (verb == "set") {
@@ -145,7 +154,8 @@ std::optional<std::string> SectionDraft::run_command(Session& session, std::stri
     } else if (verb == "cancel") {
         cancel(session);
     } else {
-        return "cannot \"" + std::string(verb) + "\" it; known are shape, profile, name, set, new, accept, cancel";
+        return "cannot \"" + std::string(verb) +
+               "\" it; known are shape, profile, turned, name, set, new, accept, cancel";
     }
     return std::nullopt;
 }

@@ -31,6 +31,8 @@ public:
     /// \returns why the shape cannot have it; the section stays then as it was. \pre the section has a shape
     std::optional<ui::Message> set_dimension(Session& session, const femoop::ShapeDimension& dimension,
                                              const femoop::Quantity& value);
+    /// On its side or upright. \pre the section has a shape or a profile
+    void set_turned(Session& session, bool turned);
     std::optional<ui::Message> set_name(Session& session, std::string_view name);
     void set_target(Session& session, SectionTarget target);
 
@@ -39,7 +41,7 @@ public:
     const std::optional<femoop::SectionId>& existing() const { return existing_; }
     std::size_t n_members() const { return members_.size(); } ///< selected: those that a new section is for
 
-    /// What a scenario says: "shape i", "set h 400 mm", "profile IPE 300", "name beam", "new", "accept", "cancel".
+    /// What a scenario says: "shape i", "set h 400 mm", "profile IPE 300", "turned yes", "name beam", "new", "accept", "cancel".
     /// \returns the complaint
     std::optional<std::string> run_command(Session& session, std::string_view verb, std::string_view argument);
 

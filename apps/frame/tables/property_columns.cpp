@@ -85,6 +85,17 @@ Refusal write_shape(Document& document, const Part& part, const CellText& entry)
     return std::nullopt;
 }
 
+Column turned_column()
+{
+    return word_column(translatable("Turned"),
+                       {.words = {translatable("no"), translatable("yes")},
+                        .get = [](const Model& model, const Part& part) -> std::size_t {
+                            return section_of(model, part).turned ? 1 : 0;
+                        },
+                        .set = [](Document& document, const Part& part,
+                                  std::size_t word) { section_of(document.model, part).turned = word == 1; }});
+}
+
 } // namespace
 
 std::vector<Column> material_columns()
@@ -119,7 +130,8 @@ std::vector<Column> section_columns()
                             size_column("t", &SectionShape::t),
                             size_column("bf", &SectionShape::bf),
                             size_column("tf", &SectionShape::tf),
-                            size_column("tw", &SectionShape::tw)};
+                            size_column("tw", &SectionShape::tw),
+                            turned_column()};
     all[0].need = Need::Required;
     return all;
 }

@@ -201,6 +201,7 @@ void SectionWindow::show_content(Workspace& workspace, ui::ImGuiSession& gui, ui
     show_families(workspace);
     if (lists_profiles(draft)) show_profiles(workspace);
     else show_dimensions(workspace, fields);
+    show_turned(workspace);
     if (const auto reason = why_not_accept(draft)) ui::wrapped_text(workspace.session.view.tr(*reason));
     const float line = ImGui::GetTextLineHeightWithSpacing();
     const auto properties = section_properties(draft.section(), workspace.session.model().units);
@@ -313,6 +314,16 @@ void SectionWindow::show_profiles(Workspace& workspace)
         if (profile == chosen && ImGui::IsWindowAppearing()) ImGui::SetScrollHereY();
     }
     ImGui::EndChild();
+}
+
+void SectionWindow::show_turned(Workspace& workspace) const
+{
+    SectionDraft& draft = workspace.section;
+    bool is_turned = draft.section().turned;
+    ImGui::BeginDisabled(!draft.section().shape && !draft.section().profile);
+    if (ImGui::Checkbox((workspace.session.view.tr("Turned on its side") + "###turned").c_str(), &is_turned))
+        draft.set_turned(workspace.session, is_turned);
+    ImGui::EndDisabled();
 }
 
 void SectionWindow::show_picture(Workspace& workspace, ui::ImGuiSession& gui, float height) const

@@ -29,6 +29,7 @@ private:
     void show_families(Workspace& workspace);
     bool show_filter(const Workspace& workspace);
     void show_profiles(Workspace& workspace);
+    void show_turned(Workspace& workspace) const;
     void show_picture(Workspace& workspace, ui::ImGuiSession& gui, float height) const;
     void show_buttons(Workspace& workspace, const ui::NumberFields& fields) const;
     bool lists_profiles(const SectionDraft& draft) const { return is_listing_ || draft.section().profile; }

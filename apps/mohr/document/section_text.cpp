@@ -56,30 +56,22 @@ Message shape_sentence(const femoop::ShapeFault& fault)
             {key, {"limit", std::string(fault.limit_key)}, {"value", ui::number_text(fault.limit) + " mm"}}};
 }
 
-Message angle_sentence()
+/// Why its stresses are not those of plain bending.
+std::optional<Message> why_not_figure(const femoop::Section& section)
 {
-    return translatable("a single angle bends out of its plane; choose a section that is symmetric about y′ or z′");
+    const femoop::Profile* const profile = section.profile ? femoop::find_profile(*section.profile) : nullptr;
+    const bool is_rolled_angle = profile != nullptr && profile->family == femoop::ProfileFamily::L;
+    const bool is_angle = section.shape && section.shape->kind == femoop::SectionShapeKind::L;
+    if (is_angle || is_rolled_angle)
+        return translatable("a single angle bends out of its plane; choose a section that is symmetric about y′ or z′");
+    const auto fault = section.shape ? femoop::why_not(*section.shape) : std::nullopt;
+    if (!fault) return std::nullopt;
+    return Message(translatable("the shape cannot be: {reason}"), {{"reason", shape_sentence(*fault)}});
 }
 
-std::variant<femoop::mohr::SectionFigure, Message> figure_of(const femoop::Profile& profile)
+/// "i h=300mm bf=150mm tf=12mm tw=8mm", or why it is none.
+std::variant<SectionShape, Message> shape_of(std::string_view text)
 {
-    if (profile.family == femoop::ProfileFamily::L) return angle_sentence();
-    return femoop::mohr::SectionFigure(profile, newtons_and_mm);
-}
-
-std::variant<femoop::mohr::SectionFigure, Message> figure_of(const SectionShape& shape)
-{
-    if (shape.kind == femoop::SectionShapeKind::L) return angle_sentence();
-    if (const auto fault = femoop::why_not(shape))
-        return Message(translatable("the shape cannot be: {reason}"), {{"reason", shape_sentence(*fault)}});
-    return femoop::mohr::SectionFigure(shape);
-}
-
-} // namespace
-
-std::variant<femoop::mohr::SectionFigure, Message> section_figure(std::string_view text)
-{
-    if (const femoop::Profile* const profile = femoop::find_profile(text)) return figure_of(*profile);
     std::istringstream words{std::string(text)};
     std::string kind;
     words >> kind;
@@ -90,7 +82,34 @@ std::variant<femoop::mohr::SectionFigure, Message> section_figure(std::string_vi
     shape.kind = *found;
     for (std::string word; words >> word;)
         if (const auto reason = take_dimension(shape, word)) return *reason;
-    return figure_of(shape);
+    return shape;
+}
+
+/// In mm, or why it is none.
+std::variant<femoop::Section, Message> parsed_section(std::string_view text)
+{
+    constexpr std::string_view turned = " turned";
+    femoop::Section section;
+    section.turned = text.ends_with(turned);
+    if (section.turned) text.remove_suffix(turned.size());
+    if (femoop::find_profile(text) != nullptr) {
+        section.profile = std::string(text);
+        return section;
+    }
+    auto shape = shape_of(text);
+    if (auto* const reason = std::get_if<Message>(&shape)) return std::move(*reason);
+    section.shape = std::get<SectionShape>(std::move(shape));
+    return section;
+}
+
+} // namespace
+
+std::variant<femoop::mohr::SectionFigure, Message> section_figure(std::string_view text)
+{
+    const auto section = parsed_section(text);
+    if (const auto* const reason = std::get_if<Message>(&section)) return *reason;
+    if (auto reason = why_not_figure(std::get<femoop::Section>(section))) return std::move(*reason);
+    return femoop::mohr::SectionFigure(std::get<femoop::Section>(section), newtons_and_mm);
 }
 
 } // namespace mohr

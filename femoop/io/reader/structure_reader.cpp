@@ -9,8 +9,9 @@ namespace femoop {
 namespace {
 
 constexpr Keys<7> material_keys{{"id", "E", "nu", "G", "alpha", "density", "fy"}, 2};
-constexpr Keys<17> section_keys{
-    {"id", "shape", "profile", "A", "Iz", "Iy", "J", "Asy", "Asz", "h", "yc", "b", "d", "t", "bf", "tf", "tw"}, 1};
+constexpr Keys<18> section_keys{{"id", "shape", "profile", "A", "Iz", "Iy", "J", "Asy", "Asz", "h", "yc", "b", "d", "t",
+                                 "bf", "tf", "tw", "turned"},
+                                1};
 constexpr Keys<5> node_keys{{"id", "at", "support", "hinge", "mass"}, 2};
 constexpr Keys<3> support_keys{{"fixed", "angle", "springs"}, 0};
 constexpr Keys<15> member_keys{{"id", "nodes", "material", "section", "start", "end", "theory", "inextensible",
@@ -40,12 +41,13 @@ Material ModelReader::material(JsonValue value, const Place& place)
 
 Section ModelReader::section(JsonValue value, const Place& place)
 {
-    const auto [id, shape, profile, A, Iz, Iy, J, Asy, Asz, h, yc, b, d, t, bf, tf,
-                tw] = reader_.fields(value, section_keys, place);
+    const auto [id, shape, profile, A, Iz, Iy, J, Asy, Asz, h, yc, b, d, t, bf, tf, tw,
+                turned_value] = reader_.fields(value, section_keys, place);
     const auto length = [&](JsonValue field) { return reader_.quantity(field, dimension::length, place); };
     Section section;
     section.id = reader_.id(id, place);
     section.profile = reader_.text(profile, place);
+    section.turned = reader_.boolean(turned_value, place);
     section.A = reader_.quantity(A, dimension::area, place);
     section.Iz = reader_.quantity(Iz, dimension::second_moment, place);
     section.Iy = reader_.quantity(Iy, dimension::second_moment, place);

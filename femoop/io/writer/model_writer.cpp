@@ -74,6 +74,7 @@ std::string text_of(const Section& section)
     object.add_text("id", section.id);
     if (section.shape) add(object, *section.shape);
     if (section.profile) object.add_text("profile", *section.profile);
+    add_if(object, "turned", section.turned);
     add_if(object, "A", section.A);
     add_if(object, "Iz", section.Iz);
     add_if(object, "Iy", section.Iy);

@@ -22,8 +22,6 @@ double width(const std::vector<OutlineSide>& sides, double y, CutSide where)
     return std::abs(sum);
 }
 
-Section profile_section(const Profile& profile) { return {.id = "", .profile = std::string(profile.name)}; }
-
 } // namespace
 
 SectionFigure::SectionFigure(SectionOutline outline) : outline_(std::move(outline))
@@ -35,10 +33,11 @@ SectionFigure::SectionFigure(SectionOutline outline) : outline_(std::move(outlin
 
 SectionFigure::SectionFigure(const SectionShape& shape) : SectionFigure(femoop::outline(shape)) {}
 
-SectionFigure::SectionFigure(const Profile& profile, const Units& units)
-    : outline_(femoop::outline(profile_section(profile), units).value())
+SectionFigure::SectionFigure(const Section& section, const Units& units)
+    : SectionFigure(femoop::outline(section, units).value())
 {
-    const SectionProperties published = section_properties(profile_section(profile), units);
+    if (!section.profile) return;
+    const SectionProperties published = section_properties(section, units);
     area_ = published.A;
     Iz_ = published.Iz;
 }

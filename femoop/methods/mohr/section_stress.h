@@ -39,7 +39,8 @@ public:
     explicit SectionFigure(SectionOutline outline);
     /// \pre `why_not(shape)` has nothing to say
     explicit SectionFigure(const SectionShape& shape);
-    SectionFigure(const Profile& profile, const Units& units);
+    /// A section that has a shape or a profile, turned where it is. \pre `outline(section, units)` is there
+    SectionFigure(const Section& section, const Units& units);
 
     double area() const { return area_; }
     double Iz() const { return Iz_; }

@@ -129,6 +129,7 @@ void Checker::check_section(const Section& section, const Entry& place)
         add(FaultKind::CentroidOutside, place,
             {shown(*section.yc, dimension::length), shown(*section.h, dimension::length)});
     if (section.shape && section.profile) add(FaultKind::ShapeAndProfile, place, {});
+    if (section.turned && !section.shape && !section.profile) add(FaultKind::TurnedNumbers, place, {});
     if (section.shape) check_shape(*section.shape, place);
     if (section.profile) check_profile(*section.profile, place);
 }

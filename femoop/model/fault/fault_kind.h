@@ -115,6 +115,7 @@ enum class FaultKind : std::uint8_t {
     PoissonOutOfRange,
     CentroidOutside,
     ShapeAndProfile,
+    TurnedNumbers,
     ShapeSizeMissing,
     ShapeSizeUnwanted,
     ShapeTooThick,

@@ -192,6 +192,9 @@ std::string_view pattern(FaultKind kind)
     case FaultKind::PoissonOutOfRange: return "{0}: nu is {1}; give a value greater than -1 and at most 0.5";
     case FaultKind::CentroidOutside:
         return "{0}: yc is {1}, more than the depth h = {2}; measure it from the -y' fibre";
+    case FaultKind::TurnedNumbers:
+        return "{0}: \"turned\" is for a shape or a profile, and this section is given by numbers; exchange Iy and Iz, and "
+               "Asy and Asz, or take it away";
     case FaultKind::ShapeAndProfile: return "{0}: has both a shape and a profile; keep one";
     case FaultKind::ShapeSizeMissing: return "{0}: shape {1} needs {2}; add \"{3}\"";
     case FaultKind::ShapeSizeUnwanted: return "{0}: shape {1} has no \"{2}\"; take it away: its sizes are {3}";

@@ -324,6 +324,9 @@ std::vector<BadFile> files_with_bad_materials_and_sections()
          "sections[0] \"s\": Iy is missing, which frame3d needs for member \"AB\"; add it, a shape or a profile"},
         {with_section(R"([{"id": "s", "shape": "circle", "d": 0.2, "profile": "IPE 300"}])"),
          "sections[0] \"s\": has both a shape and a profile; keep one"},
+        {with_section(R"([{"id": "s", "A": 0.01, "Iz": 2e-4, "turned": true}])"),
+         "sections[0] \"s\": \"turned\" is for a shape or a profile, and this section is given by numbers; exchange Iy and Iz, "
+         "and Asy and Asz, or take it away"},
         {with_section(R"([{"id": "s", "shape": "box", "b": 0.2, "h": 0.3}])"),
          "sections[0] \"s\": shape box needs b h t; add \"t\""},
         {with_section(R"([{"id": "s", "shape": "rectangle", "b": 0.2, "h": 0.3, "tw": 0.01}])"),

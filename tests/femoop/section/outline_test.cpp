@@ -1,7 +1,9 @@
 // The outlines that pictures show are those that the numbers belong to.
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <numbers>
 #include <string>
 
@@ -58,6 +60,60 @@ TEST_SUITE("section outline")
             CHECK(-figure.bottom == doctest::Approx(*s.yc));
             CHECK(figure.height() == doctest::Approx(*s.h));
         }
+    }
+
+    TEST_CASE("A section that is turned on its side has the properties of its figure turned counter-clockwise")
+    {
+        for (const SectionShape& shape : shapes) {
+            CAPTURE(static_cast<int>(shape.kind));
+            const Section upright{.id = "s", .shape = shape}, lying{.id = "s", .shape = shape, .turned = true};
+            const SectionOutline before = *outline(upright, {}), after = *outline(lying, {});
+            for (std::size_t i = 0; i < before.outer.size(); ++i) {
+                CHECK(after.outer[i].y == before.outer[i].z);
+                CHECK(after.outer[i].z == -before.outer[i].y);
+            }
+            const bool is_round = shape.kind == SectionShapeKind::Circle || shape.kind == SectionShapeKind::Tube;
+            const double tolerance = is_round ? 6e-3 : 1e-9; // 72 sides
+            const AreaMoments m = moments_of(after);
+            const SectionProperties s = section_properties(lying, {});
+            CHECK(m.A == doctest::Approx(s.A).epsilon(tolerance));
+            CHECK(m.Iyy == doctest::Approx(s.Iz).epsilon(tolerance));
+            CHECK(m.Izz == doctest::Approx(s.Iy).epsilon(tolerance));
+            CHECK(m.Iyz == doctest::Approx(s.Iyz).epsilon(1e-9));
+            CHECK(after.height() == doctest::Approx(*s.h));
+            CHECK(after.width() == doctest::Approx(*s.b));
+            CHECK(-after.bottom == doctest::Approx(*s.yc));
+            CHECK(-after.left == doctest::Approx(*s.zc));
+            CHECK(*s.Wz == doctest::Approx(s.Iz / std::max(after.top, -after.bottom)));
+            CHECK(s.J == shape_properties(shape).J);
+            CHECK(*s.Asy == *shape_properties(shape).Asz);
+        }
+    }
+
+    TEST_CASE("Turned four times a section stands as it stood, twice upside down")
+    {
+        const SectionProperties s = shape_properties(shapes[6]), half = turned(turned(s)), whole = turned(turned(half));
+        CHECK(half.Iz == s.Iz);
+        CHECK(half.Iyz == s.Iyz);
+        CHECK(*half.yc == doctest::Approx(*s.h - *s.yc));
+        CHECK(*half.zc == doctest::Approx(*s.b - *s.zc));
+        CHECK(*whole.yc == doctest::Approx(*s.yc));
+    }
+
+    TEST_CASE("A rolled channel on its side opens upwards, and what is written beside it is about the axes as it lies")
+    {
+        const Units units{.length = LengthUnit::cm, .force = ForceUnit::kN};
+        const Profile& upn = *find_profile("UPN 200");
+        Section lying{.id = "s", .profile = "UPN 200", .turned = true};
+        const SectionProperties s = section_properties(lying, units);
+        CHECK(s.Iz == upn.Iy);
+        CHECK(s.Iy == upn.Iz);
+        CHECK(*s.yc == upn.zc);
+        CHECK(*s.h == upn.bf);
+        CHECK(outline(lying, units)->top > -outline(lying, units)->bottom); // the web is below
+        lying.Iz = 7.0;
+        CHECK(section_properties(lying, units).Iz == 7.0);
+        CHECK(section_properties(lying, units).Iy == upn.Iz);
     }
 
     TEST_CASE("The outline of every rolled profile has the table's area within 0.8 %, its fillets and tapers included")

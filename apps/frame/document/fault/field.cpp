@@ -43,6 +43,7 @@ constexpr std::array entries{
     Entry{"sections", "bf", "bf", "bf"},
     Entry{"sections", "tf", "tf", "tf"},
     Entry{"sections", "tw", "tw", "tw"},
+    Entry{"sections", "turned", translatable("Turned on its side"), translatable("Turned")},
     Entry{"nodes", "id", translatable("Name"), translatable("Node")},
     Entry{"nodes", "x", "x", "x"},
     Entry{"nodes", "y", "y", "y"},
@@ -142,6 +143,7 @@ std::string key_of(const Fault& fault)
     case FaultKind::RepeatedId: return "id";
     case FaultKind::PoissonOutOfRange: return "nu";
     case FaultKind::CentroidOutside: return "yc";
+    case FaultKind::TurnedNumbers: return "turned";
     case FaultKind::ShapeAndProfile:
     case FaultKind::UnknownProfile:
     case FaultKind::UnknownProfileNear: return "profile";

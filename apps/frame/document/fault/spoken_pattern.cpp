@@ -60,6 +60,10 @@ std::string_view spoken_pattern(FaultKind kind)
     case FaultKind::ShapeSizeMissing: return translatable("{0}: the shape needs {2}; give {3}");
     case FaultKind::ShapeSizeUnwanted:
         return translatable("{0}: the shape has no {2}; take it away: its sizes are {3}");
+    case FaultKind::TurnedNumbers:
+        return translatable(
+            "{0}: only a shape or a profile is turned on its side, and this section is given by numbers; "
+            "exchange Iy and Iz, and Asy and Asz, or turn it back");
     case FaultKind::MissingProperty:
         return translatable(
             "{0}: {8} is missing, which member {3} of the {2} needs; give it, a shape or a profile ({9})");

@@ -54,6 +54,13 @@ SectionShape t_shape()
     return shape;
 }
 
+constexpr Units newtons_and_mm{.length = LengthUnit::mm, .force = ForceUnit::N};
+
+SectionFigure rolled(std::string_view profile)
+{
+    return {Section{.id = "s", .profile = std::string(profile)}, newtons_and_mm};
+}
+
 /// Integrals of the distribution over the depth by the trapezoidal rule: N, V, M again.
 SectionForces resultants(const SectionFigure& section, std::size_t n = 4001)
 {
@@ -145,8 +152,6 @@ TEST_CASE("Bending alone stresses the extreme fibre most and shear alone the neu
 
 namespace {
 
-constexpr Units newtons_and_mm{.length = LengthUnit::mm, .force = ForceUnit::N};
-
 /// How far printed numbers of a family may be from those of the outline: the figures that its table prints.
 double rounding_of(ProfileFamily family)
 {
@@ -157,10 +162,18 @@ double rounding_of(ProfileFamily family)
 
 TEST_CASE("An IPE 400 under 100 kN m has 86.47 MPa at its edge, by the second moment that its standard publishes")
 {
-    const SectionFigure section(*find_profile("IPE 400"), newtons_and_mm);
+    const SectionFigure section = rolled("IPE 400");
     const double sigma = stress(section, {.M = 100e6}, 200.0).sigma;
     CHECK(sigma == Approx(-100e6 * 200.0 / 23130e4).epsilon(1e-12));
     CHECK(std::round(100.0 * sigma) == -8647.0);
+}
+
+TEST_CASE("An IPE 400 on its side is stressed by its weak axis, and its flanges share the shear")
+{
+    const SectionFigure section(Section{.id = "s", .profile = "IPE 400", .turned = true}, newtons_and_mm);
+    CHECK(stress(section, {.M = 100e6}, 90.0).sigma == Approx(-100e6 * 90.0 / 1318e4).epsilon(1e-12));
+    CHECK(section.cut(80.0).width == Approx(2.0 * 13.5));
+    CHECK(section.cut(0.0).width == Approx(400.0));
 }
 
 TEST_CASE("Every rolled profile is stressed by the area and the second moment that the analysis has of it")
@@ -169,7 +182,7 @@ TEST_CASE("Every rolled profile is stressed by the area and the second moment th
         CAPTURE(profile.name);
         const SectionProperties s = section_properties({.id = "s", .profile = std::string(profile.name)},
                                                        newtons_and_mm);
-        const SectionFigure section(profile, newtons_and_mm);
+        const SectionFigure section = rolled(profile.name);
         CHECK(section.area() == s.A);
         CHECK(section.Iz() == s.Iz);
         const double y = -0.31 * *s.h;
@@ -182,7 +195,8 @@ TEST_CASE("Above the axis of every rolled profile lies half its plastic modulus,
     for (const Profile& profile : profiles()) {
         CAPTURE(profile.name);
         const double k = metres(profile.unit) * 1e3, tolerance = rounding_of(profile.family);
-        const SectionFigure published(profile, newtons_and_mm), drawn(published.outline());
+        const SectionFigure published = rolled(profile.name), drawn(published.outline());
+        if (profile.family == ProfileFamily::L) continue; // no plastic modulus is known
         const double misprint = profile.name == "UPN350" ? 0.022 : tolerance;
         CHECK(2.0 * published.cut(0.0).Q == Approx(profile.Zz * k * k * k).epsilon(misprint));
         CHECK(drawn.Iz() == Approx(published.Iz()).epsilon(tolerance));
@@ -194,7 +208,7 @@ TEST_CASE("The shear stresses of every rolled profile add up to V, but for the r
 {
     for (const Profile& profile : profiles()) {
         CAPTURE(profile.name);
-        const SectionForces sum = resultants(SectionFigure(profile, newtons_and_mm), 401);
+        const SectionForces sum = resultants(rolled(profile.name), 401);
         CHECK(sum.V == Approx(forces.V).epsilon(rounding_of(profile.family) + 5e-4));
     }
 }
@@ -203,7 +217,7 @@ TEST_CASE("At both edges of every rolled profile there is no shear, to the last 
 {
     for (const Profile& profile : profiles()) {
         CAPTURE(profile.name);
-        const SectionFigure section(profile, newtons_and_mm);
+        const SectionFigure section = rolled(profile.name);
         for (const double y : {section.top(), section.bottom()}) {
             CHECK(stress(section, forces, y).tau == 0.0);
             CHECK(stress(section, forces, y, CutSide::Above).tau == 0.0);
