@@ -3,9 +3,9 @@
 #include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
 #include "femoop/discretisation/equations.h"
+#include "femoop/discretisation/parts.h"
 #include "femoop/result/end_vectors.h"
 
 #include "femoop/element/analysis_model.h"
@@ -219,22 +219,6 @@ int member_forces(const MemberEndConditions* end_conditions, AnalysisKind kind)
     }
 }
 
-/// The number of separate pieces that members join nodes to; nodes without members do not count.
-int n_components(const Discretisation& structure)
-{
-    std::vector<std::uint32_t> root(structure.positions.size());
-    std::iota(root.begin(), root.end(), 0U);
-    const auto find = [&](std::uint32_t i) {
-        while (root[i] != i) i = root[i] = root[root[i]];
-        return i;
-    };
-    for (const Discretisation::MemberRow& member : structure.members)
-        root[find(member.nodes[0].index)] = find(member.nodes[1].index);
-    int n = 0;
-    for (std::uint32_t i = 0; i < root.size(); ++i) n += structure.is_attached[i] && find(i) == i ? 1 : 0;
-    return n;
-}
-
 } // namespace
 
 void add_reactions(detail::Solution& solution)
@@ -257,10 +241,8 @@ Indeterminacy count_indeterminacy(const Discretisation& structure, std::size_t n
         reactions += support.blocked.size();
         for (const double k : support.springs) reactions += k > 0.0 ? 1 : 0;
     }
-    int equations = -static_cast<int>(n_restraints);
-    for (const bool is_attached : structure.is_attached) equations += is_attached ? n_node_dofs : 0;
-    const int rigid_motions = is_3d(structure.kind) ? 6 : 3;
-    count.external = reactions - rigid_motions * n_components(structure);
+    const int equations = n_node_dofs * static_cast<int>(n_joints(structure)) - static_cast<int>(n_restraints);
+    count.external = reactions - n_rigid_motions(structure.kind) * static_cast<int>(n_parts(structure));
     count.internal = forces + reactions - equations - count.external;
     return count;
 }

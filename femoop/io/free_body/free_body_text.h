@@ -1,0 +1,27 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <string>
+#include <vector>
+
+#include "femoop/io/json/json_writer.h"
+#include "femoop/methods/free_body/free_body.h"
+#include "femoop/model/fault/translator.h"
+
+namespace femoop::free_body {
+
+/// What a force is and where: "load on AB at x = 2.5 m", "section of BC at x = 0 m", "reaction at A".
+std::string force_text(const Force& force, const Model& model, const Translator& tr);
+
+/// The equations of equilibrium with their numbers, a line each: "ΣFy = 36 + 30 − 66 = 0  [kN]".
+std::vector<std::string> equation_lines(const FreeBody& body, const Model& model, const Eigen::Vector3d& about,
+                                        const Translator& tr);
+
+/// The body, a table of the forces on it with their moments about the point, and the equations.
+std::string free_body_text(const FreeBody& body, const Model& model, const Eigen::Vector3d& about,
+                           const Translator& tr);
+
+/// The same for a program, with every digit: members of the object that is open.
+void write_free_body(JsonWriter& json, const FreeBody& body, const Model& model, const Eigen::Vector3d& about);
+
+} // namespace femoop::free_body

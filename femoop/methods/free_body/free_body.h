@@ -1,0 +1,68 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "femoop/methods/free_body/body.h"
+#include "femoop/model/model.h"
+#include "femoop/result/results.h"
+
+namespace femoop::free_body {
+
+/// What acts on a body.
+enum class ForceKind : std::uint8_t {
+    NodeLoad,
+    MemberLoad, ///< a point load, or the resultant of what is distributed along a piece
+    Reaction,   ///< of a support
+    Foundation, ///< the resultant of what a continuous foundation does to a piece
+    SectionForces
+};
+
+/// A force and a moment on a body at a place.
+///
+/// Signs  global axes, right-handed
+struct Force {
+    ForceKind kind = ForceKind::NodeLoad;
+    std::optional<NodeId> node;     ///< that it acts on
+    std::optional<MemberId> member; ///< likewise
+    double x = 0.0;                 ///< along the member
+    Eigen::Vector3d at = Eigen::Vector3d::Zero();
+    Eigen::Vector3d force = Eigen::Vector3d::Zero();
+    Eigen::Vector3d moment = Eigen::Vector3d::Zero();
+    /// Of section forces: what the analysis calls them, and whether the body has the face +x' there (else -x', where
+    /// they act the other way).
+    SectionForces section{};
+    bool is_on_plus_face = true;
+
+    Eigen::Vector3d moment_about(const Eigen::Vector3d& point) const;
+};
+
+/// A body with all that acts on it in a load case or combination.
+struct FreeBody {
+    Body body;
+    std::vector<Force> forces; ///< without those that are nothing
+};
+
+/// What acts on a part of a structure. \pre the results are those of the model
+/// Accuracy  what a foundation does is integrated along the exact deflection; all else is exact
+FreeBody lift_out(const Model& model, const Results& results, CaseId load_case, const Body& body);
+
+/// The point that moments are taken about if none is chosen: of the first section, so that its forces have no arm; else
+/// of the first node.
+Eigen::Vector3d usual_moment_point(const FreeBody& body, const Model& model);
+
+/// An equation of equilibrium of a body: along an axis, or about it through a point.
+struct Equation {
+    Dof dof = Dof::ux;
+    std::vector<double> terms; ///< of each of the forces
+    double sum = 0.0;          ///< 0 but for rounding
+    double size = 0.0;         ///< of the largest thing that is summed: the terms, and forces by their arms
+};
+
+/// All that a model of this kind has: in the plane along x and y and about the point, of a grillage along z and about x
+/// and y, in space six.
+std::vector<Equation> equations(const FreeBody& body, AnalysisKind kind, const Eigen::Vector3d& about);
+
+} // namespace femoop::free_body

@@ -1,0 +1,57 @@
+#include <doctest/doctest.h>
+
+#include "femoop/analysis/linear_static.h"
+#include "femoop/io/free_body/free_body_text.h"
+#include "tests/frame_maker.h"
+
+using namespace femoop;
+using namespace femoop::free_body;
+
+namespace {
+
+/// A cantilever from A under 12 kN/m and 30 kN at 3 m, cut at 2 m.
+Model cantilever()
+{
+    FrameMaker made;
+    made.node("A", 0, 0, SupportKind::Fixed)
+        .node("B", 5, 0)
+        .member("A", "B")
+        .uniform("AB", -12.0)
+        .point("AB", 3.0, -30.0);
+    return made.model;
+}
+
+FreeBody right_part(const Model& model)
+{
+    const std::vector<Cut> cuts{{MemberId(0), 2.0}};
+    const std::vector<NodeId> beside{NodeId(1)};
+    return lift_out(model, analyse(model), CaseId(0), body_of(discretise(model), cuts, beside));
+}
+
+} // namespace
+
+TEST_CASE("The forces on a body stand in a table that adds up to nothing, and in its equations")
+{
+    const Model model = cantilever();
+    CHECK(free_body_text(right_part(model), model, {2.0, 0.0, 0.0}, english) ==
+          "Free body: nodes B; members AB from x = 2 m to x = 5 m\n"
+          "Moments about (2, 0) m\n"
+          "\n"
+          "  acts on the body        Fx [kN]  Fy [kN]  M [kN·m]\n"
+          "  load on AB at x = 3 m         0      -30       -30\n"
+          "  load on AB at x = 3.5 m       0      -36       -54\n"
+          "  section of AB at x = 2 m      0       66        84\n"
+          "  sum                           0        0         0\n"
+          "\n"
+          "ΣFx = 0  [kN]\n"
+          "ΣFy = −30 − 36 + 66 = 0  [kN]\n"
+          "ΣM(2, 0) = −30 − 54 + 84 = 0  [kN·m]\n");
+}
+
+TEST_CASE("Moments about another point have the arms of all forces")
+{
+    const Model model = cantilever();
+    const auto lines = equation_lines(right_part(model), model, {5.0, 0.0, 0.0}, english);
+    REQUIRE(lines.size() == 3);
+    CHECK(lines[2] == "ΣM(5, 0) = 60 + 54 − 114 = 0  [kN·m]");
+}
