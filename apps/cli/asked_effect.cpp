@@ -55,6 +55,17 @@ std::optional<double> number_in(std::string_view text)
     return error == std::errc() && end == text.data() + text.size() ? std::optional(value) : std::nullopt;
 }
 
+femoop::Position position_named(const std::string& option, const std::string& found, const Model& model)
+{
+    std::string_view text = found;
+    if (!text.empty() && text.back() == '%') {
+        text.remove_suffix(1);
+        if (const auto share = number_in(text)) return femoop::Percent{*share};
+        throw femoop::ModelError({Fault{FaultKind::BadPercentage, {option, found}}});
+    }
+    return length_named(option, found, model);
+}
+
 } // namespace
 
 void AskedEffect::declare(CLI::App& app, const ui::Catalogue& tr)
@@ -127,16 +138,7 @@ void AskedEffect::require_sensible(const ui::Catalogue& tr, Place place) const
     if (member_ && place == Place::Needed) require(at_.has_value(), named("member"), named("at"));
 }
 
-femoop::Position AskedEffect::place(const Model& model) const
-{
-    std::string_view text = *at_;
-    if (!text.empty() && text.back() == '%') {
-        text.remove_suffix(1);
-        if (const auto share = number_in(text)) return femoop::Percent{*share};
-        throw femoop::ModelError({Fault{FaultKind::BadPercentage, {named("at"), *at_}}});
-    }
-    return length_named(named("at"), *at_, model);
-}
+femoop::Position AskedEffect::place(const Model& model) const { return position_named(named("at"), *at_, model); }
 
 femoop::MovingEffect AskedEffect::effect(const Model& model, const ui::Catalogue& tr) const
 {
@@ -171,6 +173,13 @@ femoop::MovingEffect AskedEffect::sound_effect(const Model& model, const ui::Cat
     auto errors = errors_among(check_effect(model, effect, {option(), std::nullopt}));
     if (!errors.empty()) throw femoop::ModelError(std::move(errors));
     return effect;
+}
+
+double place_named(std::string_view option, const std::string& text, double length, const Model& model)
+{
+    const femoop::Position place = position_named(std::string(option), text, model);
+    if (const auto* percent = std::get_if<femoop::Percent>(&place)) return percent->value / 100.0 * length;
+    return std::get<femoop::Quantity>(place);
 }
 
 femoop::Quantity length_named(std::string_view option, const std::string& text, const Model& model)

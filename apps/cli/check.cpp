@@ -3,10 +3,12 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "apps/cli/model_input.h"
 #include "apps/frame/document/companion/companion_file.h"
+#include "femoop/io/counting/counting_text.h"
 #include "femoop/io/file_text.h"
 #include "femoop/io/json/json_writer.h"
 
@@ -23,22 +25,24 @@ std::size_t number_of(const std::vector<femoop::Fault>& faults, Severity severit
     }));
 }
 
-/// Everything wrong with a file: with a view file as it stands beside its model, else with a model.
-std::vector<femoop::Fault> faults_of(const std::string& file, const ui::Catalogue& tr)
+/// What a file holds and everything wrong with it: with a view file as it stands beside its model, else with a model.
+femoop::ModelReading read(const std::string& file, const ui::Catalogue& tr)
 {
     const auto beside = frame::model_of_companion(file);
-    if (!beside) return examine(file, tr).faults;
+    if (!beside) return examine(file, tr);
     femoop::FileText model = femoop::file_text(*beside);
-    if (model.fault) return {*std::move(model.fault)};
+    if (model.fault) return {{}, {*std::move(model.fault)}};
     femoop::FileText views = femoop::file_text(file);
-    if (views.fault) return {*std::move(views.fault)};
-    return frame::read_companion(views.text, femoop::examine_model(model.text).model).faults;
+    if (views.fault) return {{}, {*std::move(views.fault)}};
+    femoop::ModelReading reading = femoop::examine_model(model.text);
+    reading.faults = frame::read_companion(views.text, reading.model).faults;
+    return reading;
 }
 
 /// What `check` says of a file that can be used.
 struct SoundFile {
     std::string file;
-    std::vector<femoop::Fault> warnings;
+    femoop::ModelReading reading;
 };
 
 class Check : public Subcommand {
@@ -49,10 +53,11 @@ public:
     ExitStatus run(Console& console) override;
 
 private:
+    void print(const SoundFile& file, Console& console) const;
     void print_json(const std::vector<SoundFile>& files, Console& console) const;
 
     std::vector<std::string> files_;
-    bool is_json_ = false;
+    bool is_json_ = false, is_counted_ = false;
 };
 
 HelpText Check::help(const ui::Catalogue& tr) const
@@ -64,12 +69,17 @@ HelpText Check::help(const ui::Catalogue& tr) const
            "Warnings, such as a section that no member uses or members that cross without a node, leave the status 0. "
            "A view file (portal.view.json) is checked beside its model (portal.json), which must be there."),
         {{"cremona check examples/portal.json", tr("One file.")},
+         {"cremona check examples/portal.json --count",
+          tr("The degree of static indeterminacy as a sum of rings, releases, reactions and equations.")},
          {"cremona check homework/*.json", tr("A class's files: the status is 2 if any has an error.")}}};
 }
 
 void Check::declare(CLI::App& app, const ui::Catalogue& tr)
 {
     app.add_option("FILE", files_, tr("model files and view files; - is standard input"))->option_text(" ");
+    app.add_flag("--count", is_counted_,
+                 tr("print what the degree of static indeterminacy of each sound file is made of; a structure that can "
+                    "move is counted too"));
     app.add_flag("--json", is_json_, tr("print the sound files and their warnings as JSON"));
 }
 
@@ -79,11 +89,24 @@ void Check::print_json(const std::vector<SoundFile>& files, Console& console) co
     json.begin_object().member("cremona", 1).key("files").begin_array(femoop::JsonWriter::Layout::Block);
     for (const SoundFile& file : files) {
         json.begin_object().member("file", file.file).key("warnings").begin_array();
-        for (const femoop::Fault& warning : file.warnings) json.value(console.sentence(warning));
-        json.end().end();
+        for (const femoop::Fault& warning : file.reading.faults) json.value(console.sentence(warning));
+        json.end();
+        const femoop::Model& model = file.reading.model;
+        if (is_counted_) femoop::counting::write_counting(json.key("counting"), femoop::counting::count(model), model);
+        json.end();
     }
     json.end().end();
     console.print(json.take());
+}
+
+void Check::print(const SoundFile& file, Console& console) const
+{
+    const ui::Catalogue& tr = console.tr();
+    console.print(file.file + ": " +
+                  tr("no errors, warnings: {warnings}", {{"warnings", std::to_string(file.reading.faults.size())}}) +
+                  "\n");
+    const femoop::Model& model = file.reading.model;
+    if (is_counted_) console.print(femoop::counting::counting_text(femoop::counting::count(model), model, tr));
 }
 
 ExitStatus Check::run(Console& console)
@@ -93,20 +116,20 @@ ExitStatus Check::run(Console& console)
     ExitStatus status = ExitStatus::Done;
     std::vector<SoundFile> sound;
     for (const std::string& file : files_) {
-        const std::vector<femoop::Fault> faults = faults_of(file, tr);
+        femoop::ModelReading reading = read(file, tr);
         const std::string shown = display_name(file, tr);
-        console.report(shown, faults);
-        const std::size_t errors = number_of(faults, Severity::Error);
-        const std::size_t warnings = number_of(faults, Severity::Warning);
-        if (errors == 0) sound.push_back({shown, faults});
-        else status = ExitStatus::BadInput;
-        if (errors > 0)
+        console.report(shown, reading.faults);
+        const std::size_t errors = number_of(reading.faults, Severity::Error);
+        if (errors > 0) {
+            const std::size_t warnings = number_of(reading.faults, Severity::Warning);
+            status = ExitStatus::BadInput;
             console.message(shown + ": " +
                             tr("errors: {errors}, warnings: {warnings}",
                                {{"errors", std::to_string(errors)}, {"warnings", std::to_string(warnings)}}));
-        else if (!is_json_)
-            console.print(shown + ": " +
-                          tr("no errors, warnings: {warnings}", {{"warnings", std::to_string(warnings)}}) + "\n");
+            continue;
+        }
+        sound.push_back({shown, std::move(reading)});
+        if (!is_json_) print(sound.back(), console);
     }
     if (is_json_ && status == ExitStatus::Done) print_json(sound, console);
     return status;

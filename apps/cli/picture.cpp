@@ -1,6 +1,7 @@
 #include "apps/cli/picture.h"
 
 #include <functional>
+#include <optional>
 
 #include "apps/cli/analysis_run.h"
 #include "apps/drawing/draw.h"
@@ -24,6 +25,12 @@ drawing::DrawState looked_at(const PictureOrder& order, const drawing::DrawInput
     return state;
 }
 
+std::optional<femoop::counting::Counting> counting_shown(const femoop::Model& model, const drawing::DrawOptions& view)
+{
+    if (!view.show.contains(drawing::Show::Counting) || model.members.empty()) return std::nullopt;
+    return femoop::counting::count(model);
+}
+
 ExitStatus draw_mechanism(const femoop::Model& model, const femoop::MechanismError& error, const std::string& file,
                           const PictureOrder& order, const Console& console)
 {
@@ -34,8 +41,11 @@ ExitStatus draw_mechanism(const femoop::Model& model, const femoop::MechanismErr
         throw UsageError(tr("--mechanism: found {found}; wanted at most {total}, the number of its motions",
                             {{"found", std::to_string(shown + 1)}, {"total", std::to_string(total)}}));
     report_mechanisms(error, file, console);
-    const drawing::DrawInput input{
-        .model = model, .motion = frame::motion_choice(error.mechanisms(), shown, tr), .dimensions = order.dimensions};
+    const auto counting = counting_shown(model, order.view);
+    const drawing::DrawInput input{.model = model,
+                                   .motion = frame::motion_choice(error.mechanisms(), shown, tr),
+                                   .dimensions = order.dimensions,
+                                   .counting = counting ? &*counting : nullptr};
     write_picture(
         order.file, backdrop_of(order, model), [&](ui::Painter& painter) { drawing::draw(painter, input, order.view); },
         tr);
@@ -55,7 +65,11 @@ ExitStatus draw_picture(const femoop::Model& model, const std::string& file, con
         if (order.mechanism)
             throw UsageError(console.tr()("--mechanism: the structure is no mechanism; leave the option out"));
         console.report(file, results.warnings());
-        const drawing::DrawInput input{.model = model, .results = &results, .dimensions = order.dimensions};
+        const auto counting = counting_shown(model, order.view);
+        const drawing::DrawInput input{.model = model,
+                                       .results = &results,
+                                       .dimensions = order.dimensions,
+                                       .counting = counting ? &*counting : nullptr};
         write_picture(
             order.file, backdrop_of(order, model),
             [&](ui::Painter& painter) { drawing::draw(painter, input, order.view, looked_at(order, input, painter)); },

@@ -48,6 +48,25 @@ TEST_CASE("All errors of a file come at once on stderr, with their places, and s
     }
 }
 
+TEST_CASE("The degree of static indeterminacy is counted in words and numbers")
+{
+    const Run text = cremona({"check", "-", "--count"}, cantilever());
+    CHECK(text.status == 0);
+    CHECK(has(text.out, "Degree of static indeterminacy: 0 rings × 3 + 3 reactions − 1 part × 3 = 0\n"));
+    CHECK(has(text.out, "  support A: +3\n"));
+    const Run json = cremona({"check", "-", "--count", "--json"}, cantilever());
+    const auto counting = nlohmann::json::parse(json.out).at("files").at(0).at("counting");
+    CHECK(counting.at("degree").at("total") == 0);
+    CHECK(counting.at("reactions").at(0).at("count") == 3);
+    CHECK(counting.at("motions") == 0);
+}
+
+TEST_CASE("The count is written in Portuguese with --lang pt")
+{
+    const Run run = cremona({"check", "-", "--count", "--lang", "pt"}, cantilever());
+    CHECK(has(run.out, "Grau de hiperestaticidade: 0 anéis × 3 + 3 reações − 1 parte × 3 = 0\n"));
+}
+
 TEST_CASE("Faults are told in Portuguese with --lang pt")
 {
     const Run run = cremona({"check", "-", "--lang", "pt"}, with("\"support\"", "\"suport\""));

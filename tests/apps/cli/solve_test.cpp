@@ -1,5 +1,6 @@
 #include <doctest/doctest.h>
 
+#include <cmath>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
@@ -432,6 +433,53 @@ TEST_CASE("Numbers and choices out of range are answered with what was found and
     CHECK(cremona({"solve", "-", "--stations", "5x"}, cantilever()).status == 2);
     CHECK(cremona({"solve", "-", "--solver", "skylin"}, cantilever()).err ==
           "cremona solve: --solver: there is no \"skylin\"; did you mean \"skyline\"?\n");
+}
+
+TEST_CASE("A free body is told by its forces and equations, of a node, of members, and of a side of cuts")
+{
+    const auto said = [](const std::string& what) {
+        const Run run = cremona({"solve", "-", "--free-body", what}, cantilever());
+        CHECK(run.status == 0);
+        return run.out;
+    };
+    CHECK(has(said("node=A"), "Free body: nodes A\n"));
+    CHECK(has(said("members=AB"), "Free body: members AB\n"));
+    const std::string side = said("cut=AB@50%,beside=B");
+    CHECK(has(side, "Free body: nodes B; members AB from x = "));
+    CHECK(has(side, "ΣFx = 0  [kN]"));
+}
+
+TEST_CASE("A free body in JSON has its forces, and equations that add up to nothing about any point")
+{
+    const Run run = cremona({"solve", "-", "--free-body", "node=A", "--about", "3,-2", "--json"}, cantilever());
+    const auto body = nlohmann::json::parse(run.out).at("free_body");
+    CHECK(body.at("about") == nlohmann::json({3, -2, 0}));
+    REQUIRE(body.at("equations").size() == 3);
+    for (const auto& equation : body.at("equations")) CHECK(std::abs(equation.at("sum").get<double>()) < 1e-9);
+}
+
+TEST_CASE("What names no body, and what is not of the model, is refused with what would be right")
+{
+    const auto refused = [](std::vector<std::string> arguments, const std::string& sentence) {
+        arguments.insert(arguments.begin(), {"solve", "-"});
+        const Run run = cremona(arguments, cantilever());
+        CHECK(run.status == 2);
+        CHECK(run.out.empty());
+        CAPTURE(run.err);
+        CHECK(has(run.err, sentence));
+    };
+    refused({"--free-body", "all"}, "--free-body: \"all\" names no body; write it like node=B");
+    refused({"--free-body", "node=A,members=AB"}, "names no body");
+    refused({"--free-body", "cut=AB@50%"}, "names no body");
+    refused({"--free-body", "cut=AB,beside=A"}, "names no body");
+    refused({"--free-body", "node=Q"}, "--free-body: there is no \"Q\"");
+    refused({"--free-body", "cut=AB@900,beside=A"}, "wanted a place from 0 to ");
+    refused({"--free-body", "cut=AB@5x%,beside=A"}, "--free-body");
+    refused({"--free-body", "node=A", "--about", "1"},
+            "--about: found 1; wanted the coordinates of a point, 2 of them");
+    refused({"--about", "1,2"}, "--about needs --free-body too; add it");
+    refused({"--free-body", "node=A", "--describe"}, "--free-body and --describe print different things");
+    refused({"--free-body", "node=A", "--case", "envelope"}, "--free-body and --case envelope print different things");
 }
 
 TEST_SUITE_END();

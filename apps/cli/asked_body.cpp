@@ -1,0 +1,158 @@
+#include "apps/cli/asked_body.h"
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "apps/cli/asked_effect.h"
+#include "femoop/io/free_body/free_body_text.h"
+#include "femoop/io/json/model_json.h"
+#include "femoop/model/quantity/number_text.h"
+
+namespace cli {
+
+namespace {
+
+using femoop::Model;
+using namespace femoop::free_body;
+
+/// What stands behind each key of "cut=BC@2,DE@50%,beside=A".
+struct Words {
+    std::vector<std::string> node, members, cut, beside;
+};
+
+UsageError not_understood(const std::string& text, const ui::Catalogue& tr)
+{
+    return UsageError(tr("--free-body: \"{found}\" names no body; write it like node=B, members=AB,BC or "
+                         "cut=BC@2,DE@50%,beside=A",
+                         {{"found", femoop::printable(text)}}));
+}
+
+Words words_of(const std::string& text, const ui::Catalogue& tr)
+{
+    Words words;
+    const std::array<std::pair<std::string_view, std::vector<std::string>*>, 4> keys{
+        {{"node=", &words.node}, {"members=", &words.members}, {"cut=", &words.cut}, {"beside=", &words.beside}}};
+    std::vector<std::string>* list = nullptr;
+    for (std::string_view part : comma_list(text)) {
+        const auto* const key = std::ranges::find_if(keys,
+                                                     [&](const auto& one) { return part.starts_with(one.first); });
+        if (key != keys.end()) {
+            list = key->second;
+            part.remove_prefix(key->first.size());
+        }
+        if (list == nullptr) throw not_understood(text, tr);
+        list->emplace_back(part);
+    }
+    return words;
+}
+
+template <class Parts> std::vector<std::string> ids_of(const Parts& parts)
+{
+    std::vector<std::string> ids;
+    for (const auto& part : parts) ids.push_back(part.id);
+    return ids;
+}
+
+femoop::NodeId node_named(const Model& model, const std::string& name, const ui::Catalogue& tr)
+{
+    if (const auto node = model.find_node(name)) return *node;
+    throw unknown_choice("--free-body", name, ids_of(model.nodes), tr);
+}
+
+femoop::MemberId member_named(const Model& model, const std::string& name, const ui::Catalogue& tr)
+{
+    if (const auto member = model.find_member(name)) return *member;
+    throw unknown_choice("--free-body", name, ids_of(model.members), tr);
+}
+
+/// "BC@2", "BC@50%"
+Cut cut_named(const Model& model, const std::string& text, const ui::Catalogue& tr)
+{
+    const std::size_t at = text.rfind('@');
+    if (at == std::string::npos) throw not_understood(text, tr);
+    const femoop::MemberId member = member_named(model, text.substr(0, at), tr);
+    const double length = femoop::geometry_of(model, model[member]).length;
+    const double x = place_named("--free-body", text.substr(at + 1), length, model);
+    if (x < 0.0 || x > length)
+        throw UsageError(tr("--free-body: found the cut {found}; wanted a place from 0 to {length} along the member",
+                            {{"found", text}, {"length", femoop::localized(femoop::number_text(length), tr)}}));
+    return {member, x};
+}
+
+} // namespace
+
+void AskedBody::declare(CLI::App& app, const ui::Catalogue& tr)
+{
+    app.add_option(
+           "--free-body", what_,
+           tr("print the forces on a part of the structure and its equations of equilibrium, instead of the results: "
+              "node=N, members=M,.., or cut=M@X,..,beside=N for all that hangs together with a node where members are "
+              "cut; of the first load case, or that of --case"))
+        ->option_text("WHAT");
+    app.add_option("--about", about_,
+                   tr("with --free-body: the point that moments are taken about (default: the first section, or node)"))
+        ->option_text("X,Y");
+}
+
+void AskedBody::require_sensible(const ui::Catalogue& tr) const
+{
+    if (about_ && !what_) throw UsageError(tr("{a} needs {b} too; add it", {{"a", "--about"}, {"b", "--free-body"}}));
+}
+
+Body AskedBody::body(const Model& model, const ui::Catalogue& tr) const
+{
+    const Words words = words_of(*what_, tr);
+    const femoop::Discretisation structure = discretise(model);
+    const bool asks_for_node = words.node.size() == 1 && words.members.empty() && words.cut.empty();
+    const bool asks_for_side = !words.beside.empty() && words.node.empty() && words.members.empty();
+    if (asks_for_node && words.beside.empty()) return body_of(node_named(model, words.node.front(), tr));
+    if (asks_for_side && !words.cut.empty()) {
+        std::vector<Cut> cuts;
+        for (const std::string& text : words.cut) cuts.push_back(cut_named(model, text, tr));
+        std::vector<femoop::NodeId> beside;
+        for (const std::string& name : words.beside) beside.push_back(node_named(model, name, tr));
+        return body_of(structure, cuts, beside);
+    }
+    if (words.members.empty() || !words.node.empty() || !words.cut.empty() || !words.beside.empty())
+        throw not_understood(*what_, tr);
+    std::vector<femoop::MemberId> members;
+    for (const std::string& name : words.members)
+        if (const auto member = member_named(model, name, tr); std::ranges::find(members, member) == members.end())
+            members.push_back(member);
+    return body_of(structure, members);
+}
+
+Eigen::Vector3d AskedBody::about(const Model& model, const FreeBody& body, const ui::Catalogue& tr) const
+{
+    if (!about_) return usual_moment_point(body, model);
+    const std::vector<std::string> numbers = comma_list(*about_);
+    const std::size_t wanted = n_coordinates(model.analysis);
+    if (numbers.size() != wanted)
+        throw UsageError(tr("--about: found {found}; wanted the coordinates of a point, {count} of them",
+                            {{"found", femoop::printable(*about_)}, {"count", std::to_string(wanted)}}));
+    Eigen::Vector3d point = Eigen::Vector3d::Zero();
+    for (std::size_t i = 0; i < wanted; ++i)
+        point[static_cast<Eigen::Index>(i)] = length_named("--about", numbers[i], model);
+    return point;
+}
+
+std::string AskedBody::output(const Model& model, const femoop::Results& results, femoop::CaseId load_case,
+                              bool is_json, const ui::Catalogue& tr) const
+{
+    const FreeBody lifted = lift_out(model, results, load_case, body(model, tr));
+    const Eigen::Vector3d point = about(model, lifted, tr);
+    if (!is_json) return free_body_text(lifted, model, point, tr);
+    femoop::JsonWriter json;
+    begin_output(json, model.units);
+    json.key("free_body").begin_object(femoop::JsonWriter::Layout::Block).member("case", model.case_name(load_case));
+    write_free_body(json, lifted, model, point);
+    json.end().end();
+    return json.take();
+}
+
+} // namespace cli

@@ -1,0 +1,37 @@
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "apps/cli/argument.h"
+#include "femoop/methods/free_body/free_body.h"
+#include "femoop/result/results.h"
+
+namespace CLI { // NOLINT(readability-identifier-naming): the name that its authors gave it
+class App;
+}
+
+namespace cli {
+
+/// The free body that `solve --free-body WHAT --about X,Y` asks for.
+class AskedBody {
+public:
+    void declare(CLI::App& app, const ui::Catalogue& tr);
+
+    bool is_asked() const { return what_.has_value(); }
+    /// The point without the body asks for nothing. \throws UsageError
+    void require_sensible(const ui::Catalogue& tr) const;
+
+    /// In words, or as JSON. \throws UsageError, ModelError where what was typed is none of the model's
+    std::string output(const femoop::Model& model, const femoop::Results& results, femoop::CaseId load_case,
+                       bool is_json, const ui::Catalogue& tr) const;
+
+private:
+    femoop::free_body::Body body(const femoop::Model& model, const ui::Catalogue& tr) const;
+    Eigen::Vector3d about(const femoop::Model& model, const femoop::free_body::FreeBody& body,
+                          const ui::Catalogue& tr) const;
+
+    std::optional<std::string> what_, about_;
+};
+
+} // namespace cli
