@@ -2,6 +2,7 @@
 
 #include "apps/drawing/dimension.h"
 #include "femoop/analysis/mechanism.h"
+#include "femoop/methods/counting/counting.h"
 #include "femoop/model/model.h"
 #include "femoop/result/results.h"
 
@@ -14,6 +15,7 @@
 namespace drawing {
 
 class MomentOverlay;
+struct FreeBodyPicture;
 struct InfluencePicture;
 
 /// One of the motions of a structure that cannot be solved.
@@ -45,7 +47,10 @@ struct DrawInput {
     /// for it. None when null.
     const MomentOverlay* overlay = nullptr;
     const InfluencePicture* influence = nullptr; ///< drawn where Show::Influence is; none when null
-    std::vector<std::string> reasons{};          ///< sentences at the foot: why there are no results
+    /// Drawn in place of the results, with the structure behind it; none when null. \pre of the case that is shown
+    const FreeBodyPicture* free_body = nullptr;
+    const femoop::counting::Counting* counting =
+        nullptr; ///< of the model, drawn where Show::Counting is; none when null
 };
 
 } // namespace drawing

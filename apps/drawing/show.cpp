@@ -13,9 +13,9 @@ namespace {
 
 using ui::translatable;
 
-const std::array<ShowWord, 20>& words()
+const std::array<ShowWord, 21>& words()
 {
-    static const std::array<ShowWord, 20> list{{
+    static const std::array<ShowWord, 21> list{{
         {"loads", {Show::Loads}, translatable("the loads of the case")},
         {"reactions", {Show::Reactions}, translatable("what the supports do to the structure")},
         {"N", {Show::N}, translatable("axial force diagram")},
@@ -34,6 +34,7 @@ const std::array<ShowWord, 20>& words()
         {"dimensions", {Show::Dimensions}, translatable("chains of dimension lines around the structure")},
         {"drawn", {Show::DrawnDimensions}, translatable("dimension lines that were drawn by hand")},
         {"axes", {Show::LocalAxes}, translatable("the members' own axes")},
+        {"counting", {Show::Counting}, translatable("what the degree of indeterminacy is made of")},
         {"legend", {Show::Legend}, translatable("title, case, scales, signs")},
         {"labels", labels, translatable("values, nodes, members, drawn and legend together")},
     }};

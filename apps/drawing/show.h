@@ -30,7 +30,8 @@ enum class Show : std::uint8_t {
     Dimensions,      ///< of the whole structure, in chains around it
     DrawnDimensions, ///< lines that were drawn by hand
     LocalAxes,
-    Legend, ///< title, case, scales, signs, degree of indeterminacy
+    Counting, ///< of the degree of indeterminacy: the sum, and each of its terms where it comes from
+    Legend,   ///< title, case, scales, signs, degree of indeterminacy
 };
 inline constexpr std::size_t n_shows = static_cast<std::size_t>(Show::Legend) + 1;
 

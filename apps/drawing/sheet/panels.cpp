@@ -28,6 +28,7 @@ std::vector<ShowSet> panel_contents(const PanelRequest& request)
     ShowSet plain = base;
     for (const Show item : {Show::Loads, Show::Reactions, Show::Dimensions, Show::LocalAxes, Show::MemberNames})
         plain.erase(item);
+    if (shows_forces) plain.erase(Show::Counting);
     for (const Show item : shown) {
         ShowSet set = plain;
         set.insert(item);

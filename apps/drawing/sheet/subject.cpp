@@ -2,10 +2,12 @@
 
 #include "apps/drawing/draw.h"
 #include "apps/drawing/loads/loads.h"
+#include "apps/drawing/results/counting_marks.h"
 #include "apps/drawing/results/deformed.h"
 #include "apps/drawing/results/diagram.h"
 #include "apps/drawing/results/envelope_cases.h"
 #include "apps/drawing/results/envelope_reactions.h"
+#include "apps/drawing/results/free_body_picture.h"
 #include "apps/drawing/results/influence_picture.h"
 #include "apps/drawing/results/mechanism_picture.h"
 #include "apps/drawing/results/reactions.h"
@@ -15,11 +17,13 @@
 #include "apps/drawing/structure/drawn_dimensions.h"
 #include "apps/drawing/structure/members.h"
 #include "apps/drawing/structure/supports.h"
+#include "femoop/io/counting/counting_text.h"
 #include "ui/paint/wrapped_lines.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
 #include <utility>
 
 namespace drawing {
@@ -61,6 +65,16 @@ public:
             if (!all.empty()) draw_reaction_ranges(scene_, all);
             else if (solved) draw_reactions(scene_, *solved);
         }
+        finish();
+    }
+
+    void draw_lifted(const FreeBodyPicture& lifted)
+    {
+        draw_highlights(scene_);
+        draw_members(scene_, Presence::Behind);
+        draw_structure();
+        draw_free_body(scene_, lifted);
+        heads_.push_back({.name = scene_.options.tr("Free body"), .note = {}});
         finish();
     }
 
@@ -174,6 +188,7 @@ private:
     void finish()
     {
         if (scene_.shows(Show::LocalAxes)) draw_local_axes(scene_);
+        if (scene_.shows(Show::Counting) && input_.counting != nullptr) draw_counting(scene_, *input_.counting);
         draw_names(scene_);
         if (scene_.shows(Show::DrawnDimensions)) draw_drawn_dimensions(scene_, input_.dimensions);
         if (scene_.shows(Show::Dimensions)) draw_dimensions(scene_);
@@ -298,6 +313,7 @@ Subject::Plan Subject::plan(ui::Size sheet, const ui::Fonts& fonts) const
 std::vector<Eigen::Vector3d> Subject::fitted_points() const
 {
     std::vector<Eigen::Vector3d> points = shape_.nodes;
+    if (input_.free_body) std::ranges::move(places_of(*input_.free_body, shape_), std::back_inserter(points));
     if (options_.show.contains(Show::DrawnDimensions)) {
         const std::vector<Eigen::Vector3d> ends = ends_of_dimensions(input_.model, input_.dimensions);
         points.insert(points.end(), ends.begin(), ends.end());
@@ -432,7 +448,8 @@ Subject::Drawn Subject::draw_panel(ui::Painter& painter, const Panel& panel, con
     const Scene scene{input_.model, shape_, projection, options_, state_, units_, sketch, detail, panel.show};
     PanelPicture picture(scene, input_, panel.box.size());
     if (!options_.show.contains(Show::M) && !shows_any(panel.show, diagrams)) picture.draw_overlay_alone();
-    if (const auto& motion = input_.motion) picture.draw_mechanism(motion->all[motion->shown]);
+    if (input_.free_body != nullptr) picture.draw_lifted(*input_.free_body);
+    else if (const auto& motion = input_.motion) picture.draw_mechanism(motion->all[motion->shown]);
     else picture.draw_solved(cases().shown ? &*cases().shown : nullptr, cases().of_envelope);
     Drawn drawn{.bounds = sketch.bounds(), .tight_bounds = sketch.tight_bounds(), .mark_bounds = sketch.mark_bounds()};
     const std::vector<ui::Box> rows = head_rows(picture.heads(), theme, painter.fonts(), panel);
@@ -560,7 +577,7 @@ ui::TextStyle Subject::foot_style() const
 // What comes first is the number, or what it all says.
 ui::Weight Subject::weight_in_foot(bool is_first) const
 {
-    return is_first && !has_no_results() ? ui::Weight::Bold : ui::Weight::Regular;
+    return is_first && !input_.motion && !input_.free_body ? ui::Weight::Bold : ui::Weight::Regular;
 }
 
 namespace {
@@ -582,9 +599,12 @@ std::vector<std::string> Subject::foot_lines(ui::Size sheet, const ui::Fonts& fo
 {
     std::vector<std::string> sentences, lines;
     if (input_.motion) sentences.push_back(input_.motion->sentence);
-    else if (!input_.reasons.empty()) sentences = input_.reasons;
+    else if (input_.free_body) sentences = input_.free_body->equations;
     else if (input_.influence) sentences = input_.influence->sentences;
     else if (has_overlay_text()) sentences = input_.overlay->foot({input_.model, shape_, units_, options_.tr});
+    if (input_.counting && options_.show.contains(Show::Counting))
+        std::ranges::move(femoop::counting::sum_lines(*input_.counting, input_.model, options_.tr),
+                          std::back_inserter(sentences));
     for (const std::string& one : sentences) {
         ui::TextStyle style = foot_style();
         style.weight = weight_in_foot(&one == &sentences.front());

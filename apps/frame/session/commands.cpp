@@ -2,6 +2,7 @@
 
 #include "apps/frame/session/case_commands.h"
 #include "apps/frame/session/edit_commands.h"
+#include "apps/frame/session/free_body_commands.h"
 #include "apps/frame/session/influence_commands.h"
 #include "apps/frame/session/kind_commands.h"
 #include "apps/frame/session/load_commands.h"
@@ -78,6 +79,7 @@ constexpr std::array toggles{
     Shown{Show::Dimensions, "view.show.dimensions", translatable("Dimensions")},
     Shown{Show::DrawnDimensions, "view.show.drawn_dimensions", translatable("Drawn dimensions")},
     Shown{Show::LocalAxes, "view.show.local_axes", translatable("Local axes")},
+    Shown{Show::Counting, "view.show.counting", translatable("Degree of indeterminacy"), {{Key::G, shift}}},
     Shown{Show::Legend, "view.show.legend", translatable("Legend")},
 };
 
@@ -260,6 +262,7 @@ CommandTable command_table()
     add_view_commands(table);
     add_predict_commands(table);
     add_influence_commands(table);
+    add_free_body_commands(table);
     add_train_commands(table);
     add_panel_commands(table);
     add_table_commands(table);

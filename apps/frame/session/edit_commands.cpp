@@ -5,6 +5,7 @@
 
 #include "apps/frame/document/drawing.h"
 #include "apps/frame/session/clipboard_commands.h"
+#include "apps/frame/session/free_body_commands.h"
 #include "apps/frame/session/in_plane.h"
 #include "apps/frame/session/influence_commands.h"
 #include "apps/frame/session/predict_commands.h"
@@ -33,12 +34,14 @@ constexpr std::array tool_entries{
     ToolEntry{ToolKind::Delete, "draw.delete", translatable("Delete"), {{Key::X, {}}}},
     ToolEntry{ToolKind::Predict, "draw.predict", translatable("Predict the moments"), {{Key::K, {}}}},
     ToolEntry{ToolKind::Influence, "draw.influence", translatable("Influence line"), {{Key::I, {}}}},
+    ToolEntry{ToolKind::FreeBody, "draw.free_body", translatable("Free body"), {{Key::B, {}}}},
 };
 
 Reason why_not_take(const Workspace& workspace, ToolKind tool)
 {
     if (tool == ToolKind::Predict) return why_not_predict(workspace);
     if (tool == ToolKind::Influence) return why_no_influence_line(workspace);
+    if (tool == ToolKind::FreeBody) return why_no_free_body(workspace);
     if (tool != ToolKind::Dimension || is_in_plane(workspace)) return std::nullopt;
     return translatable("dimension lines stand in plane structures alone");
 }
@@ -96,8 +99,10 @@ void give_up(Workspace& workspace)
     if (is_predicting(workspace) && !workspace.tool_controller.is_sketching())
         return workspace.session.prediction.clear();
     if (workspace.tool_controller.kind() == ToolKind::Influence) workspace.session.influence.clear();
+    if (workspace.tool_controller.kind() == ToolKind::FreeBody) workspace.session.free_body.clear();
     if (workspace.tool_controller.escape()) return;
     workspace.session.influence.clear();
+    workspace.session.free_body.clear();
     workspace.session.selection.clear();
     workspace.session.pin.reset();
     workspace.session.notice.reset();

@@ -14,6 +14,7 @@
 #include "apps/frame/document/number.h"
 #include "apps/frame/session/transform.h"
 #include "femoop/files/whole_file.h"
+#include "femoop/io/counting/counting_text.h"
 #include "femoop/io/model_file.h"
 #include "femoop/io/results/results_table.h"
 #include "femoop/model/check/check.h"
@@ -57,6 +58,7 @@ void Session::restart(Document document)
     selection.clear();
     prediction.clear();
     influence.clear();
+    free_body.clear();
     view.load_case = femoop::CaseId(0);
     draw_state.camera.reset();
     shown_view.reset();
@@ -406,6 +408,18 @@ void Session::set_language(ui::Language language)
     view.numbers.mark = ui::decimal_mark(language);
 }
 
+namespace {
+
+/// Of the degree of indeterminacy, where it is shown.
+std::string counting_text(const Session& session)
+{
+    if (!session.view.show.contains(Show::Counting)) return {};
+    const auto* const counting = session.counting.of(session.model(), session.generation());
+    return counting ? "\n" + femoop::counting::counting_text(*counting, session.model(), session.tr()) : "";
+}
+
+} // namespace
+
 std::string description(const Session& session)
 {
     const DrawOptions shown = session.results_view();
@@ -413,7 +427,7 @@ std::string description(const Session& session)
     const std::optional<femoop::Results> told = session.described_results();
     if (!told) {
         const std::string words = femoop::describe(session.model(), told, tr);
-        return session.hidden ? words + "\n" + tr(*session.why_no_results()) + "\n" : words;
+        return session.hidden ? words + "\n" + tr(*session.why_no_results()) + "\n" : words + counting_text(session);
     }
     std::string words = femoop::describe(session.model(), *told, session.solution().solved_cases(), tr);
     for (const femoop::Fault& warning : told->warnings())
@@ -422,6 +436,7 @@ std::string description(const Session& session)
         words += "\n" + tr("Case {case} has no results.", {{"case", session.model().case_name(one.id)}}) + "\n";
         for (const femoop::Fault& fault : one.faults) words += sentence(fault, tr) + "\n";
     }
+    words += counting_text(session);
     if (shown.is_envelope)
         words += "\n" + envelope_text(session.model(), shown) + "\n" +
                  femoop::envelope_text(session.model(), *told, envelope_cases(session.model(), shown), tr);

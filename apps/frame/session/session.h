@@ -19,8 +19,10 @@
 #include "apps/frame/document/drawing_names.h"
 #include "apps/frame/document/selection.h"
 #include "apps/frame/document/solution.h"
+#include "apps/frame/free_body/asked_body.h"
 #include "apps/frame/influence/asked_line.h"
 #include "apps/frame/predict/prediction.h"
+#include "apps/frame/session/kept_counting.h"
 #include "apps/frame/tables/table.h"
 #include "femoop/model/fault/fault.h"
 #include "ui/text/display_units.h"
@@ -106,6 +108,8 @@ public:
     std::optional<Cut> hover;
     std::optional<Cut> pin;
     bool is_animated = false;
+    KeptCounting counting;         ///< of the degree of indeterminacy, where it is shown
+    AskedBody free_body;           ///< that is lifted out in place of the results of a case
     AskedLine influence;           ///< that is looked at in place of the results of a case
     Prediction prediction;         ///< of moments that the class has not seen yet: part of the tab, not of the document
     std::optional<ShowSet> hidden; ///< results that are kept from the class until they are revealed

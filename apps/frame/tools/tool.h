@@ -20,6 +20,7 @@
 
 namespace frame {
 
+class AskedBody;
 class AskedLine;
 class Prediction;
 
@@ -76,6 +77,7 @@ struct Work {
     Selection& selection;
     Prediction* prediction = nullptr; ///< that may be sketched; null while results are seen
     AskedLine* influence = nullptr;   ///< that a tool may ask for
+    AskedBody* free_body = nullptr;   ///< likewise
     ui::DisplayUnits units{};         ///< of what is typed
 };
 

@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "apps/frame/tools/dimension_tool.h"
+#include "apps/frame/tools/free_body_tool.h"
 #include "apps/frame/tools/influence_tool.h"
 #include "apps/frame/tools/load_tool.h"
 #include "apps/frame/tools/member_tool.h"
@@ -30,6 +31,7 @@ std::unique_ptr<Tool> tool_of(ToolKind kind, const ToolSettings& settings)
     case ToolKind::Dimension: return std::make_unique<DimensionTool>();
     case ToolKind::Delete: return std::make_unique<DeleteTool>();
     case ToolKind::Predict: return std::make_unique<PredictTool>(settings);
+    case ToolKind::FreeBody: return std::make_unique<FreeBodyTool>();
     case ToolKind::Influence: return std::make_unique<InfluenceTool>();
     }
     return std::make_unique<SelectTool>();

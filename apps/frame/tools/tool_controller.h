@@ -21,6 +21,7 @@ enum class ToolKind : std::uint8_t {
     Delete,
     Predict,
     Influence,
+    FreeBody,
     Paste
 };
 

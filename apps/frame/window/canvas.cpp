@@ -54,6 +54,20 @@ DrawOptions with_influence(DrawOptions options, bool has_train)
     return options;
 }
 
+const FreeBodyPicture* lifted_body(const Session& session)
+{
+    const femoop::Results* const results = session.shown_results();
+    if (results == nullptr || session.view.is_envelope) return nullptr;
+    return session.free_body.picture(session.model(), *results, session.generation(), session.view);
+}
+
+// A free body stands alone before the structure, with all that acts on it.
+DrawOptions with_free_body(DrawOptions options)
+{
+    options.show = options.show & ShowSet{Show::Values, Show::MemberNames, Show::LocalAxes, Show::Legend};
+    return options;
+}
+
 // An envelope belongs to no case, so it has neither loads nor a deformed shape.
 DrawOptions looked_at(const Session& session)
 {
@@ -62,6 +76,7 @@ DrawOptions looked_at(const Session& session)
         const bool has_train = shown_line(session) != nullptr && session.influence.standing() != nullptr;
         return with_influence(std::move(options), has_train);
     }
+    if (lifted_body(session) != nullptr) return with_free_body(std::move(options));
     if (options.is_envelope) options.show = options.show - ShowSet{Show::Loads, Show::Deformed};
     return options;
 }
@@ -95,11 +110,18 @@ DrawInput input_of(const Workspace& workspace, const DrawOptions& options, const
                 .dimensions = session.document().companion.dimensions,
                 .influence = line};
     }
+    if (const auto* const body = lifted_body(session))
+        return {.model = session.model(),
+                .results = session.shown_results(),
+                .dimensions = session.document().companion.dimensions,
+                .free_body = body};
     DrawInput input{.model = session.model(),
                     .reference = session.reference.get(),
                     .dimensions = session.document().companion.dimensions,
                     .overlay = guess ? &*guess : nullptr};
-    if (const auto i = shown_mechanism(workspace)) {
+    if (options.show.contains(Show::Counting))
+        input.counting = session.counting.of(session.model(), session.generation());
+    if (const auto i = shown_mechanism(workspace))
         input.motion = motion_choice(session.shown_mechanisms(), *i, options.tr);
         return input;
     }
@@ -126,7 +148,8 @@ void Canvas::fit(Session& session)
 
 bool Canvas::FittedFor::serves(const FittedFor& wanted) const
 {
-    const bool has_room = (has_pencil || !wanted.has_pencil) && (has_train || !wanted.has_train);
+    const bool has_room = (has_pencil || !wanted.has_pencil) && (has_train || !wanted.has_train) &&
+                          has_body == wanted.has_body;
     const bool is_tight = std::ranges::equal(factors, wanted.factors, std::ranges::less_equal());
     return session == wanted.session && sheet == wanted.sheet && layout == wanted.layout && theme == wanted.theme &&
            is_in_space == wanted.is_in_space && has_room && is_tight;
@@ -141,6 +164,7 @@ Canvas::FittedFor Canvas::wanted_fit(const Session& session, const DrawOptions& 
             is_seen_in_space(session.model().analysis),
             is_sketched(session),
             session.influence.standing() != nullptr,
+            lifted_body(session) != nullptr,
             {options.diagram_factor, options.load_factor, options.symbol_factor}};
 }
 
@@ -460,7 +484,7 @@ Subject::Picture Canvas::draw(const Workspace& workspace, const DrawOptions& opt
 void Canvas::draw_cut(const Session& session, const DrawOptions& options, const Subject::Picture& picture,
                       const SeenCut& seen, ui::Painter& painter) const
 {
-    if (session.hidden || session.influence.is_on(session.model())) return;
+    if (session.hidden || session.influence.is_on(session.model()) || session.free_body.is_on(session.model())) return;
     const ui::Point at = Projection(picture.plan.camera, seen.panel)(shape_[seen.cut.member].at(seen.cut.x));
     draw_reading(painter, {session.model(), session.shown_results()}, options,
                  {.plan = picture.plan, .cut = seen.cut, .beside = at, .top = picture.legend_bottom});

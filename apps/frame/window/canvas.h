@@ -82,6 +82,7 @@ private:
         bool is_in_space;
         bool has_pencil;               ///< a guess needs room beside the structure
         bool has_train;                ///< and a standing train for its forces and its curve
+        bool has_body;                 ///< and a free body beside it
         std::array<double, 3> factors; ///< of diagrams, loads and symbols: what shrinks gives its room back
 
         bool serves(const FittedFor& wanted) const;

@@ -309,6 +309,7 @@ std::string_view hint(ToolKind tool, bool is_in_space)
     case ToolKind::Dimension: return translatable("Click two nodes, then a place; more nodes go on.");
     case ToolKind::Predict: return translatable("Draw the moments beside the members; H reveals.");
     case ToolKind::Influence: return translatable("Click a section or a support; drag the section along. R: trains");
+    case ToolKind::FreeBody: return translatable("Click nodes or members, or draw a cut; U: its other side");
     case ToolKind::Paste: return translatable("Click where it goes, or type the place: 6,4  @3,2");
     case ToolKind::Delete: break;
     }
@@ -332,6 +333,7 @@ void tool_bar(Workspace& workspace, const CommandTable& commands, ui::ImGuiSessi
     const float top = ImGui::GetCursorPosY() + 0.125F * ImGui::GetFrameHeight();
     const ui::Theme theme(workspace.session.view.theme);
     for (const ToolEntry& entry : tools()) {
+        if (entry.value == ToolKind::FreeBody) continue; // found in the menu: it changes nothing
         tool_button(workspace, commands, entry, gui, fonts, theme);
         ImGui::SameLine(0.0F, 0.15F * em);
     }

@@ -119,7 +119,8 @@ void draw_tool_icon(ui::Painter& painter, ToolKind tool, const ui::Theme& theme)
     case ToolKind::Delete: icon.erase(); break;
     case ToolKind::Predict: icon.predict(); break;
     case ToolKind::Influence: icon.influence(); break;
-    case ToolKind::Paste: break; // taken up by no button
+    case ToolKind::FreeBody: break; // found in the menu
+    case ToolKind::Paste: break;    // taken up by no button
     }
 }
 

@@ -1,0 +1,162 @@
+#include "apps/drawing/results/free_body_picture.h"
+
+#include "apps/drawing/loads/forces.h"
+#include "femoop/result/components.h"
+
+#include <algorithm>
+#include <cmath>
+#include <string_view>
+
+namespace drawing {
+
+namespace {
+
+using Eigen::Vector3d;
+using namespace femoop::free_body;
+using femoop::MemberComponent;
+
+constexpr double negligible = 1e-9; // of the largest on the body
+
+ui::Role role_of(ForceKind kind)
+{
+    switch (kind) {
+    case ForceKind::NodeLoad:
+    case ForceKind::MemberLoad: return ui::Role::Load;
+    case ForceKind::Reaction:
+    case ForceKind::Foundation: return ui::Role::Reaction;
+    case ForceKind::SectionForces: break;
+    }
+    return ui::Role::ShearForce;
+}
+
+/// Draws one body, its forces as far as they are more than rounding.
+class BodyPainter {
+public:
+    BodyPainter(const Scene& scene, const FreeBodyPicture& picture) : scene_(scene), picture_(picture)
+    {
+        for (const Force& force : picture.lifted.forces) {
+            const double moment = force.moment.cwiseAbs().maxCoeff() / scene.shape.size;
+            largest_ = std::max({largest_, force.force.cwiseAbs().maxCoeff(), moment});
+        }
+    }
+
+    void draw()
+    {
+        for (const Piece& piece : picture_.lifted.body.pieces) draw_piece(piece);
+        const ui::LayerScope layer(scene_.sketch.painter(), ui::Layer::Symbols);
+        for (const femoop::NodeId node : picture_.lifted.body.nodes) draw_node(node);
+        for (const Force& force : picture_.lifted.forces) draw_force(force);
+        draw_moment_point();
+    }
+
+private:
+    void draw_piece(const Piece& piece)
+    {
+        const MemberShape& member = scene_.shape[piece.member];
+        scene_.sketch.line(at(member.at(piece.from)), at(member.at(piece.to)), scene_.sketch.stroke(ui::Role::Member));
+    }
+
+    void draw_node(femoop::NodeId node)
+    {
+        const ui::Point place = at(scene_.shape[node]);
+        scene_.sketch.disc(place, scene_.sketch.px(4.0), scene_.sketch.theme().fill(ui::Role::Node));
+        scene_.sketch.caption({.text = scene_.model[node].id,
+                               .role = ui::Role::Label,
+                               .target = place,
+                               .toward = {-0.7, 0.7},
+                               .gap = scene_.sketch.px(7.0),
+                               .rank = Rank::Name,
+                               .weight = ui::Weight::Bold});
+    }
+
+    void draw_force(const Force& force)
+    {
+        if (force.kind == ForceKind::SectionForces) return draw_section(force);
+        for (Eigen::Index i = 0; i < 3; ++i) draw_component(force, Vector3d::Unit(i), force.force[i], {});
+        for (Eigen::Index i = 0; i < 3; ++i) draw_couple(force, Vector3d::Unit(i), force.moment[i], {});
+    }
+
+    /// In the member's own axes, by the names that diagrams have.
+    void draw_section(const Force& force)
+    {
+        const MemberShape& member = scene_.shape[*force.member];
+        const double sign = force.is_on_plus_face ? 1.0 : -1.0;
+        const femoop::SectionForces& s = force.section;
+        draw_component(force, sign * member.x(), s.N, MemberComponent::N);
+        draw_component(force, -sign * member.y(), s.Vy, MemberComponent::Vy);
+        draw_component(force, -sign * member.z(), s.Vz, MemberComponent::Vz);
+        draw_couple(force, sign * member.x(), s.T, MemberComponent::T);
+        draw_couple(force, -sign * member.y(), s.My, MemberComponent::My);
+        draw_couple(force, sign * member.z(), s.Mz, MemberComponent::Mz);
+    }
+
+    void draw_component(const Force& force, const Vector3d& axis, double value,
+                        std::optional<MemberComponent> component)
+    {
+        if (std::abs(value) <= negligible * largest_) return;
+        const Vector3d direction = value < 0.0 ? Vector3d(-axis) : axis;
+        drawing::draw_force(scene_, {.at = force.at + picture_.aside,
+                                     .direction = direction,
+                                     .length = scene_.sketch.px(38.0),
+                                     .touches = touching_end(force, direction),
+                                     .gap = scene_.sketch.px(5.0),
+                                     .text = named(component, scene_.text(std::abs(value), ui::Measure::Force)),
+                                     .role = role_of(force.kind)});
+    }
+
+    void draw_couple(const Force& force, const Vector3d& axis, double value, std::optional<MemberComponent> component)
+    {
+        if (std::abs(value) <= negligible * largest_ * scene_.shape.size) return;
+        draw_moment(scene_,
+                    {.at = force.at + picture_.aside,
+                     .axis = value < 0.0 ? Vector3d(-axis) : axis,
+                     .text = named(component, scene_.text(std::abs(value), ui::Measure::Moment)),
+                     .role = force.kind == ForceKind::SectionForces ? ui::Role::BendingMoment : role_of(force.kind),
+                     .radius = 20.0});
+    }
+
+    /// Section forces lie outside of the body, before its face; others come to it with their heads.
+    ArrowAt touching_end(const Force& force, const Vector3d& direction) const
+    {
+        if (force.kind != ForceKind::SectionForces) return ArrowAt::Head;
+        const Vector3d outward = (force.is_on_plus_face ? 1.0 : -1.0) * scene_.shape[*force.member].x();
+        return direction.dot(outward) < -0.5 ? ArrowAt::Head : ArrowAt::Tail;
+    }
+
+    std::string named(std::optional<MemberComponent> component, const std::string& value) const
+    {
+        if (!component) return value;
+        return std::string(femoop::name(*component, scene_.model.analysis)) + " = " + value;
+    }
+
+    void draw_moment_point()
+    {
+        const ui::Point place = at(picture_.about);
+        const double r = scene_.sketch.px(7.0);
+        const ui::Stroke stroke = scene_.sketch.thin(ui::Role::Dimension);
+        scene_.sketch.ring(place, r, stroke, Clearance::Soft);
+        scene_.sketch.line(place - ui::Point{1.6 * r, 0.0}, place + ui::Point{1.6 * r, 0.0}, stroke, Clearance::Soft);
+        scene_.sketch.line(place - ui::Point{0.0, 1.6 * r}, place + ui::Point{0.0, 1.6 * r}, stroke, Clearance::Soft);
+    }
+
+    ui::Point at(const Vector3d& place) const { return scene_.projection(place + picture_.aside); }
+
+    const Scene& scene_;
+    const FreeBodyPicture& picture_;
+    double largest_ = 0.0;
+};
+
+} // namespace
+
+std::vector<Vector3d> places_of(const FreeBodyPicture& picture, const StructureShape& shape)
+{
+    std::vector<Vector3d> places{picture.moment_point()};
+    for (const femoop::NodeId node : picture.lifted.body.nodes) places.push_back(shape[node] + picture.aside);
+    for (const Piece& piece : picture.lifted.body.pieces)
+        for (const double x : {piece.from, piece.to}) places.push_back(shape[piece.member].at(x) + picture.aside);
+    return places;
+}
+
+void draw_free_body(const Scene& scene, const FreeBodyPicture& picture) { BodyPainter(scene, picture).draw(); }
+
+} // namespace drawing

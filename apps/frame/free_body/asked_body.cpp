@@ -1,0 +1,154 @@
+#include "apps/frame/free_body/asked_body.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "femoop/io/free_body/free_body_text.h"
+
+namespace frame {
+
+namespace {
+
+using Eigen::Vector2d;
+using Eigen::Vector3d;
+using namespace femoop::free_body;
+
+constexpr double share_aside = 0.35; // of the structure's size, that a body is moved
+
+double cross(const Vector2d& a, const Vector2d& b) { return a.x() * b.y() - a.y() * b.x(); }
+
+/// Where a line crosses members, and the nodes of these on its left.
+struct Crossed {
+    std::vector<Cut> cuts;
+    std::vector<femoop::NodeId> left;
+};
+
+Crossed crossed(const femoop::Discretisation& structure, const AskedBody::CutLine& line)
+{
+    Crossed found;
+    const Vector2d d = line.to - line.from;
+    for (std::size_t i = 0; i < structure.members.size(); ++i) {
+        const femoop::MemberGeometry member = structure.geometry(femoop::MemberId(i));
+        const Vector2d start = member.start.head<2>() - line.from, along = (member.end - member.start).head<2>();
+        const double determinant = cross(d, along);
+        if (determinant == 0.0) continue;
+        const double t = -cross(d, start) / determinant, s = -cross(along, start) / determinant;
+        if (t <= 0.0 || t >= 1.0 || s < 0.0 || s > 1.0) continue;
+        found.cuts.push_back({femoop::MemberId(i), t * member.length});
+        const bool is_start_left = cross(d, start) > 0.0;
+        found.left.push_back(structure.members[i].nodes[is_start_left ? 0 : 1]);
+    }
+    return found;
+}
+
+Vector3d middle_of(const std::vector<Vector3d>& places)
+{
+    Vector3d sum = Vector3d::Zero();
+    for (const Vector3d& place : places) sum += place;
+    return places.empty() ? sum : Vector3d(sum / static_cast<double>(places.size()));
+}
+
+Vector3d middle_of(const femoop::Discretisation& structure, const Body& body)
+{
+    std::vector<Vector3d> places;
+    for (const femoop::NodeId node : body.nodes) places.push_back(structure.positions[node.index]);
+    for (const Piece& piece : body.pieces) {
+        const femoop::MemberGeometry member = structure.geometry(piece.member);
+        places.push_back(0.5 * (member.at(piece.from) + member.at(piece.to)));
+    }
+    return middle_of(places);
+}
+
+} // namespace
+
+void AskedBody::lift(const femoop::Model& model, femoop::NodeId node)
+{
+    clear();
+    node_ = model[node].id;
+}
+
+void AskedBody::lift(const femoop::Model& model, femoop::MemberId member, bool adds)
+{
+    std::vector<std::string> members = adds ? std::move(members_) : std::vector<std::string>();
+    clear();
+    const std::string& name = model[member].id;
+    if (std::erase(members, name) == 0) members.push_back(name);
+    members_ = std::move(members);
+}
+
+void AskedBody::lift(const femoop::Model& model, const std::vector<femoop::MemberId>& members)
+{
+    clear();
+    for (const femoop::MemberId member : members) members_.push_back(model[member].id);
+}
+
+bool AskedBody::cut(const femoop::Model& model, const CutLine& line)
+{
+    if (crossed(discretise(model), line).cuts.empty()) return false;
+    clear();
+    line_ = line;
+    return true;
+}
+
+void AskedBody::turn_cut()
+{
+    std::swap(line_->from, line_->to);
+    about_.reset();
+    subject_.reset();
+}
+
+void AskedBody::put_moment_point(const Vector3d& about)
+{
+    about_ = about;
+    subject_.reset();
+}
+
+Body AskedBody::body(const femoop::Model& model) const
+{
+    if (const auto node = model.find_node(node_)) return body_of(*node);
+    if (members_.empty() && !line_) return {};
+    const femoop::Discretisation structure = discretise(model);
+    if (line_) {
+        const Crossed found = crossed(structure, *line_);
+        return found.cuts.empty() ? Body() : body_of(structure, found.cuts, found.left);
+    }
+    std::vector<femoop::MemberId> members;
+    for (const std::string& name : members_)
+        if (const auto member = model.find_member(name)) members.push_back(*member);
+    return body_of(structure, members);
+}
+
+/// Across the cut, else away from the middle of the structure; up from there.
+Vector3d AskedBody::aside(const femoop::Model& model, const Body& body) const
+{
+    const femoop::Discretisation structure = discretise(model);
+    const double size = share_aside * structure.size();
+    if (line_) {
+        const Vector2d d = (line_->to - line_->from).normalized();
+        return size * Vector3d(-d.y(), d.x(), 0.0);
+    }
+    const Vector3d away = middle_of(structure, body) - middle_of(structure.positions);
+    if (away.norm() > 1e-6 * structure.size()) return size * away.normalized();
+    return size * (femoop::is_plane(model.analysis) ? Vector3d::UnitY() : Vector3d::UnitZ());
+}
+
+const drawing::FreeBodyPicture* AskedBody::picture(const femoop::Model& model, const femoop::Results& results,
+                                                   std::uint64_t generation, const drawing::DrawOptions& options) const
+{
+    const Subject subject{generation, options.load_case, options.tr.language()};
+    if (subject_ == subject) return last();
+    subject_ = subject;
+    picture_.reset();
+    const Body body = this->body(model);
+    if (body.is_empty() || options.load_case.index >= results.n_cases()) return nullptr;
+    FreeBody lifted = lift_out(model, results, options.load_case, body);
+    const Vector3d about = about_.value_or(usual_moment_point(lifted, model));
+    std::vector<std::string> equations = equation_lines(lifted, model, about, options.tr);
+    picture_ = drawing::FreeBodyPicture{
+        .lifted = std::move(lifted), .aside = aside(model, body), .about = about, .equations = std::move(equations)};
+    return last();
+}
+
+} // namespace frame

@@ -1,0 +1,66 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "apps/drawing/draw_options.h"
+#include "apps/drawing/results/free_body_picture.h"
+#include "femoop/model/model.h"
+#include "femoop/result/results.h"
+
+namespace frame {
+
+/// The part of the structure that is lifted out. It is no part of the document: it is not saved, nor undone, and belongs
+/// to the tab that it was asked in. Parts are known by their names, and a cut by its line, so that it goes on while the
+/// model changes.
+class AskedBody {
+public:
+    /// A line across members of a plane structure; what lies to the left of its direction is lifted.
+    struct CutLine {
+        Eigen::Vector2d from, to;
+    };
+
+    bool is_on(const femoop::Model& model) const { return !body(model).is_empty(); }
+    void clear() { *this = {}; }
+
+    void lift(const femoop::Model& model, femoop::NodeId node);
+    void lift(const femoop::Model& model, femoop::MemberId member, bool adds); ///< to the members that are lifted
+    void lift(const femoop::Model& model, const std::vector<femoop::MemberId>& members);
+    /// \returns false where it crosses no member: then nothing is changed
+    bool cut(const femoop::Model& model, const CutLine& line);
+    bool has_cut() const { return line_.has_value(); }
+    void turn_cut(); ///< the other side is lifted. \pre there is one
+
+    void put_moment_point(const Eigen::Vector3d& about);
+
+    /// Null where nothing is lifted, or where the case that is shown has no results.
+    /// \param generation  grows whenever the model changes
+    const drawing::FreeBodyPicture* picture(const femoop::Model& model, const femoop::Results& results,
+                                            std::uint64_t generation, const drawing::DrawOptions& options) const;
+    /// The last one; null where there was none.
+    const drawing::FreeBodyPicture* last() const { return picture_ ? &*picture_ : nullptr; }
+
+private:
+    femoop::free_body::Body body(const femoop::Model& model) const;
+    Eigen::Vector3d aside(const femoop::Model& model, const femoop::free_body::Body& body) const;
+
+    std::string node_;
+    std::vector<std::string> members_;
+    std::optional<CutLine> line_;
+    std::optional<Eigen::Vector3d> about_; ///< nothing: the usual one
+    /// What the last picture is of.
+    struct Subject {
+        std::uint64_t generation;
+        femoop::CaseId load_case;
+        ui::Language language;
+
+        friend bool operator==(const Subject&, const Subject&) = default;
+    };
+    mutable std::optional<Subject> subject_; ///< nothing after a change
+    mutable std::optional<drawing::FreeBodyPicture> picture_;
+};
+
+} // namespace frame

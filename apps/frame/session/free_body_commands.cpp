@@ -1,0 +1,80 @@
+#include "apps/frame/session/free_body_commands.h"
+
+#include <variant>
+#include <vector>
+
+namespace frame {
+
+using ui::Key;
+using ui::Reason;
+using ui::translatable;
+
+namespace {
+
+Reason needs_cut(const Workspace& workspace)
+{
+    if (workspace.session.free_body.has_cut()) return std::nullopt;
+    return translatable("no cut is drawn; press B and draw a line across members");
+}
+
+Reason needs_free_body(const Workspace& workspace)
+{
+    if (workspace.session.free_body.is_on(workspace.session.model())) return std::nullopt;
+    return translatable("no free body is shown; press B and click a member or a node");
+}
+
+std::vector<femoop::MemberId> selected_members(const Session& session)
+{
+    std::vector<femoop::MemberId> members;
+    for (const Part& part : session.selection.parts())
+        if (const auto* const member = std::get_if<femoop::MemberId>(&part)) members.push_back(*member);
+    return members;
+}
+
+std::optional<femoop::NodeId> selected_node(const Session& session)
+{
+    const std::optional<Part> part = session.selection.only();
+    if (!part || !std::holds_alternative<femoop::NodeId>(*part)) return std::nullopt;
+    return std::get<femoop::NodeId>(*part);
+}
+
+Reason why_not_lift(const Workspace& workspace)
+{
+    const Session& session = workspace.session;
+    if (auto reason = why_no_free_body(workspace)) return reason;
+    if (selected_node(session) || !selected_members(session).empty()) return std::nullopt;
+    return translatable("no node and no member is selected");
+}
+
+void lift_selected(Workspace& workspace)
+{
+    Session& session = workspace.session;
+    if (const auto node = selected_node(session)) session.free_body.lift(session.model(), *node);
+    else session.free_body.lift(session.model(), selected_members(session));
+    session.selection.clear();
+    workspace.tool_controller.select(ToolKind::FreeBody);
+}
+
+} // namespace
+
+// Of an envelope there is none: its numbers stand in no one equilibrium.
+Reason why_no_free_body(const Workspace& workspace)
+{
+    if (workspace.session.view.is_envelope) return translatable("an envelope is of several cases; choose one");
+    return workspace.session.why_no_results();
+}
+
+void add_free_body_commands(CommandTable& table)
+{
+    Menu menu(table, translatable("View"));
+    menu.step({"view.free_body.selected", translatable("Free body of what is selected"), {{Key::B, ui::shift}}},
+              lift_selected, why_not_lift);
+    menu.step(
+        {"view.free_body.turn", translatable("The other side of the cut"), {{Key::U, {}}}},
+        [](Workspace& workspace) { workspace.session.free_body.turn_cut(); }, needs_cut);
+    menu.step(
+        {"view.free_body.close", translatable("Close the free body")},
+        [](Workspace& workspace) { workspace.session.free_body.clear(); }, needs_free_body);
+}
+
+} // namespace frame
