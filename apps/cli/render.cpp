@@ -10,6 +10,7 @@
 #include "apps/cli/model_input.h"
 #include "apps/cli/moving_picture.h"
 #include "apps/cli/picture.h"
+#include "apps/cli/truss_picture.h"
 #include "apps/frame/document/companion/companion_file.h"
 #include "apps/frame/view/kept_view.h"
 
@@ -34,6 +35,7 @@ private:
     std::string file_, out_, theme_ = "light", size_ = "1280x800", scale_ = "1";
     std::optional<std::string> show_, case_, view_, magnification_, mechanism_;
     MovingPicture moving_;
+    TrussPicture truss_;
 };
 
 std::string show_list(const ui::Catalogue& tr)
@@ -55,7 +57,9 @@ HelpText Render::help(const ui::Catalogue& tr) const
              {"cremona render examples/portal.json -o sag.pdf --show deformed,labels --magnify 100 --theme print",
               tr("The deformed shape, displacements a hundred times as large, in black for paper.")},
              {"cremona render examples/bridge.json -o truck.svg --train HS20",
-              tr("A truck where it bends the bridge most, and the bridge under it.")}}};
+              tr("A truck where it bends the bridge most, and the bridge under it.")},
+             {"cremona render examples/pratt_truss.json -o cremona.svg --cremona",
+              tr("A truss beside its Cremona diagram.")}}};
 }
 
 void Render::declare(CLI::App& app, const ui::Catalogue& tr)
@@ -85,6 +89,7 @@ void Render::declare(CLI::App& app, const ui::Catalogue& tr)
     app.add_option("--mechanism", mechanism_, tr("which motion is drawn of a structure that can move (default 1)"))
         ->option_text("N");
     moving_.declare(app, tr);
+    truss_.declare(app, tr);
 }
 
 drawing::ShowSet shown(const std::string& list, const ui::Catalogue& tr)
@@ -155,6 +160,10 @@ ExitStatus Render::run(Console& console)
     const ui::Catalogue& tr = console.tr();
     if (file_.empty()) throw UsageError(tr("no file is given; see {command}", {{"command", "cremona render --help"}}));
     moving_.require_sensible(tr);
+    truss_.require_sensible(tr);
+    if (truss_.is_asked() && moving_.is_asked())
+        throw UsageError(tr("{a} and {b} ask for different things; give one of them",
+                            {{"a", "--cremona"}, {"b", "--influence, --train"}}));
     PictureOrder picture = order(tr);
     const std::optional<femoop::Model> model = load_model(file_, console);
     if (!model) return ExitStatus::BadInput;
@@ -162,6 +171,7 @@ ExitStatus Render::run(Console& console)
     picture.dimensions = beside.companion.dimensions;
     if (view_) look_at_view(picture, beside.companion, *model, tr);
     if (case_) choose_case(picture.view, *model, tr);
+    if (truss_.is_asked()) return truss_.draw(*model, display_name(file_, tr), picture, show_.has_value(), console);
     if (moving_.is_asked()) return moving_.draw(*model, display_name(file_, tr), picture, show_.has_value(), console);
     return draw_picture(*model, display_name(file_, tr), picture, console);
 }

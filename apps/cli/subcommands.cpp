@@ -10,6 +10,7 @@
 #include "apps/cli/render.h"
 #include "apps/cli/solve.h"
 #include "apps/cli/train.h"
+#include "apps/cli/truss.h"
 #include "apps/cli/verify.h"
 
 namespace cli {
@@ -26,6 +27,7 @@ std::vector<std::unique_ptr<Subcommand>> all_subcommands()
     all.push_back(influence_command());
     all.push_back(euler_command());
     all.push_back(train_command());
+    all.push_back(truss_command());
     all.push_back(mohr_command());
     all.push_back(bench_command());
     return all;

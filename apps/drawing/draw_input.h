@@ -15,7 +15,7 @@
 namespace drawing {
 
 class MomentOverlay;
-struct FreeBodyPicture;
+struct CremonaPicture;
 struct InfluencePicture;
 
 /// One of the motions of a structure that cannot be solved.
@@ -47,10 +47,7 @@ struct DrawInput {
     /// for it. None when null.
     const MomentOverlay* overlay = nullptr;
     const InfluencePicture* influence = nullptr; ///< drawn where Show::Influence is; none when null
-    /// Drawn in place of the results, with the structure behind it; none when null. \pre of the case that is shown
-    const FreeBodyPicture* free_body = nullptr;
-    const femoop::counting::Counting* counting =
-        nullptr; ///< of the model, drawn where Show::Counting is; none when null
+    const CremonaPicture* cremona = nullptr;     ///< drawn where Show::Cremona is; none when null
 };
 
 } // namespace drawing

@@ -10,10 +10,19 @@ namespace {
 constexpr std::array results{Show::Influence, Show::N, Show::V,  Show::Vy, Show::Vz,
                              Show::M,         Show::T, Show::My, Show::Mz, Show::Deformed};
 
+/// The truss with its names, and beside it the diagram.
+std::vector<ShowSet> truss_contents(ShowSet show)
+{
+    for (const Show item : results) show.erase(item);
+    for (const Show item : {Show::Loads, Show::Reactions, Show::Cremona}) show.erase(item);
+    return {show, (show & ShowSet{Show::Values, Show::Legend}) | ShowSet{Show::Cremona}};
+}
+
 } // namespace
 
 std::vector<ShowSet> panel_contents(const PanelRequest& request)
 {
+    if (request.show.contains(Show::Cremona)) return truss_contents(request.show);
     std::vector<Show> shown;
     for (const Show item : results)
         if (request.show.contains(item)) shown.push_back(item);

@@ -20,7 +20,7 @@ struct PanelRequest {
     Layout layout = Layout::Automatic;
     bool has_results = false; ///< without them there is one panel
 };
-/// What each panel shows.
+/// What each panel shows. A Cremona diagram has two: the truss, and the diagram.
 std::vector<ShowSet> panel_contents(const PanelRequest& request);
 
 /// Panels of one size, row by row. \pre columns > 0

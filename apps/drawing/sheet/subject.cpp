@@ -17,7 +17,7 @@
 #include "apps/drawing/structure/drawn_dimensions.h"
 #include "apps/drawing/structure/members.h"
 #include "apps/drawing/structure/supports.h"
-#include "femoop/io/counting/counting_text.h"
+#include "apps/drawing/truss/cremona_picture.h"
 #include "ui/paint/wrapped_lines.h"
 
 #include <algorithm>
@@ -68,13 +68,18 @@ public:
         finish();
     }
 
-    void draw_lifted(const FreeBodyPicture& lifted)
+    void draw_cremona(const CremonaPicture& picture)
     {
+        if (scene_.shows(Show::Cremona)) {
+            const ui::Box panel = ui::box_at(scene_.projection.shift(), size_);
+            draw_reciprocal(scene_, picture, panel);
+            heads_.push_back(reciprocal_head(scene_, picture, panel));
+            return;
+        }
         draw_highlights(scene_);
-        draw_members(scene_, Presence::Behind);
+        draw_truss(scene_, picture);
+        heads_.push_back(truss_head(scene_));
         draw_structure();
-        draw_free_body(scene_, lifted);
-        heads_.push_back({.name = scene_.options.tr("Free body"), .note = {}});
         finish();
     }
 
@@ -283,7 +288,7 @@ ui::Box Subject::area(ui::Size sheet, const ui::Fonts& fonts) const
     if (options_.show.contains(Show::Legend))
         area.min.y += head_height(sheet_head(input_, options_), theme_, fonts, sheet.width);
     const double line = 1.4 * theme_.type().normal;
-    const std::size_t n_lines = foot_lines(sheet, fonts).size();
+    const std::size_t n_lines = most_foot_lines(sheet, fonts);
     if (n_lines > 0) area.max.y -= 14.0 + line * static_cast<double>(n_lines);
     if (has_curve()) area.max.y -= curve_height(theme_, sheet);
     return area;
@@ -297,6 +302,11 @@ Subject::Plan Subject::plan(ui::Size sheet, const ui::Fonts& fonts) const
                                                           .layout = options_.layout,
                                                           .has_results = is_solved_});
     const ui::Box room = area(sheet, fonts);
+    if (shows_cremona()) { // beside one another, as a class compares them
+        std::vector<Panel> both = panels(contents, room, room.width() > room.height() ? 2 : 1);
+        Camera camera = state_.camera ? *state_.camera : fitted(both, fonts);
+        return {std::move(both), std::move(camera)};
+    }
     std::vector<Panel> list = panels(contents, room, 1);
     if (contents.size() == 1 && state_.camera) return {std::move(list), *state_.camera};
     Camera camera = fitted(list, fonts);
@@ -345,6 +355,7 @@ ui::Margins Subject::needed_margins(const std::vector<Panel>& panels, const Came
     ui::Margins margins{edge, edge, edge, edge};
     const ui::Size size = panels.front().box.size();
     for (const Panel& panel : panels) {
+        if (panel.show.contains(Show::Cremona)) continue; // which fits itself
         ui::Painter scratch(size, fonts);
         const Panel at_origin{ui::box_at({}, size), panel.show};
         const Drawn drawn = draw_panel(scratch, at_origin, camera, Pass::Measure);
@@ -448,7 +459,7 @@ Subject::Drawn Subject::draw_panel(ui::Painter& painter, const Panel& panel, con
     const Scene scene{input_.model, shape_, projection, options_, state_, units_, sketch, detail, panel.show};
     PanelPicture picture(scene, input_, panel.box.size());
     if (!options_.show.contains(Show::M) && !shows_any(panel.show, diagrams)) picture.draw_overlay_alone();
-    if (input_.free_body != nullptr) picture.draw_lifted(*input_.free_body);
+    if (shows_cremona()) picture.draw_cremona(*input_.cremona);
     else if (const auto& motion = input_.motion) picture.draw_mechanism(motion->all[motion->shown]);
     else picture.draw_solved(cases().shown ? &*cases().shown : nullptr, cases().of_envelope);
     Drawn drawn{.bounds = sketch.bounds(), .tight_bounds = sketch.tight_bounds(), .mark_bounds = sketch.mark_bounds()};
@@ -560,7 +571,7 @@ void Subject::draw_left_out(ui::Painter& painter, std::size_t n_left_out) const
     painter.text(chosen.at, words, style_at(chosen));
 }
 
-bool Subject::has_no_results() const { return input_.motion || !input_.reasons.empty(); }
+bool Subject::shows_cremona() const { return input_.cremona != nullptr && options_.show.contains(Show::Cremona); }
 
 bool Subject::has_curve() const { return input_.influence != nullptr && input_.influence->curve; }
 
@@ -580,31 +591,36 @@ ui::Weight Subject::weight_in_foot(bool is_first) const
     return is_first && !input_.motion && !input_.free_body ? ui::Weight::Bold : ui::Weight::Regular;
 }
 
-namespace {
-
-// The picture keeps the larger part of the sheet.
-void cut_short(std::vector<std::string>& lines, double line_height, double sheet_height)
+std::vector<std::string> Subject::stage_sentence(std::size_t stage) const
 {
-    constexpr double share = 0.4;
-    constexpr std::size_t least = 2;
-    const std::size_t most = std::max(least, static_cast<std::size_t>(share * sheet_height / line_height));
-    if (lines.size() <= most) return;
-    lines.resize(most);
-    lines.back() += " …";
+    if (stage == 0) return {};
+    return {input_.cremona->sentences[stage - 1]};
 }
 
-} // namespace
+// The picture keeps its place from stage to stage.
+std::size_t Subject::most_foot_lines(ui::Size sheet, const ui::Fonts& fonts) const
+{
+    if (!shows_cremona()) return foot_lines(sheet, fonts).size();
+    std::size_t most = 0;
+    for (std::size_t i = 1; i <= input_.cremona->sentences.size(); ++i)
+        most = std::max(most, wrapped_foot(stage_sentence(i), sheet, fonts).size());
+    return most;
+}
 
 std::vector<std::string> Subject::foot_lines(ui::Size sheet, const ui::Fonts& fonts) const
 {
-    std::vector<std::string> sentences, lines;
-    if (input_.motion) sentences.push_back(input_.motion->sentence);
-    else if (input_.free_body) sentences = input_.free_body->equations;
-    else if (input_.influence) sentences = input_.influence->sentences;
-    else if (has_overlay_text()) sentences = input_.overlay->foot({input_.model, shape_, units_, options_.tr});
-    if (input_.counting && options_.show.contains(Show::Counting))
-        std::ranges::move(femoop::counting::sum_lines(*input_.counting, input_.model, options_.tr),
-                          std::back_inserter(sentences));
+    if (input_.motion) return wrapped_foot({input_.motion->sentence}, sheet, fonts);
+    if (shows_cremona()) return wrapped_foot(stage_sentence(input_.cremona->n_stages), sheet, fonts);
+    if (input_.influence) return wrapped_foot(input_.influence->sentences, sheet, fonts);
+    if (has_overlay_text())
+        return wrapped_foot(input_.overlay->foot({input_.model, shape_, units_, options_.tr}), sheet, fonts);
+    return {};
+}
+
+std::vector<std::string> Subject::wrapped_foot(const std::vector<std::string>& sentences, ui::Size sheet,
+                                               const ui::Fonts& fonts) const
+{
+    std::vector<std::string> lines;
     for (const std::string& one : sentences) {
         ui::TextStyle style = foot_style();
         style.weight = weight_in_foot(&one == &sentences.front());

@@ -33,8 +33,8 @@ TEST_CASE("Every command on the page of the command line runs, and prints what t
 TEST_CASE("Every option of every command stands on the page")
 {
     const std::string text = page();
-    for (const char* command :
-         {"solve", "verify", "check", "render", "convert", "cross", "influence", "train", "euler", "mohr", "bench"}) {
+    for (const char* command : {"solve", "verify", "check", "render", "convert", "cross", "influence", "train", "truss",
+                                "euler", "mohr", "bench"}) {
         std::istringstream help(cli_test::cremona({command, "--help"}).out);
         for (std::string word; help >> word;) {
             if (!word.starts_with("--") || word.size() < 4) continue;

@@ -1,0 +1,145 @@
+#include "apps/cli/truss.h"
+
+#include <CLI/CLI.hpp>
+#include <optional>
+#include <variant>
+#include <vector>
+
+#include "apps/cli/analysis_run.h"
+#include "apps/cli/argument.h"
+#include "apps/cli/model_input.h"
+#include "femoop/io/truss/truss_json.h"
+#include "femoop/io/truss/truss_sentence.h"
+#include "femoop/io/truss/truss_text.h"
+
+namespace cli {
+
+namespace {
+
+using femoop::Model;
+using femoop::truss::Refusal;
+
+class Truss : public Subcommand {
+public:
+    std::string_view name() const override { return "truss"; }
+    HelpText help(const ui::Catalogue& tr) const override;
+    void declare(CLI::App& app, const ui::Catalogue& tr) override;
+    ExitStatus run(Console& console) override;
+
+private:
+    void require_sensible(const ui::Catalogue& tr) const;
+    bool is_by(std::string_view method) const
+    {
+        return method_ == method || (!method_ && cut_ && method == "sections");
+    }
+    std::vector<femoop::MemberId> cut_bars(const Model& model, const ui::Catalogue& tr) const;
+    std::variant<std::string, Refusal> output(const Model& model, const femoop::Results& results,
+                                              const ui::Catalogue& tr) const;
+
+    std::string file_;
+    std::optional<std::string> case_, method_, cut_;
+    bool is_json_ = false, is_latex_ = false;
+};
+
+HelpText Truss::help(const ui::Catalogue& tr) const
+{
+    return {
+        tr("work out a plane truss by hand: joints, sections, Cremona diagram"),
+        tr("Takes a statically determinate plane truss apart as on paper. Joint by joint, in an order in which each "
+           "joint has at most two unknown bars, with equations and force polygon; by a section, with the Ritter point "
+           "and lever arm of each bar; or by the reciprocal diagram of Maxwell and Cremona, with Bow's notation. Bars "
+           "that carry nothing are found first, each with its rule. What the method cannot do is refused with the "
+           "reason."),
+        {{"cremona truss examples/truss.json", tr("Joint by joint.")},
+         {"cremona truss examples/pratt_truss.json --cut U2U3,U2L3,L2L3", tr("Three bars by one section.")},
+         {"cremona truss examples/truss.json --method cremona",
+          tr("The Cremona diagram: spaces, points, sides, and how they are read.")},
+         {"cremona truss examples/truss.json --latex", tr("The same sheet for a LaTeX document.")}}};
+}
+
+void Truss::declare(CLI::App& app, const ui::Catalogue& tr)
+{
+    app.add_option("FILE", file_, tr("the model file; - is standard input"))->option_text(" ");
+    app.add_option("--case", case_, tr("the load case or combination (default the first)"))->option_text("ID");
+    app.add_option("--method", method_, tr("joints (default), sections (needs --cut) or cremona"))->option_text("NAME");
+    app.add_option("--cut", cut_,
+                   tr("the bars that a section cuts, separated by commas: each is found by itself if the "
+                      "others meet in one point or are parallel"))
+        ->option_text("BARS");
+    app.add_flag("--json", is_json_, tr("print JSON instead of text"));
+    app.add_flag("--latex", is_latex_, tr("print the body of a LaTeX document instead of text"));
+}
+
+void Truss::require_sensible(const ui::Catalogue& tr) const
+{
+    if (file_.empty()) throw UsageError(tr("no file is given; see {command}", {{"command", "cremona truss --help"}}));
+    if (is_json_ && is_latex_)
+        throw UsageError(
+            tr("{a} and {b} print different things; give one of them", {{"a", "--json"}, {"b", "--latex"}}));
+    if (method_ && *method_ != "joints" && *method_ != "sections" && *method_ != "cremona")
+        throw UsageError(tr("{option}: found \"{found}\", wanted one of {names}",
+                            {{"option", "--method"}, {"found", *method_}, {"names", "joints, sections, cremona"}}));
+    if (cut_ && !is_by("sections"))
+        throw UsageError(tr("{a} and {b} contradict one another; give one of them",
+                            {{"a", "--cut"}, {"b", "--method " + *method_}}));
+    if (!cut_ && is_by("sections"))
+        throw UsageError(tr("{a} needs {b} too; add it", {{"a", "--method sections"}, {"b", "--cut"}}));
+}
+
+std::vector<femoop::MemberId> Truss::cut_bars(const Model& model, const ui::Catalogue& tr) const
+{
+    std::vector<femoop::MemberId> bars;
+    for (const std::string& name : comma_list(*cut_)) {
+        const auto bar = model.find_member(name);
+        if (!bar) {
+            std::vector<std::string> names;
+            for (const femoop::Member& member : model.members) names.push_back(member.id);
+            throw unknown_choice("--cut", name, names, tr);
+        }
+        bars.push_back(*bar);
+    }
+    return bars;
+}
+
+std::variant<std::string, Refusal> Truss::output(const Model& model, const femoop::Results& results,
+                                                 const ui::Catalogue& tr) const
+{
+    using namespace femoop::truss;
+    if (const auto refusal = why_no_truss(model, results)) return *refusal;
+    const femoop::CaseId load_case = case_ ? find_case(model, *case_, tr) : femoop::CaseId(0);
+    const femoop::truss::Truss truss = truss_of(model, results, load_case);
+    const auto written = [&](const Sheet& sheet) { return is_latex_ ? latex(sheet) : plain_text(sheet, tr); };
+    if (is_by("sections")) {
+        const std::vector<femoop::MemberId> bars = cut_bars(model, tr);
+        if (const auto refusal = why_no_cut(truss, bars)) return *refusal;
+        return is_json_ ? cut_json(model, truss, load_case, bars, tr)
+                        : written(cut_sheet(model, truss, load_case, bars, tr));
+    }
+    if (is_by("cremona")) {
+        if (const auto refusal = why_no_reciprocal(truss)) return *refusal;
+        return is_json_ ? diagram_json(model, truss, load_case, tr)
+                        : written(diagram_sheet(model, truss, load_case, tr));
+    }
+    return is_json_ ? joint_json(model, truss, load_case, tr) : written(joint_sheet(model, truss, load_case, tr));
+}
+
+ExitStatus Truss::run(Console& console)
+{
+    require_sensible(console.tr());
+    const std::optional<Model> model = load_model(file_, console);
+    if (!model) return ExitStatus::BadInput;
+    const std::string file = display_name(file_, console.tr());
+    auto solved = solve_model(*model, file, {}, console);
+    if (const auto* status = std::get_if<ExitStatus>(&solved)) return *status;
+    auto output = this->output(*model, std::get<Solved>(solved).results, console.tr());
+    if (const auto* refusal = std::get_if<Refusal>(&output))
+        throw UsageError(file + ": " + femoop::truss::sentence(*refusal, *model, console.tr()));
+    console.print(std::get<std::string>(std::move(output)));
+    return ExitStatus::Done;
+}
+
+} // namespace
+
+std::unique_ptr<Subcommand> truss_command() { return std::make_unique<Truss>(); }
+
+} // namespace cli

@@ -1,0 +1,36 @@
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "apps/cli/console.h"
+#include "apps/cli/exit_status.h"
+#include "apps/cli/picture.h"
+#include "femoop/model/model.h"
+
+namespace CLI { // NOLINT(readability-identifier-naming): the name that its authors gave it
+class App;
+}
+
+namespace cli {
+
+/// What options of `render` ask for of a truss: its Cremona diagram.
+class TrussPicture {
+public:
+    void declare(CLI::App& app, const ui::Catalogue& tr);
+    bool is_asked() const { return is_asked_; }
+    /// \throws UsageError for options that do not go together
+    void require_sensible(const ui::Catalogue& tr) const;
+
+    /// Draws the truss with Bow's notation beside its diagram, as far as it is asked for.
+    /// \param shows_own  the order says itself what is shown
+    /// \throws UsageError if there is none
+    ExitStatus draw(const femoop::Model& model, const std::string& file, PictureOrder order, bool shows_own,
+                    const Console& console) const;
+
+private:
+    bool is_asked_ = false;
+    std::optional<std::string> stage_;
+};
+
+} // namespace cli
