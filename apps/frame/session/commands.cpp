@@ -16,6 +16,7 @@
 #include "apps/frame/session/table_commands.h"
 #include "apps/frame/session/tabs.h"
 #include "apps/frame/session/train_commands.h"
+#include "apps/frame/session/truss_commands.h"
 #include "apps/frame/session/view_commands.h"
 #include "ui/workspace/standard_commands.h"
 
@@ -264,6 +265,7 @@ CommandTable command_table()
     add_influence_commands(table);
     add_free_body_commands(table);
     add_train_commands(table);
+    add_truss_commands(table);
     add_panel_commands(table);
     add_table_commands(table);
     add_solver_commands(table);

@@ -101,6 +101,7 @@ void give_up(Workspace& workspace)
     if (workspace.tool_controller.kind() == ToolKind::Influence) workspace.session.influence.clear();
     if (workspace.tool_controller.kind() == ToolKind::FreeBody) workspace.session.free_body.clear();
     if (workspace.tool_controller.escape()) return;
+    if (workspace.session.cremona.is_on()) return workspace.session.cremona.close();
     workspace.session.influence.clear();
     workspace.session.free_body.clear();
     workspace.session.selection.clear();

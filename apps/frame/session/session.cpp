@@ -17,6 +17,7 @@
 #include "femoop/io/counting/counting_text.h"
 #include "femoop/io/model_file.h"
 #include "femoop/io/results/results_table.h"
+#include "femoop/io/truss/truss_sentence.h"
 #include "femoop/model/check/check.h"
 #include "femoop/result/describe.h"
 #include "femoop/result/structure_words.h"
@@ -58,7 +59,7 @@ void Session::restart(Document document)
     selection.clear();
     prediction.clear();
     influence.clear();
-    free_body.clear();
+    cremona.close();
     view.load_case = femoop::CaseId(0);
     draw_state.camera.reset();
     shown_view.reset();
@@ -410,12 +411,23 @@ void Session::set_language(ui::Language language)
 
 namespace {
 
-/// Of the degree of indeterminacy, where it is shown.
-std::string counting_text(const Session& session)
+/// What its stage draws, and how each bar that is found by then is read; or why there is none.
+std::string diagram_text(const Session& session)
 {
-    if (!session.view.show.contains(Show::Counting)) return {};
-    const auto* const counting = session.counting.of(session.model(), session.generation());
-    return counting ? "\n" + femoop::counting::counting_text(*counting, session.model(), session.tr()) : "";
+    const ui::Catalogue& tr = session.view.tr;
+    const CremonaPicture* const shown = session.cremona.picture(session.model(), session.shown_results(),
+                                                                session.generation(), session.view);
+    if (shown == nullptr) {
+        const std::string& reason = session.cremona.why_none();
+        return reason.empty() ? std::string() : tr("No Cremona diagram: {reason}.", {{"reason", reason}}) + "\n";
+    }
+    std::string text = tr("Cremona diagram") + "\n" + shown->sentences.at(shown->n_stages - 1) + "\n";
+    for (std::size_t i = 0; i < shown->truss.bars.size(); ++i) {
+        const femoop::MemberId bar(i);
+        if (shown->is_found(bar))
+            text += reading_sentence(shown->truss, shown->diagram, bar, session.model(), tr) + "\n";
+    }
+    return text;
 }
 
 } // namespace
@@ -436,7 +448,7 @@ std::string description(const Session& session)
         words += "\n" + tr("Case {case} has no results.", {{"case", session.model().case_name(one.id)}}) + "\n";
         for (const femoop::Fault& fault : one.faults) words += sentence(fault, tr) + "\n";
     }
-    words += counting_text(session);
+    if (session.cremona.is_on()) words += "\n" + diagram_text(session);
     if (shown.is_envelope)
         words += "\n" + envelope_text(session.model(), shown) + "\n" +
                  femoop::envelope_text(session.model(), *told, envelope_cases(session.model(), shown), tr);

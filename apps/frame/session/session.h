@@ -24,6 +24,7 @@
 #include "apps/frame/predict/prediction.h"
 #include "apps/frame/session/kept_counting.h"
 #include "apps/frame/tables/table.h"
+#include "apps/frame/truss/asked_diagram.h"
 #include "femoop/model/fault/fault.h"
 #include "ui/text/display_units.h"
 #include "ui/text/message.h"
@@ -111,6 +112,7 @@ public:
     KeptCounting counting;         ///< of the degree of indeterminacy, where it is shown
     AskedBody free_body;           ///< that is lifted out in place of the results of a case
     AskedLine influence;           ///< that is looked at in place of the results of a case
+    AskedDiagram cremona;          ///< likewise, of a plane truss
     Prediction prediction;         ///< of moments that the class has not seen yet: part of the tab, not of the document
     std::optional<ShowSet> hidden; ///< results that are kept from the class until they are revealed
     std::size_t mechanism = 0;     ///< which of several is shown

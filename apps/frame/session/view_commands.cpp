@@ -41,6 +41,8 @@ void walk_cases(Session& session, Direction way)
 
 void walk(Session& session, Direction way)
 {
+    if (session.cremona.is_on())
+        return session.cremona.step(way == Direction::Later ? AskedDiagram::Way::On : AskedDiagram::Way::Back);
     if (views(session).empty()) walk_cases(session, way);
     else walk_views(session, way);
 }
@@ -56,7 +58,9 @@ std::vector<std::string> chosen_cases(const Session& session)
 
 ui::Reason why_not_walk(const Workspace& workspace)
 {
-    if (!views(workspace.session).empty() || workspace.session.model().n_cases() > 1) return std::nullopt;
+    if (workspace.session.cremona.is_on() || !views(workspace.session).empty() ||
+        workspace.session.model().n_cases() > 1)
+        return std::nullopt;
     return translatable("the model has no other load case");
 }
 
@@ -66,10 +70,10 @@ void add_view_commands(CommandTable& table)
 {
     Menu menu(table, view_menu);
     menu.step(
-        {"view.next", translatable("Next view or load case"), {{Key::PageDown, {}}}},
+        {"view.next", translatable("Next view, load case or stage"), {{Key::PageDown, {}}}},
         [](Workspace& workspace) { walk(workspace.session, Direction::Later); }, why_not_walk);
     menu.step(
-        {"view.previous", translatable("Previous view or load case"), {{Key::PageUp, {}}}},
+        {"view.previous", translatable("Previous view, load case or stage"), {{Key::PageUp, {}}}},
         [](Workspace& workspace) { walk(workspace.session, Direction::Earlier); }, why_not_walk);
     menu.step({"view.keep", translatable("Keep this view"), {{Key::B, ui::ctrl}}},
               [](Workspace& workspace) { workspace.requests.push_back(Request::KeepView); });

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "apps/frame/document/fault/sentence.h"
+#include "apps/frame/session/truss_commands.h"
 #include "apps/frame/window/no_results.h"
 #include "ui/paint/theme.h"
 #include "ui/paint/wrapped_lines.h"
@@ -54,6 +55,13 @@ std::vector<std::string> why_blank(const Session& session)
     if (blank->faults.size() > most)
         all.push_back(tr("… and {count} more", {{"count", std::to_string(blank->faults.size() - most)}}));
     return all;
+}
+
+void draw_why_no_diagram(ui::Painter& painter, const Session& session, const DrawOptions& options)
+{
+    if (!session.cremona.is_on() || shown_diagram(session) != nullptr || session.cremona.why_none().empty()) return;
+    const std::string reason = options.tr("No Cremona diagram: {reason}.", {{"reason", session.cremona.why_none()}});
+    draw_at_foot(painter, {reason}, ui::Theme(options.theme));
 }
 
 void draw_loose_part(ui::Painter& painter, const Session& session, const DrawOptions& options,

@@ -14,6 +14,7 @@
 #include "apps/drawing/reading.h"
 #include "apps/frame/session/load_commands.h"
 #include "apps/frame/session/snapping.h"
+#include "apps/frame/session/truss_commands.h"
 #include "apps/frame/session/work.h"
 #include "apps/frame/tools/kept_settings.h"
 #include "apps/frame/tools/load_tool.h"
@@ -54,17 +55,12 @@ DrawOptions with_influence(DrawOptions options, bool has_train)
     return options;
 }
 
-const FreeBodyPicture* lifted_body(const Session& session)
+// The truss and its diagram say all that there is; names of bars would stand where their forces do.
+DrawOptions with_diagram(DrawOptions options)
 {
-    const femoop::Results* const results = session.shown_results();
-    if (results == nullptr || session.view.is_envelope) return nullptr;
-    return session.free_body.picture(session.model(), *results, session.generation(), session.view);
-}
-
-// A free body stands alone before the structure, with all that acts on it.
-DrawOptions with_free_body(DrawOptions options)
-{
-    options.show = options.show & ShowSet{Show::Values, Show::MemberNames, Show::LocalAxes, Show::Legend};
+    options.show = options.show & ShowSet{Show::Values, Show::NodeNames, Show::Legend};
+    options.show.insert(Show::Cremona);
+    options.is_envelope = false;
     return options;
 }
 
@@ -76,7 +72,7 @@ DrawOptions looked_at(const Session& session)
         const bool has_train = shown_line(session) != nullptr && session.influence.standing() != nullptr;
         return with_influence(std::move(options), has_train);
     }
-    if (lifted_body(session) != nullptr) return with_free_body(std::move(options));
+    if (shown_diagram(session) != nullptr) return with_diagram(std::move(options));
     if (options.is_envelope) options.show = options.show - ShowSet{Show::Loads, Show::Deformed};
     return options;
 }
@@ -110,11 +106,8 @@ DrawInput input_of(const Workspace& workspace, const DrawOptions& options, const
                 .dimensions = session.document().companion.dimensions,
                 .influence = line};
     }
-    if (const auto* const body = lifted_body(session))
-        return {.model = session.model(),
-                .results = session.shown_results(),
-                .dimensions = session.document().companion.dimensions,
-                .free_body = body};
+    if (const auto* const diagram = shown_diagram(session))
+        return {.model = session.model(), .results = session.shown_results(), .cremona = diagram};
     DrawInput input{.model = session.model(),
                     .reference = session.reference.get(),
                     .dimensions = session.document().companion.dimensions,
@@ -152,7 +145,7 @@ bool Canvas::FittedFor::serves(const FittedFor& wanted) const
                           has_body == wanted.has_body;
     const bool is_tight = std::ranges::equal(factors, wanted.factors, std::ranges::less_equal());
     return session == wanted.session && sheet == wanted.sheet && layout == wanted.layout && theme == wanted.theme &&
-           is_in_space == wanted.is_in_space && has_room && is_tight;
+           is_in_space == wanted.is_in_space && has_diagram == wanted.has_diagram && has_room && is_tight;
 }
 
 Canvas::FittedFor Canvas::wanted_fit(const Session& session, const DrawOptions& options) const
@@ -164,7 +157,7 @@ Canvas::FittedFor Canvas::wanted_fit(const Session& session, const DrawOptions& 
             is_seen_in_space(session.model().analysis),
             is_sketched(session),
             session.influence.standing() != nullptr,
-            lifted_body(session) != nullptr,
+            options.show.contains(Show::Cremona),
             {options.diagram_factor, options.load_factor, options.symbol_factor}};
 }
 
@@ -219,7 +212,7 @@ bool Canvas::is_all_in_sight(const Workspace& workspace) const
 ui::Point Canvas::corner_of_panel(ui::Point at) const
 {
     for (const Panel& panel : plan_.panels) {
-        if (panel.box.contains(at)) return panel.box.min;
+        if (panel.box.contains(at) && !panel.show.contains(Show::Cremona)) return panel.box.min;
     }
     return plan_.panels.empty() ? ui::Point{} : plan_.panels.front().box.min;
 }
@@ -295,13 +288,16 @@ void Canvas::follow(Workspace& workspace, const Pointer& pointer)
     session.hover.reset();
     session.draw_state.hover = {};
     if (!pointer.is_over) return;
+    if (const Panel* const panel = diagram_at(pointer.at); panel != nullptr && !is_working_)
+        return point_at_diagram(session, *panel, pointer.at);
     const Projection projection = projection_at(pointer.at);
     ToolSettings& settings = workspace.tool_controller.settings();
     settings.grid = typed_spacing(settings, session.model().units).value_or(grid_of(projection));
     settings.load_case = session.view.load_case;
     settings.load = entry_of(settings.load, session.model().analysis).load; // another tab may lack its direction
     settings.moment_side = session.view.moment_side;
-    Pick under = pick(shape_, projection, pointer.at, session.shown_results() ? session.view.show : ShowSet{});
+    const bool reads_results = session.shown_results() && !session.cremona.is_on();
+    Pick under = pick(shape_, projection, pointer.at, reads_results ? session.view.show : ShowSet{});
     if (under.cut) under.cut = snapped(session, shape_, *under.cut, pixels_along(projection, *under.cut));
     const bool asks_for_menu = ImGui::IsMouseReleased(ImGuiMouseButton_Right) && !is_moving_view();
     move_camera(session);
@@ -323,6 +319,27 @@ void Canvas::follow(Workspace& workspace, const Pointer& pointer)
     work(workspace, aim, under);
     if (const auto member = workspace.tool_controller.tool().preview().member)
         session.draw_state.hover.members = {*member};
+}
+
+const Panel* Canvas::diagram_at(ui::Point at) const
+{
+    const auto panel = std::ranges::find_if(
+        plan_.panels, [&](const Panel& one) { return one.show.contains(Show::Cremona) && one.box.contains(at); });
+    return panel != plan_.panels.end() ? &*panel : nullptr;
+}
+
+// The hand lights the bar of the side under it, and a click selects it; there is nothing to be drawn or moved.
+void Canvas::point_at_diagram(Session& session, const Panel& panel, ui::Point at)
+{
+    constexpr double reach = 8.0; // [px]
+    const CremonaPicture* const diagram = shown_diagram(session);
+    if (diagram == nullptr) return;
+    const DiagramPlan plan(diagram->diagram, panel.box, ui::Theme(session.view.theme));
+    const auto bar = side_at(*diagram, plan, at, reach);
+    if (bar) session.draw_state.hover.members.push_back(*bar);
+    if (!is_pressed()) return;
+    session.selection.clear();
+    if (bar) session.selection = Part(*bar);
 }
 
 // A stroke goes on from what was there before it; until one begins the hand points at what is seen.
@@ -473,6 +490,8 @@ Subject::Picture Canvas::draw(const Workspace& workspace, const DrawOptions& opt
     }
     const std::optional<GuessPicture> guess = guess_picture(session, options);
     Subject::Picture picture = Subject(input_of(workspace, options, guess), options, state).draw(painter);
+    draw_why_blank(painter, session, options);
+    draw_why_no_diagram(painter, session, options);
     if (!shown_mechanism(workspace) && !picture.plan.panels.empty())
         draw_loose_part(painter, session, options, Projection(picture.plan.camera, picture.plan.panels.front().box.min),
                         shape_);
@@ -484,7 +503,7 @@ Subject::Picture Canvas::draw(const Workspace& workspace, const DrawOptions& opt
 void Canvas::draw_cut(const Session& session, const DrawOptions& options, const Subject::Picture& picture,
                       const SeenCut& seen, ui::Painter& painter) const
 {
-    if (session.hidden || session.influence.is_on(session.model()) || session.free_body.is_on(session.model())) return;
+    if (session.hidden || session.influence.is_on(session.model()) || shown_diagram(session) != nullptr) return;
     const ui::Point at = Projection(picture.plan.camera, seen.panel)(shape_[seen.cut.member].at(seen.cut.x));
     draw_reading(painter, {session.model(), session.shown_results()}, options,
                  {.plan = picture.plan, .cut = seen.cut, .beside = at, .top = picture.legend_bottom});

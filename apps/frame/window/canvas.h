@@ -63,6 +63,9 @@ private:
     };
     void draw_cut(const Session& session, const DrawOptions& options, const Subject::Picture& picture,
                   const SeenCut& seen, ui::Painter& painter) const;
+    /// The panel of a Cremona diagram that lies there; null where none does.
+    const Panel* diagram_at(ui::Point at) const;
+    void point_at_diagram(Session& session, const Panel& panel, ui::Point at);
     void look_at_region(Workspace& workspace);
     void follow_structure(Workspace& workspace);
     bool is_all_in_sight(const Workspace& workspace) const;
@@ -82,7 +85,7 @@ private:
         bool is_in_space;
         bool has_pencil;               ///< a guess needs room beside the structure
         bool has_train;                ///< and a standing train for its forces and its curve
-        bool has_body;                 ///< and a free body beside it
+        bool has_diagram;              ///< which takes half the sheet
         std::array<double, 3> factors; ///< of diagrams, loads and symbols: what shrinks gives its room back
 
         bool serves(const FittedFor& wanted) const;
