@@ -1,6 +1,7 @@
 #pragma once
 
 #include "apps/drawing/dimension.h"
+#include "apps/drawing/structure/node_numbers.h"
 #include "femoop/analysis/mechanism.h"
 #include "femoop/methods/counting/counting.h"
 #include "femoop/model/model.h"
@@ -46,6 +47,7 @@ struct DrawInput {
     /// What an app draws over the moments, or in their place. While moments are not shown a fitted picture keeps room
     /// for it. None when null.
     const MomentOverlay* overlay = nullptr;
+    std::span<const NodeNumbers> numbers{};      ///< written at nodes where Show::NodeNumbers is
     const InfluencePicture* influence = nullptr; ///< drawn where Show::Influence is; none when null
     const CremonaPicture* cremona = nullptr;     ///< drawn where Show::Cremona is; none when null
 };

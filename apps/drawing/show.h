@@ -22,10 +22,10 @@ enum class Show : std::uint8_t {
     My,
     Mz,
     Deformed,
-    Influence,  ///< the influence line that the input has; no word of a list asks for it
-    Cremona,    ///< the truss and its Cremona diagram that the input has; no word asks for it either
-    Values,     ///< numbers beside loads, reactions and diagrams
-    StepValues, ///< numbers along diagrams at equal steps (DrawOptions::steps)
+    Influence,   ///< the influence line that the input has; no word of a list asks for it
+    NodeNumbers, ///< those that the input has, likewise
+    Values,      ///< numbers beside loads, reactions and diagrams
+    StepValues,  ///< numbers along diagrams at equal steps (DrawOptions::steps)
     NodeNames,
     MemberNames,
     Dimensions,      ///< of the whole structure, in chains around it

@@ -58,6 +58,7 @@ void draw_force(const Scene& scene, const ForcePicture& force)
                           .gap = scene.sketch.px(5.0),
                           .rank = Rank::Load,
                           .of = at,
+                          .number = force.number,
                           .load_mark = mark});
 }
 
@@ -72,7 +73,8 @@ void draw_moment(const Scene& scene, const MomentPicture& moment)
                            .text = moment.text,
                            .role = moment.role,
                            .n_heads = 2,
-                           .grip = moment.grip});
+                           .grip = moment.grip,
+                           .number = moment.number});
         return;
     }
     const SymbolFrame f = scene.projection.frame(moment.at, Vector3d::UnitX(), Vector3d::UnitY());
@@ -92,6 +94,7 @@ void draw_moment(const Scene& scene, const MomentPicture& moment)
                           .toward = moment.text_side,
                           .gap = scene.sketch.px(moment.radius + 5.0),
                           .rank = Rank::Load,
+                          .number = moment.number,
                           .load_mark = mark});
 }
 

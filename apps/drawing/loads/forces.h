@@ -23,7 +23,8 @@ struct ForcePicture {
     std::string text;
     ui::Role role = ui::Role::Load;
     int n_heads = 1;
-    std::optional<GripOf> grip{}; ///< it can be pulled
+    std::optional<GripOf> grip{};                 ///< it can be pulled
+    std::optional<femoop::MovingEffect> number{}; ///< of the results that its value is
 };
 void draw_force(const Scene& scene, const ForcePicture& force);
 
@@ -34,8 +35,9 @@ struct MomentPicture {
     std::string text;
     ui::Role role = ui::Role::LoadMoment;
     double radius = 16.0;
-    ui::Point text_side{0.7, -0.7}; ///< where its value would stand
-    std::optional<GripOf> grip{};   ///< it can be pulled
+    ui::Point text_side{0.7, -0.7};               ///< where its value would stand
+    std::optional<GripOf> grip{};                 ///< it can be pulled
+    std::optional<femoop::MovingEffect> number{}; ///< of the results that its value is
 };
 void draw_moment(const Scene& scene, const MomentPicture& moment);
 

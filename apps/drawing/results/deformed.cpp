@@ -1,5 +1,6 @@
 #include "apps/drawing/results/deformed.h"
 
+#include "apps/drawing/results/diagram.h"
 #include "apps/drawing/structure/members.h"
 
 #include <algorithm>
@@ -80,6 +81,16 @@ void draw_arms(const Scene& scene, const SolvedCase& solved, femoop::MemberId id
         scene.sketch.line(line.back(), scene.projection(displaced(scene, solved, member.nodes[1], factor)), stroke);
 }
 
+/// Of its components the one that counts most.
+femoop::MovingEffect number_of(const LargestDisplacement& largest, const SolvedCase& solved)
+{
+    const Curve& curve = solved[largest.member];
+    MemberComponent greatest = MemberComponent::v;
+    for (const MemberComponent one : {MemberComponent::u, MemberComponent::w})
+        if (std::abs(curve.value(one, largest.x)) > std::abs(curve.value(greatest, largest.x))) greatest = one;
+    return number_at_section({largest.member, largest.x}, greatest, curve.length());
+}
+
 void write_largest(const Scene& scene, const SolvedCase& solved, double factor)
 {
     const LargestDisplacement largest = largest_displacement(solved);
@@ -98,7 +109,8 @@ void write_largest(const Scene& scene, const SolvedCase& solved, double factor)
                           .target = b,
                           .toward = ui::distance(a, b) > 1.0 ? b - a : ui::Point{0.0, -1.0},
                           .gap = scene.sketch.px(5.0),
-                          .rank = Rank::Extreme});
+                          .rank = Rank::Extreme,
+                          .number = number_of(largest, solved)});
 }
 
 } // namespace

@@ -3,10 +3,13 @@
 #include "apps/drawing/results/line_diagram.h"
 #include "apps/drawing/results/ordinates.h"
 #include "apps/drawing/structure/members.h"
+#include "femoop/model/quantity/six_digits.h"
+#include "femoop/result/components.h"
 
 #include <algorithm>
 #include <cmath>
 #include <utility>
+#include <variant>
 
 namespace drawing {
 
@@ -41,14 +44,18 @@ double height_of(const Scene& scene)
     return bottom - top;
 }
 
-LineDiagram look_of(const Scene& scene, const MemberShape& member, const Diagram& diagram)
+LineDiagram look_of(const Scene& scene, femoop::MemberId id, const Curve& curve, const Diagram& diagram)
 {
+    const MemberShape& member = scene.shape[id];
     return {.frame = diagram_frame(scene, member, diagram.component),
             .role = role_of(diagram.component),
             .largest = diagram.largest,
             .pixels_per_unit = diagram.pixels_per_unit,
             .has_signs = has_signs(scene, diagram.component),
-            .text = [&scene, &diagram](double value) { return value_text(scene, diagram.component, value); }};
+            .text = [&scene, &diagram](double value) { return value_text(scene, diagram.component, value); },
+            .number = [id, &curve,
+                       &diagram](double x,
+                                 double value) { return number_on_diagram(id, curve, diagram.component, x, value); }};
 }
 
 // A band has one breadth: a member whose force changes along it gets a diagram.
@@ -72,7 +79,8 @@ void write_force(const Scene& scene, femoop::MemberId id, double N, double half,
                           .gap = 4.0 + half,
                           .rank = rank,
                           .others = {target(0.4), target(0.6), target(0.3), target(0.7), target(0.2), target(0.8)},
-                          .along = along});
+                          .along = along,
+                          .number = number_at_section({id, 0.5 * member.length}, MemberComponent::N, member.length)});
 }
 
 // The bar as broad as its force is large; tension is filled, compression is hatched.
@@ -129,6 +137,37 @@ bool is_zero_bar(const Scene& scene, femoop::MemberId id, const Curve& curve, co
 
 } // namespace
 
+femoop::MovingEffect number_at_section(const Cut& cut, MemberComponent component, double length)
+{
+    constexpr double near = 1e-9; // of the length
+    femoop::MovingEffect number{.quantity = femoop::is_displacement(component) ? femoop::ExpectedQuantity::Displacement
+                                                                               : femoop::ExpectedQuantity::SectionForce,
+                                .member = cut.member,
+                                .component = component};
+    if (cut.x <= near * length) number.at = femoop::Percent{0.0};
+    else if (cut.x >= (1.0 - near) * length) number.at = femoop::Percent{100.0};
+    else number.at = femoop::Quantity(cut.x, femoop::six_digits(cut.x, femoop::english));
+    return number;
+}
+
+femoop::MovingEffect number_on_diagram(femoop::MemberId id, const Curve& curve, MemberComponent component, double x,
+                                       double value)
+{
+    femoop::MovingEffect number = number_at_section({id, x}, component, curve.length());
+    if (!std::holds_alternative<femoop::Quantity>(*number.at)) return number;
+    const femoop::Extremes extremes = curve.extremes(component);
+    const bool is_min_greater = std::abs(extremes.min.value) > std::abs(extremes.max.value);
+    const femoop::Extreme& greater = is_min_greater ? extremes.min : extremes.max;
+    if (greater.x == x && greater.value == value) {
+        number.quantity = femoop::ExpectedQuantity::Extreme;
+        number.at.reset();
+        return number;
+    }
+    const double before = curve.value(component, x, femoop::Side::Before);
+    if (before != curve.value(component, x)) number.side = before == value ? femoop::Side::Before : femoop::Side::After;
+    return number;
+}
+
 ui::Role role_of(MemberComponent component)
 {
     switch (component) {
@@ -157,7 +196,7 @@ Diagram make_diagram(const Scene& scene, const SolvedCase& solved, MemberCompone
 {
     Diagram diagram{.component = component, .largest = largest_value(solved, component, scene.shape.size)};
     if (!(diagram.largest > 0.0)) return diagram;
-    const double share = is_moment(component) ? 0.17 : 0.125;
+    const double share = drawing::is_moment(component) ? 0.17 : 0.125;
     const LockedScale* const locked = scene.locked_scale();
     const double scaled_for = scaling_value(locked ? (*locked)[component] : 0.0, diagram.largest);
     diagram.pixels_per_unit = ordinate_height(scene, share, panel) * scene.options.diagram_factor / scaled_for;
@@ -182,7 +221,7 @@ void draw_diagram(const Scene& scene, const SolvedCase& solved, const Diagram& d
         else if (scene.shows(Show::Values) && is_zero_bar(scene, id, solved[id], diagram))
             write_force(scene, id, 0.0, 0.0, Rank::Value);
         else if (!diagram.is_zero())
-            draw(scene, SectionForce(solved[id], diagram.component), look_of(scene, scene.shape[id], diagram));
+            draw(scene, SectionForce(solved[id], diagram.component), look_of(scene, id, solved[id], diagram));
     }
 }
 

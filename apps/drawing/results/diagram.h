@@ -1,8 +1,10 @@
 #pragma once
 
+#include "apps/drawing/cut.h"
 #include "apps/drawing/results/ordinates.h"
 #include "apps/drawing/results/solved_case.h"
 #include "apps/drawing/sketch/scene.h"
+#include "femoop/model/moving_load.h"
 
 #include <vector>
 
@@ -16,6 +18,14 @@ struct Diagram {
 
     bool is_zero() const { return pixels_per_unit == 0.0; }
 };
+
+/// The number of the results at a section; at the ends it stays with them where the member becomes longer.
+femoop::MovingEffect number_at_section(const Cut& cut, femoop::MemberComponent component, double length);
+
+/// The number of the results that is a member's value at a place. The greater extreme between its ends is asked for as
+/// such: it stays the extreme where loads move.
+femoop::MovingEffect number_on_diagram(femoop::MemberId id, const femoop::Curve& curve,
+                                       femoop::MemberComponent component, double x, double value);
 
 /// The diagram at a height that suits the members and the panel; where the scale is locked the largest value of then
 /// would get it, unless the diagram would become many times as high.

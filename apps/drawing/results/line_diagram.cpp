@@ -160,7 +160,8 @@ private:
                 .target = at(x, value),
                 .toward = toward,
                 .gap = 4.5,
-                .side = ui::HalfPlane{at(x, 0.0), toward}};
+                .side = ui::HalfPlane{at(x, 0.0), toward},
+                .number = look_.number ? std::optional(look_.number(x, value)) : std::nullopt};
     }
 
     // Where nothing stands yet, and not along a stretch of one value, which is written once.

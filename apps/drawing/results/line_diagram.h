@@ -3,6 +3,8 @@
 #include "apps/drawing/results/line_function.h"
 #include "apps/drawing/sketch/scene.h"
 
+#include "femoop/model/moving_load.h"
+
 #include <functional>
 #include <string>
 
@@ -19,6 +21,8 @@ struct LineDiagram {
     double pixels_per_unit = 0.0;              ///< of the ordinates, > 0
     bool has_signs = true;                     ///< the side alone does not tell the sign: + and - stand in the areas
     std::function<std::string(double)> text{}; ///< of a value
+    /// Which number of the results stands at a place, where it is one.
+    std::function<femoop::MovingEffect(double x, double value)> number{};
 };
 
 /// Filled and hatched ordinates with values at ends, jumps, kinks and extremes (Show::Values), and at equal steps

@@ -85,17 +85,21 @@ ForcePicture placed(const Scene& scene, const Reaction& reaction, const Vector3d
 void draw_reaction(const Scene& scene, const Reaction& reaction)
 {
     const double size = std::abs(reaction.value);
+    const femoop::MovingEffect number{
+        .quantity = femoop::ExpectedQuantity::Reaction, .node = reaction.node, .dof = reaction.dof};
     if (femoop::is_rotation(reaction.dof)) {
         draw_moment(scene, {.at = scene.shape[reaction.node],
                             .axis = reaction.direction(),
                             .text = scene.text(size, ui::Measure::Moment),
                             .role = ui::Role::Reaction,
                             .radius = 25.0,
-                            .text_side = text_side(scene, reaction.node)});
+                            .text_side = text_side(scene, reaction.node),
+                            .number = number});
         return;
     }
     ForcePicture force = placed(scene, reaction, reaction.direction());
     force.text = scene.text(size, ui::Measure::Force);
+    force.number = number;
     draw_force(scene, force);
 }
 

@@ -35,7 +35,8 @@ std::vector<ShowSet> panel_contents(const PanelRequest& request)
     std::vector<ShowSet> sets;
     if (shows_forces) sets.push_back(base);
     ShowSet plain = base;
-    for (const Show item : {Show::Loads, Show::Reactions, Show::Dimensions, Show::LocalAxes, Show::MemberNames})
+    for (const Show item :
+         {Show::Loads, Show::Reactions, Show::Dimensions, Show::LocalAxes, Show::MemberNames, Show::NodeNumbers})
         plain.erase(item);
     if (shows_forces) plain.erase(Show::Counting);
     for (const Show item : shown) {
@@ -43,6 +44,7 @@ std::vector<ShowSet> panel_contents(const PanelRequest& request)
         set.insert(item);
         sets.push_back(set);
     }
+    if (request.show.contains(Show::NodeNumbers)) sets.front().insert(Show::NodeNumbers);
     return sets;
 }
 

@@ -16,6 +16,7 @@
 #include "apps/drawing/structure/dimensions.h"
 #include "apps/drawing/structure/drawn_dimensions.h"
 #include "apps/drawing/structure/members.h"
+#include "apps/drawing/structure/node_numbers.h"
 #include "apps/drawing/structure/supports.h"
 #include "apps/drawing/truss/cremona_picture.h"
 #include "ui/paint/wrapped_lines.h"
@@ -195,6 +196,7 @@ private:
         if (scene_.shows(Show::LocalAxes)) draw_local_axes(scene_);
         if (scene_.shows(Show::Counting) && input_.counting != nullptr) draw_counting(scene_, *input_.counting);
         draw_names(scene_);
+        if (scene_.shows(Show::NodeNumbers)) draw_node_numbers(scene_, input_.numbers);
         if (scene_.shows(Show::DrawnDimensions)) draw_drawn_dimensions(scene_, input_.dimensions);
         if (scene_.shows(Show::Dimensions)) draw_dimensions(scene_);
         if (heads_.empty() || (!scene_.shows(Show::Influence) && shows_forces()))
@@ -495,6 +497,7 @@ void append(Grips& grips, const Grips& more)
     grips.loads.insert(grips.loads.end(), more.loads.begin(), more.loads.end());
     grips.supports.insert(grips.supports.end(), more.supports.begin(), more.supports.end());
     grips.dimensions.insert(grips.dimensions.end(), more.dimensions.begin(), more.dimensions.end());
+    grips.numbers.insert(grips.numbers.end(), more.numbers.begin(), more.numbers.end());
 }
 
 bool holds(const ui::Box& box, const std::optional<ui::Box>& bounds) { return !bounds || box.contains(*bounds); }

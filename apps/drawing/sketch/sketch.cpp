@@ -182,6 +182,15 @@ void Sketch::mark_value(std::size_t load_mark, const ui::Box& box)
     grips_.loads.push_back(std::move(value));
 }
 
+void Sketch::mark_number(const Request& request, const ui::PlacedLabel& place)
+{
+    if (!request.caption.number) return;
+    const double c = std::abs(std::cos(place.rotation)), s = std::abs(std::sin(place.rotation));
+    const auto [width, height] = request.size;
+    const ui::Point half = 0.5 * ui::Point{c * width + s * height, s * width + c * height};
+    grips_.numbers.push_back({{place.center - half, place.center + half}, *request.caption.number});
+}
+
 void Sketch::sign(SignMark mark)
 {
     if (std::all_of(mark.places.begin(), mark.places.end(), ui::is_finite)) signs_.push_back(std::move(mark));
@@ -264,6 +273,7 @@ void Sketch::write(const Request& request, const ui::PlacedLabel& place)
     ui::TextStyle style = request.style;
     if (place.is_over_soft) style.plate = ui::with_opacity(theme_->background(), 0.8);
     ui::draw_label(*painter_, place, request.caption.text, style);
+    mark_number(request, place);
     const ui::Point half = 0.5 * ui::Point{request.size.width, request.size.height};
     if (request.caption.load_mark && place.rotation == 0.0)
         mark_value(*request.caption.load_mark, {place.center - half, place.center + half});

@@ -4,6 +4,7 @@
 #include "apps/drawing/part.h"
 #include "apps/drawing/sketch/caption_crowd.h"
 #include "femoop/model/dof.h"
+#include "femoop/model/moving_load.h"
 #include "ui/paint/label_placement.h"
 #include "ui/paint/painter.h"
 #include "ui/paint/theme.h"
@@ -38,7 +39,8 @@ struct Caption {
     ui::Point along{}; ///< of a member: where there is no room beside it it is written along this; zero: never
     std::optional<ui::HalfPlane> side{}; ///< where it means nothing else; it stands on no other
     bool is_repeat = false; ///< the same is said nearby: written where there is room, and missed by nobody else
-    std::optional<std::size_t> load_mark{}; ///< of the load whose value it is: a hand takes hold of it there too
+    std::optional<femoop::MovingEffect> number{}; ///< of the results that it writes
+    std::optional<std::size_t> load_mark{};       ///< of the load whose value it is: a hand takes hold of it there too
 };
 
 /// A plus or a minus in a small disc, which says the sign of an area.
@@ -70,11 +72,18 @@ struct DimensionMark {
     ui::Point start, end;
 };
 
-/// What of a picture a hand can take hold of.
+/// Where a number of the results is written.
+struct NumberMark {
+    ui::Box box; ///< around it
+    femoop::MovingEffect number;
+};
+
+/// What of a picture a hand can take hold of, or point at.
 struct Grips {
     std::vector<LoadMark> loads{};
     std::vector<SupportMark> supports{};
     std::vector<DimensionMark> dimensions{};
+    std::vector<NumberMark> numbers{};
 };
 
 /// Draws the marks of a structure and remembers where they are: labels keep clear of them, and the sheet learns how
@@ -166,6 +175,7 @@ private:
     void write_names_small();
     void write(const Request& request, const ui::PlacedLabel& place);
     void mark_value(std::size_t load_mark, const ui::Box& box);
+    void mark_number(const Request& request, const ui::PlacedLabel& place);
     bool is_in_sight(const Caption& caption) const;
     static void unite(std::optional<ui::Box>& bounds, const ui::Box& box);
     ui::TextStyle style_of(const Caption& caption) const;

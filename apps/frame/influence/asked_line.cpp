@@ -47,41 +47,33 @@ void AskedLine::ask(const Model& model, const drawing::Cut& cut)
 {
     const bool goes_on = !femoop::is_truss(model.analysis) && has(model, last_component_); // of a bar it is its force
     const MemberComponent component = goes_on ? last_component_ : foremost_component(model);
-    asked_ = Asked{.member = model[cut.member].id, .x = cut.x, .component = component};
+    asked_ = NamedEffect(model, {.member = cut.member, .component = component, .at = femoop::Quantity(cut.x)});
 }
 
 void AskedLine::ask(const Model& model, femoop::NodeId node)
 {
     const Dof down = upright(model);
-    asked_ = Asked{.node = model[node].id, .quantity = ExpectedQuantity::Displacement, .dof = down};
+    asked_ = NamedEffect(model, {.quantity = ExpectedQuantity::Displacement, .node = node, .dof = down});
     const std::vector<MovingEffect> reactions = femoop::influence::reactions_at(model, node);
     if (reactions.empty()) return;
-    asked_->quantity = ExpectedQuantity::Reaction;
+    MovingEffect& asked = asked_->effect;
+    asked.quantity = ExpectedQuantity::Reaction;
     const bool bears = std::ranges::any_of(reactions, [&](const MovingEffect& one) { return one.dof == down; });
-    asked_->dof = bears ? down : *reactions.front().dof;
+    asked.dof = bears ? down : *reactions.front().dof;
 }
 
 void AskedLine::choose(const MovingEffect& effect)
 {
-    asked_->quantity = effect.quantity;
-    asked_->component = effect.component;
-    asked_->dof = effect.dof;
+    MovingEffect& asked = asked_->effect;
+    asked.quantity = effect.quantity;
+    asked.component = effect.component;
+    asked.dof = effect.dof;
     if (effect.component && effect.quantity == ExpectedQuantity::SectionForce) last_component_ = *effect.component;
 }
 
 std::optional<MovingEffect> AskedLine::effect(const Model& model) const
 {
-    if (!asked_) return std::nullopt;
-    MovingEffect effect{.quantity = asked_->quantity, .dof = asked_->dof, .component = asked_->component};
-    if (!asked_->node.empty()) {
-        effect.node = model.find_node(asked_->node);
-        return effect.node ? std::optional(effect) : std::nullopt;
-    }
-    effect.member = model.find_member(asked_->member);
-    if (!effect.member) return std::nullopt;
-    const double length = femoop::geometry_of(model, model[*effect.member]).length;
-    effect.at = femoop::Quantity(std::clamp(asked_->x, 0.0, length));
-    return effect;
+    return asked_ ? effect_in(model, *asked_) : std::nullopt;
 }
 
 std::vector<MovingEffect> AskedLine::choices(const Model& model) const

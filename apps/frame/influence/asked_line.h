@@ -11,6 +11,7 @@
 #include "apps/drawing/draw_options.h"
 #include "apps/drawing/results/influence_picture.h"
 #include "apps/drawing/results/train_picture.h"
+#include "apps/frame/document/named_effect.h"
 #include "femoop/methods/influence/influence_line.h"
 #include "femoop/methods/influence/train/train_analysis.h"
 #include "femoop/methods/influence/train/train_search.h"
@@ -80,13 +81,6 @@ public:
     double nearest_on_path(const Eigen::Vector3d& place) const;
 
 private:
-    struct Asked {
-        std::string member, node; ///< one of them
-        double x = 0.0;           ///< along the member
-        femoop::ExpectedQuantity quantity = femoop::ExpectedQuantity::SectionForce;
-        std::optional<femoop::MemberComponent> component;
-        std::optional<femoop::Dof> dof;
-    };
     struct Found {
         std::uint64_t generation = 0;
         std::shared_ptr<const femoop::Model> model;                     ///< as it was then
@@ -111,7 +105,7 @@ private:
     drawing::PositionCurve curve() const;
     std::vector<std::string> sentences(const drawing::DrawOptions& options) const;
 
-    std::optional<Asked> asked_;
+    std::optional<NamedEffect> asked_;
     AskedTrain train_;
     femoop::MemberComponent last_component_ = femoop::MemberComponent::Mz;
     mutable Found found_;

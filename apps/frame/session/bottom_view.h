@@ -12,9 +12,13 @@ namespace frame {
 /// What stands in the panel at the bottom of the window.
 enum class BottomContent : std::uint8_t {
     Table,
-    Member, ///< the results along the selected member
-    Solver  ///< the front that walks over the structure
+    Member,    ///< the results along the selected member
+    Solver,    ///< the front that walks over the structure
+    Derivation ///< where a number of the results comes from
 };
+
+/// What has a tab of its own there.
+constexpr bool is_table_or_member(BottomContent content) { return content <= BottomContent::Member; }
 
 /// A cell that the table's cursor is sent to.
 struct WantedCell {

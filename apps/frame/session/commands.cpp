@@ -1,6 +1,7 @@
 #include "apps/frame/session/commands.h"
 
 #include "apps/frame/session/case_commands.h"
+#include "apps/frame/session/derivation_commands.h"
 #include "apps/frame/session/edit_commands.h"
 #include "apps/frame/session/free_body_commands.h"
 #include "apps/frame/session/influence_commands.h"
@@ -265,7 +266,7 @@ CommandTable command_table()
     add_influence_commands(table);
     add_free_body_commands(table);
     add_train_commands(table);
-    add_truss_commands(table);
+    add_derivation_commands(table);
     add_panel_commands(table);
     add_table_commands(table);
     add_solver_commands(table);

@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "apps/frame/session/bottom_view.h"
-#include "apps/frame/session/design_draft.h"
+#include "apps/frame/session/derivation_show.h"
 #include "apps/frame/session/distribution_check.h"
 #include "apps/frame/session/section_draft.h"
 #include "apps/frame/session/session.h"
@@ -33,10 +33,12 @@ enum class Request : std::uint8_t {
     KeepView,
     ViewList,
     ExportTable,
-    AskKind,    ///< of the structure that was begun
-    EditTitle,  ///< of the model
-    RenameCase, ///< the name of the case that is shown is typed in the list of cases
-    ContextMenu ///< of what is selected
+    AskKind,        ///< of the structure that was begun
+    EditTitle,      ///< of the model
+    RenameCase,     ///< the name of the case that is shown is typed in the list of cases
+    ContextMenu,    ///< of what is selected
+    CopyDerivation, ///< of the number that is explained, as text
+    CopyDerivationAsLatex
 };
 
 /// What the panel at the right shows.
@@ -78,10 +80,13 @@ struct Workspace : ui::Workspace {
     SectionDraft section{};
     DesignDraft design{};
     std::vector<Request> requests{};
-    std::optional<Cut> menu_cut{}; ///< where the context menu was asked for, on a member
+    std::optional<Cut> menu_cut{};                        ///< where the context menu was asked for, on a member
+    std::optional<femoop::MovingEffect> menu_number{};    ///< on which number of the results it was asked for
+    std::optional<femoop::MovingEffect> pointed_number{}; ///< under the pointer, in the picture or in a table
     Topic topic = Topic::Properties;
     BottomView bottom{};
-    SolverShow solver{}; ///< what the panel at the bottom shows of it
+    SolverShow solver{};         ///< what the panel at the bottom shows of it
+    DerivationShow derivation{}; ///< likewise of the number that is explained
     DistributionCheck distribution{};
 
 private:

@@ -44,13 +44,13 @@ void show_table(Workspace& workspace, TableKind kind)
     workspace.bottom = {.is_open = true, .table = kind, .asks_for_keyboard = true};
 }
 
-// From the solver to the tables it is one key.
+// From the solver or a derivation to the tables it is one key.
 void open_or_close(Workspace& workspace)
 {
     BottomView& bottom = workspace.bottom;
-    const bool is_left = bottom.shows(BottomContent::Solver);
+    const bool is_left = bottom.is_open && !is_table_or_member(bottom.content);
     bottom.is_open = is_left || !bottom.is_open;
-    if (bottom.content == BottomContent::Solver) bottom.content = BottomContent::Table;
+    if (!is_table_or_member(bottom.content)) bottom.content = BottomContent::Table;
 }
 
 void show_member(Workspace& workspace, bool is_on)

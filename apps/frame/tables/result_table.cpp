@@ -35,7 +35,9 @@ public:
         for (std::size_t i = 0; i < shown_.model.nodes.size(); ++i) {
             begin_row(NodeId(i), shown_.model.nodes[i].id);
             const NodeVector u = result().displacement(NodeId(i));
-            for (const Dof dof : list) add(u[index(dof)], displacement_measures.of(dof), shown_.load_case);
+            for (const Dof dof : list)
+                add(u[index(dof)], displacement_measures.of(dof), shown_.load_case,
+                    of_node(ExpectedQuantity::Displacement, NodeId(i), dof));
         }
         return std::move(table_);
     }
@@ -51,7 +53,9 @@ public:
             if (!result().is_supported(NodeId(i))) continue;
             begin_row(NodeId(i), shown_.model.nodes[i].id);
             const NodeVector r = result().reaction(NodeId(i));
-            for (const Dof dof : list) add(r[index(dof)], force_measures.of(dof), shown_.load_case);
+            for (const Dof dof : list)
+                add(r[index(dof)], force_measures.of(dof), shown_.load_case,
+                    of_node(ExpectedQuantity::Reaction, NodeId(i), dof));
             if (has_slanting) add_resultant(NodeId(i), r);
         }
         return std::move(table_);
@@ -63,11 +67,13 @@ public:
         for (const std::string_view sentence : {translatable("{force}, start"), translatable("{force}, end")})
             for (const MemberComponent component : components())
                 add_heading(manner_.tr(sentence, {{"force", symbol(component)}}), measure_of(component));
-        each_member([&](MemberId, const Curve& curve) {
+        each_member([&](MemberId id, const Curve& curve) {
             for (const MemberComponent component : components())
-                add(curve.value(component, 0.0), measure_of(component), shown_.load_case);
+                add(curve.value(component, 0.0), measure_of(component), shown_.load_case,
+                    drawing::number_at_section({id, 0.0}, component, curve.length()));
             for (const MemberComponent component : components())
-                add(curve.value(component, curve.length(), Side::Before), measure_of(component), shown_.load_case);
+                add(curve.value(component, curve.length(), Side::Before), measure_of(component), shown_.load_case,
+                    drawing::number_at_section({id, curve.length()}, component, curve.length()));
         });
         return std::move(table_);
     }
@@ -81,11 +87,12 @@ public:
                 add_heading("x", Measure::Length);
             }
         }
-        each_member([&](MemberId, const Curve& curve) {
+        each_member([&](MemberId id, const Curve& curve) {
             for (const MemberComponent component : components()) {
                 const Extremes found = curve.extremes(component);
                 for (const Extreme& extreme : {found.max, found.min}) {
-                    add(extreme.value, measure_of(component), shown_.load_case);
+                    add(extreme.value, measure_of(component), shown_.load_case,
+                        drawing::number_on_diagram(id, curve, component, extreme.x, extreme.value));
                     add(extreme.x, Measure::Length, shown_.load_case);
                 }
             }
@@ -164,12 +171,18 @@ private:
         }
     }
 
-    void add(double value, Measure measure, CaseId of)
+    static MovingEffect of_node(ExpectedQuantity quantity, NodeId node, Dof dof)
+    {
+        return {.quantity = quantity, .node = node, .dof = dof};
+    }
+
+    void add(double value, Measure measure, CaseId of, std::optional<MovingEffect> number = std::nullopt)
     {
         std::string shown = numbers_[of].number(value, measure);
         const double tidy = shown == "0" ? 0.0 : value;
         Cell cell = cell_of(Quantity(tidy), measure, manner_);
         cell.value.shown = std::move(shown);
+        cell.number = std::move(number);
         table_.rows.back().cells.push_back(std::move(cell));
     }
 

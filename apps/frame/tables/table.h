@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "apps/frame/document/part.h"
+#include "femoop/model/moving_load.h"
 #include "femoop/tabular/separated.h"
 #include "ui/text/catalogue.h"
 #include "ui/text/display_units.h"
@@ -31,6 +32,7 @@ Heading number_heading(std::string label, bool is_editable = false);
 struct Cell {
     tabular::Cell value{}; ///< shown rounded with a true minus; exact for a spreadsheet, without a unit
     std::string typed = exact_text(value);
+    std::optional<femoop::MovingEffect> number{}; ///< of the results, that it shows
 };
 
 struct Row {

@@ -17,6 +17,8 @@
 #include "apps/frame/window/status_bar.h"
 #include "apps/frame/window/tool_bar.h"
 #include "apps/frame/window/transform_bar.h"
+#include "femoop/io/derivation/derivation_text.h"
+#include "femoop/methods/influence/effect_name.h"
 #include "ui/files/link.h"
 #include "ui/widgets/panel.h"
 
@@ -127,7 +129,18 @@ void Application::take(Request request)
         case_list_.rename_shown();
         break;
     case Request::ContextMenu: context_menu_.open(); break;
+    case Request::CopyDerivation: copy_derivation(femoop::derivation::derivation_text); break;
+    case Request::CopyDerivationAsLatex: copy_derivation(femoop::derivation::derivation_latex); break;
     }
+}
+
+void Application::copy_derivation(DerivationWriter* writer)
+{
+    const femoop::derivation::Derivation* const derivation = workspace().derivation.derivation();
+    if (derivation == nullptr) return;
+    ImGui::SetClipboardText(writer(*derivation, session().model(), session().tr()).c_str());
+    workspace().notify({translatable("the steps of {number} were copied"),
+                        {{"number", femoop::influence::effect_name(session().model(), derivation->effect)}}});
 }
 
 // ---- other programs
@@ -169,8 +182,9 @@ void Application::show_status() const { status_bar(workspace()); }
 
 void Application::show_body()
 {
+    workspace().pointed_number.reset(); // who shows the one under the pointer says so
     const float below = tables_.height(workspace(), ImGui::GetContentRegionAvail().y);
-    show_panels_and_canvas_above(below, [this] { tables_.show(workspace(), gui(), fonts()); });
+    show_panels_and_canvas_above(below, [this] { tables_.show(workspace(), commands(), gui(), fonts()); });
 }
 
 void Application::show_left() { show_panel(workspace(), commands(), case_list_, fields_); }
@@ -224,6 +238,14 @@ void Application::show_own_dialogs()
     context_menu_.show(workspace(), commands());
     kind_question_.show(workspace(), commands());
     tables_.show_dialog(workspace());
+}
+
+std::string Application::words() const
+{
+    const femoop::derivation::Derivation* const derivation = workspace().derivation.derivation();
+    if (!workspace().bottom.shows(BottomContent::Derivation) || derivation == nullptr) return description(session());
+    return description(session()) + "\n" +
+           femoop::derivation::derivation_text(*derivation, session().model(), session().tr());
 }
 
 void Application::show_beside_words()

@@ -45,13 +45,16 @@ private:
     void show_right() override;
     void show_tabs();
     void show_canvas() override;
-    std::string words() const override { return description(session()); }
+    std::string words() const override; ///< with the derivation that is open
     void show_beside_words() override;
     void show_status() const override;
     void show_body() override;
     void show_own_dialogs() override;
     void handle_own_requests() override;
     void take(Request request);
+    using DerivationWriter = std::string(const femoop::derivation::Derivation&, const femoop::Model&,
+                                         const femoop::Translator&);
+    void copy_derivation(DerivationWriter* writer);
     void fit() override { canvas_.fit(workspace().session); }
     void zoom(double factor) override { canvas_.zoom(workspace().session, factor); }
 

@@ -24,7 +24,9 @@
 #include "apps/frame/view/predict/guess_picture.h"
 #include "apps/frame/window/banner.h"
 #include "apps/frame/window/blank_picture.h"
+#include "apps/frame/window/explained_step.h"
 #include "apps/frame/window/hand_picture.h"
+#include "apps/frame/window/pointed_number.h"
 
 namespace frame {
 
@@ -65,8 +67,9 @@ DrawOptions with_diagram(DrawOptions options)
 }
 
 // An envelope belongs to no case, so it has neither loads nor a deformed shape.
-DrawOptions looked_at(const Session& session)
+DrawOptions looked_at(const Workspace& workspace)
 {
+    const Session& session = workspace.session;
     DrawOptions options = session.results_view();
     if (session.influence.is_on(session.model())) {
         const bool has_train = shown_line(session) != nullptr && session.influence.standing() != nullptr;
@@ -74,6 +77,7 @@ DrawOptions looked_at(const Session& session)
     }
     if (shown_diagram(session) != nullptr) return with_diagram(std::move(options));
     if (options.is_envelope) options.show = options.show - ShowSet{Show::Loads, Show::Deformed};
+    if (explained_step(workspace) != nullptr) options.show.insert(Show::NodeNumbers);
     return options;
 }
 
@@ -97,7 +101,8 @@ std::optional<std::size_t> shown_mechanism(const Workspace& workspace)
                                                           : std::optional(std::min(workspace.session.mechanism, n - 1));
 }
 
-DrawInput input_of(const Workspace& workspace, const DrawOptions& options, const std::optional<GuessPicture>& guess)
+DrawInput input_of(const Workspace& workspace, const DrawOptions& options, const std::optional<GuessPicture>& guess,
+                   std::span<const NodeNumbers> numbers)
 {
     const Session& session = workspace.session;
     if (const auto* const line = shown_line(session)) {
@@ -111,9 +116,8 @@ DrawInput input_of(const Workspace& workspace, const DrawOptions& options, const
     DrawInput input{.model = session.model(),
                     .reference = session.reference.get(),
                     .dimensions = session.document().companion.dimensions,
-                    .overlay = guess ? &*guess : nullptr};
-    if (options.show.contains(Show::Counting))
-        input.counting = session.counting.of(session.model(), session.generation());
+                    .overlay = guess ? &*guess : nullptr,
+                    .numbers = numbers};
     if (const auto i = shown_mechanism(workspace))
         input.motion = motion_choice(session.shown_mechanisms(), *i, options.tr);
         return input;
@@ -121,6 +125,11 @@ DrawInput input_of(const Workspace& workspace, const DrawOptions& options, const
     input.results = session.shown_results();
     input.reasons = why_blank(session);
     return input;
+}
+
+void follow_derivation(Workspace& workspace)
+{
+    if (workspace.bottom.shows(BottomContent::Derivation)) workspace.derivation.follow(workspace.session);
 }
 
 ui::World3 middle_of(const StructureShape& shape)
@@ -168,7 +177,9 @@ void Canvas::follow_structure(Workspace& workspace)
     if (!is_same || generation_ != session.generation()) shape_ = shape_of(session.model());
     session_ = session.number();
     generation_ = session.generation();
-    const DrawOptions options = looked_at(session);
+    follow_derivation(workspace);
+    const DrawOptions options = looked_at(workspace);
+    const std::vector<NodeNumbers> numbers = node_numbers(workspace);
     DrawState state = session.draw_state;
     state.phase = 1.0; // room for the whole motion
     const std::optional<GuessPicture> guess = guess_picture(session, options);
@@ -182,7 +193,7 @@ void Canvas::follow_structure(Workspace& workspace)
     if (is_just_fitted_) fitted_for_ = wanted;
     if (session.draw_state.camera) fitted_for_.reset();
     const Subject::Plan before = std::exchange(
-        plan_, Subject(input_of(workspace, options, guess), options, state).plan(sheet(), fonts()));
+        plan_, Subject(input_of(workspace, options, guess, numbers), options, state).plan(sheet(), fonts()));
     if (is_same && !is_just_fitted_) hold_still(session, before);
 }
 
@@ -278,6 +289,7 @@ void Canvas::show(Workspace& workspace, ui::ImGuiSession& gui)
     const ImGuiIO& io = ImGui::GetIO();
     const bool is_followed = is_over() || is_active() || is_working_; // a button may be released beside the picture
     follow(workspace, {.at = pointer(), .is_over = is_followed, .adds = io.KeyShift, .is_exact = io.KeyAlt});
+    follow_derivation(workspace); // the hand may have changed the document
     paint([&](ui::Painter& painter) { paint_all(workspace, painter); });
     end(gui);
 }
@@ -304,6 +316,8 @@ void Canvas::follow(Workspace& workspace, const Pointer& pointer)
     Aim aim = aim_at(work_in_hand(session).document, workspace.tool_controller, projection, pointer, under,
                      drawn_.grips);
     if (session.influence.standing() != nullptr) hold_train(aim);
+    if (auto number = pointed_number(session, {plan_, drawn_.grips}, pointer.at, under, aim))
+        workspace.pointed_number = std::move(number);
     workspace.tool_controller.point_at(aim);
     if (asks_for_menu) ask_for_menu(workspace, aim);
     if (is_moving_view()) return;
@@ -357,6 +371,7 @@ void Canvas::ask_for_menu(Workspace& workspace, const Aim& aim)
     if (!part) selection.clear();
     else if (!selection.contains(*part)) selection = *part;
     workspace.menu_cut = aim.cut;
+    workspace.menu_number = workspace.pointed_number;
     if (aim.cut) workspace.session.pin = aim.cut; // "at this section" is said of it
     workspace.requests.push_back(Request::ContextMenu);
 }
@@ -468,11 +483,13 @@ Highlight highlight(const Selection& selection)
 
 } // namespace
 
-DrawState Canvas::state(const Session& session) const
+DrawState Canvas::state(const Workspace& workspace) const
 {
+    const Session& session = workspace.session;
     DrawState state = session.draw_state;
     state.camera = session.draw_state.camera.value_or(plan_.camera);
     state.selection = highlight(session.selection);
+    if (const auto* const step = explained_step(workspace)) light(state.selection, *step);
     return state;
 }
 
@@ -489,7 +506,8 @@ Subject::Picture Canvas::draw(const Workspace& workspace, const DrawOptions& opt
         return {};
     }
     const std::optional<GuessPicture> guess = guess_picture(session, options);
-    Subject::Picture picture = Subject(input_of(workspace, options, guess), options, state).draw(painter);
+    const std::vector<NodeNumbers> numbers = node_numbers(workspace);
+    Subject::Picture picture = Subject(input_of(workspace, options, guess, numbers), options, state).draw(painter);
     draw_why_blank(painter, session, options);
     draw_why_no_diagram(painter, session, options);
     if (!shown_mechanism(workspace) && !picture.plan.panels.empty())
@@ -511,16 +529,16 @@ void Canvas::draw_cut(const Session& session, const DrawOptions& options, const 
 
 ui::Picture Canvas::picture_of(const Workspace& workspace) const
 {
-    DrawState plain = state(workspace.session);
+    DrawState plain = state(workspace);
     plain.hover = plain.selection = {};
-    return painted([&](ui::Painter& painter) { draw(workspace, looked_at(workspace.session), plain, painter); });
+    return painted([&](ui::Painter& painter) { draw(workspace, looked_at(workspace), plain, painter); });
 }
 
 void Canvas::paint_all(const Workspace& workspace, ui::Painter& painter)
 {
     const Session& session = workspace.session;
-    const DrawOptions shown = looked_at(session);
-    const DrawState now = state(session);
+    const DrawOptions shown = looked_at(workspace);
+    const DrawState now = state(workspace);
     drawn_ = draw(workspace, shown, now, painter);
     if (std::exchange(is_just_fitted_, false)) was_whole_ = drawn_.is_whole;
     if (session.hover && session.hover != session.pin && !is_working_)

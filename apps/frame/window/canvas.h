@@ -56,7 +56,7 @@ private:
     void paint_all(const Workspace& workspace, ui::Painter& painter);
     Subject::Picture draw(const Workspace& workspace, const DrawOptions& options, const DrawState& state,
                           ui::Painter& painter) const;
-    DrawState state(const Session& session) const;
+    DrawState state(const Workspace& workspace) const;
     struct SeenCut {
         Cut cut;
         ui::Point panel; ///< corner of the panel that it is seen in

@@ -21,6 +21,7 @@ namespace {
 
 using Ids = std::span<const std::string_view>;
 
+constexpr std::array<std::string_view, 1> why{"view.why"};
 constexpr std::array<std::string_view, 6> beginnings{"edit.paste",  "edit.template", "case.new",
                                                      "draw.member", "draw.load",     "edit.select_all"};
 constexpr std::array<std::string_view, 4> changes{"edit.move", "edit.copy", "edit.rotate", "edit.mirror"};
@@ -58,7 +59,15 @@ std::vector<std::string_view> loads_for(const Session& session)
 void ContextMenu::show(Workspace& workspace, const CommandTable& commands)
 {
     if (std::exchange(opens_, false)) ImGui::OpenPopup("###context");
-    if (!ImGui::BeginPopup("###context")) return workspace.menu_cut.reset();
+    if (!ImGui::BeginPopup("###context")) {
+        workspace.menu_cut.reset();
+        workspace.menu_number.reset();
+        return;
+    }
+    if (workspace.menu_number) {
+        frame::show(workspace, commands, why);
+        ImGui::Separator();
+    }
     const Selection selection = workspace.session.selection; // a command may change it
     if (selection.is_empty()) {
         frame::show(workspace, commands, beginnings);

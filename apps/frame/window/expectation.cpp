@@ -10,6 +10,7 @@
 #include "apps/drawing/sketch/scene.h"
 #include "apps/frame/session/edit_commands.h"
 #include "apps/frame/session/tabs.h"
+#include "femoop/methods/influence/effect_name.h"
 #include "ui/app/expectation.h"
 #include "ui/app/headless.h"
 #include "ui/scenario/words.h"
@@ -114,6 +115,15 @@ std::string front_of(const Workspace& workspace)
            std::string(name(workspace.solver.ordering()));
 }
 
+// "3 of 9, M(BC, 50%)"
+std::string derivation_of(const Workspace& workspace)
+{
+    const femoop::derivation::Derivation* const derivation = workspace.derivation.derivation();
+    if (!workspace.bottom.shows(BottomContent::Derivation) || derivation == nullptr) return "nothing";
+    return std::to_string(workspace.derivation.step() + 1) + " of " + std::to_string(workspace.derivation.n_steps()) +
+           ", " + femoop::influence::effect_name(workspace.session.model(), derivation->effect);
+}
+
 std::size_t n_loads(const femoop::Model& model)
 {
     std::size_t n = 0;
@@ -156,6 +166,7 @@ const ui::Facts<Application>& facts()
                      return typed.empty() ? "nothing" : typed;
                  }},
             Fact{"front", [](const Application& a) { return front_of(a.workspace()); }},
+            Fact{"derivation", [](const Application& a) { return derivation_of(a.workspace()); }},
             Fact{"tabs", [](const Application& a) { return std::to_string(n_tabs(a.workspace())); }},
             Fact{"started",
                  [](const Application& a) { return a.handed() ? a.handed()->program : std::string("nothing"); }},

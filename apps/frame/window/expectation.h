@@ -20,6 +20,7 @@ namespace frame {
 ///     ends yes                                 the program would end now
 ///     undo Move: Node C     redo nothing       the step that would be taken back or done again
 ///     selection Node B, Member AB     case ULS     problems 0     notice nothing
+///     derivation 3 of 9, M(BC, 50%)            the step of the number that is explained
 ///     tool draw.member     typed 4<30          what the hand holds, what is typed while drawing
 ///     file portal.json     tabs 2     changed no
 ///

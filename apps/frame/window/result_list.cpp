@@ -62,6 +62,20 @@ void number_cell(const std::string& text)
     right_aligned(text);
 }
 
+void number_cell(Workspace& workspace, const std::string& text, const femoop::MovingEffect& number, const Part& part)
+{
+    ImGui::TableNextColumn();
+    const ImVec2 corner = ImGui::GetCursorScreenPos();
+    const ImVec2 end{corner.x + ImGui::GetContentRegionAvail().x, corner.y + ImGui::GetTextLineHeight()};
+    right_aligned(text);
+    if (!ImGui::IsWindowHovered() || !ImGui::IsMouseHoveringRect(corner, end)) return;
+    workspace.pointed_number = number;
+    if (!ImGui::IsMouseReleased(ImGuiMouseButton_Right)) return;
+    workspace.session.selection = part;
+    workspace.menu_number = number;
+    workspace.requests.push_back(Request::ContextMenu);
+}
+
 void name_cell(const std::string& text)
 {
     ImGui::TableNextColumn();

@@ -33,13 +33,14 @@ namespace {
 
 // The results of the case that is shown, and how its numbers are written.
 struct ShownCase {
-    Session& session;
+    Workspace& workspace;
     CaseResult result;
     ui::DisplayUnits units;
     CaseNumbers numbers;
 
-    const Model& model() const { return session.model(); }
-    const ui::Catalogue& tr() const { return session.view.tr; }
+    Session& session() const { return workspace.session; }
+    const Model& model() const { return session().model(); }
+    const ui::Catalogue& tr() const { return session().view.tr; }
 };
 
 void displacements(const ShownCase& shown)
@@ -48,9 +49,11 @@ void displacements(const ShownCase& shown)
     std::vector<std::string> headings{shown.tr()("Node")};
     for (const Dof dof : list) headings.push_back(shown.units.label(name(dof), displacement_measures.of(dof)));
     result_list("displacements", headings, shown.model().nodes.size(), [&](std::size_t i) {
-        part_cell(shown.session, NodeId(i), shown.model().nodes[i].id);
+        part_cell(shown.session(), NodeId(i), shown.model().nodes[i].id);
         const NodeVector u = shown.result.displacement(NodeId(i));
-        for (const Dof dof : list) number_cell(shown.numbers.number(u[index(dof)], displacement_measures.of(dof)));
+        for (const Dof dof : list)
+            number_cell(shown.workspace, shown.numbers.number(u[index(dof)], displacement_measures.of(dof)),
+                        {.quantity = ExpectedQuantity::Displacement, .node = NodeId(i), .dof = dof}, NodeId(i));
     });
 }
 
@@ -66,9 +69,11 @@ void reactions(const ShownCase& shown)
     const bool has_slanting = drawing::has_slanting_support(shown.model());
     if (has_slanting) headings.push_back(shown.units.label("R", ui::Measure::Force));
     result_list("reactions", headings, supported.size(), [&](std::size_t i) {
-        part_cell(shown.session, supported[i], shown.model()[supported[i]].id);
+        part_cell(shown.session(), supported[i], shown.model()[supported[i]].id);
         const NodeVector r = shown.result.reaction(supported[i]);
-        for (const Dof dof : list) number_cell(shown.numbers.number(r[index(dof)], force_measures.of(dof)));
+        for (const Dof dof : list)
+            number_cell(shown.workspace, shown.numbers.number(r[index(dof)], force_measures.of(dof)),
+                        {.quantity = ExpectedQuantity::Reaction, .node = supported[i], .dof = dof}, supported[i]);
         if (!has_slanting) return;
         const bool is_slanting = drawing::slanting_normal(shown.model(), supported[i]).has_value();
         number_cell(is_slanting ? shown.numbers.number(drawing::resultant(r), ui::Measure::Force) : "");
@@ -85,6 +90,18 @@ std::array<std::string, 4> force_texts(const ShownCase& shown, MemberComponent c
     const auto text = [&](double value) { return shown.numbers.number(value, measure_of(component)); };
     return {text(curve.value(component, 0.0)), text(curve.value(component, curve.length(), Side::Before)),
             text(extremes.max.value), text(extremes.min.value)};
+}
+
+/// Which numbers of the results they are.
+std::array<MovingEffect, 4> force_numbers(const ShownCase& shown, MemberComponent component, std::size_t member)
+{
+    const MemberId id(member);
+    const Curve curve = shown.result.curve(id);
+    const auto [max, min] = curve.extremes(component);
+    return {number_at_section({id, 0.0}, component, curve.length()),
+            number_at_section({id, curve.length()}, component, curve.length()),
+            number_on_diagram(id, curve, component, max.x, max.value),
+            number_on_diagram(id, curve, component, min.x, min.value)};
 }
 
 /// Whether the panel is broad enough for all four beside the members' names; of many the first ones tell.
@@ -112,9 +129,11 @@ void member_forces(const ShownCase& shown, MemberComponent component, const std:
     const bool has_ends = have_room(shown, component, headings);
     if (!has_ends) headings.erase(headings.begin() + 1, headings.begin() + 3);
     result_list(id.c_str(), headings, shown.model().members.size(), [&](std::size_t i) {
-        part_cell(shown.session, MemberId(i), shown.model().members[i].id);
+        part_cell(shown.session(), MemberId(i), shown.model().members[i].id);
         const auto texts = force_texts(shown, component, i);
-        for (std::size_t j = has_ends ? 0 : 2; j < texts.size(); ++j) number_cell(texts[j]);
+        const auto numbers = force_numbers(shown, component, i);
+        for (std::size_t j = has_ends ? 0 : 2; j < texts.size(); ++j)
+            number_cell(shown.workspace, texts[j], numbers[j], MemberId(i));
     });
 }
 
@@ -195,7 +214,7 @@ void results_panel(Workspace& workspace)
     if (session.view.is_envelope) return envelope_panel(workspace);
     const CaseResult result = (*results)[session.view.load_case];
     const ui::DisplayUnits units = session.units();
-    const ShownCase shown{session, result, units, CaseNumbers(result, units)};
+    const ShownCase shown{workspace, result, units, CaseNumbers(result, units)};
     ImGui::TextDisabled("%s", tr("Case {case}", {{"case", result.name()}}).c_str());
     if (ui::wrapped_button(tr("Tables with places (F4)"), "tables")) workspace.bottom = {true, TableKind::Extremes};
     if (session.reference) show_differences(shown);

@@ -114,6 +114,18 @@ void TableGrid::sort_by(const Table& table, std::size_t column)
     if (is_descending_) std::ranges::reverse(order_);
 }
 
+std::optional<std::pair<std::size_t, std::size_t>> TableGrid::cell_of_table(Place place) const
+{
+    if (place.row >= order_.size()) return std::nullopt;
+    return std::pair{order_[place.row], place.column};
+}
+
+void TableGrid::go_to_mouse()
+{
+    const std::optional<Place> place = place_under_mouse();
+    if (place) cursor_ = anchor_ = *place;
+}
+
 void TableGrid::handle_mouse(const Table& table)
 {
     was_clicked_ = false;
@@ -121,26 +133,28 @@ void TableGrid::handle_mouse(const Table& table)
     const ImVec2 mouse = ImGui::GetMousePos();
     const std::optional<Place> place = place_under_mouse();
     if (is_dragging_ && place && !is_editing_) cursor_ = *place;
+    under_mouse_.reset();
     const bool is_over = ImGui::IsWindowHovered() && mouse.x < layout_.view_left + layout_.view_width &&
                          mouse.y < layout_.view_top + layout_.view_height;
+    const bool is_heading = mouse.y < layout_.view_top + layout_.line;
+    const bool is_in_gutter = mouse.x < layout_.view_left + layout_.gutter;
+    if (is_over && place && !is_heading && !is_in_gutter) under_mouse_ = cell_of_table(*place);
     if (!is_over || !ImGui::IsMouseClicked(ImGuiMouseButton_Left)) return;
     was_clicked_ = true;
-    const bool is_heading = mouse.y < layout_.view_top + layout_.line;
     const bool is_in_editor = is_editing_ && place == cursor_ && !is_heading;
     if (is_in_editor) return;
     if (is_editing_) confirm(Direction::Stay);
     if (is_heading) {
-        if (place && mouse.x > layout_.view_left + layout_.gutter) sort_by(table, place->column);
+        if (place && !is_in_gutter) sort_by(table, place->column);
         return;
     }
     if (!place) return;
     tabs_from_.reset();
-    const bool is_row = mouse.x < layout_.view_left + layout_.gutter;
     const bool extends = ImGui::GetIO().KeyShift;
-    cursor_ = is_row ? Place{place->row, n_columns_ - 1} : *place;
-    if (!extends) anchor_ = is_row ? Place{place->row, 0} : *place;
-    is_dragging_ = !is_row;
-    const bool is_double = ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left) && !is_row;
+    cursor_ = is_in_gutter ? Place{place->row, n_columns_ - 1} : *place;
+    if (!extends) anchor_ = is_in_gutter ? Place{place->row, 0} : *place;
+    is_dragging_ = !is_in_gutter;
+    const bool is_double = ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left) && !is_in_gutter;
     if (is_double && table.headings[place->column].is_editable) open(typed_text(table, *place));
 }
 

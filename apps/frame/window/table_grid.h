@@ -5,6 +5,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "apps/frame/tables/table.h"
@@ -34,6 +35,12 @@ public:
 
     /// Fills what is left of the current window of Dear ImGui's but `footer` [physical pixels].
     void show(const Look& look, float footer);
+
+    /// The cell under the mouse, by the table's rows; nothing beside the cells and over the row for new ones.
+    std::optional<std::pair<std::size_t, std::size_t>> cell_under_mouse() const { return under_mouse_; }
+    /// That of the cursor, likewise.
+    std::optional<std::pair<std::size_t, std::size_t>> cell_of_cursor() const { return cell_of_table(cursor_); }
+    void go_to_mouse(); ///< the cursor, where a cell is under it
 
     /// A key that went down; false where the grid has no use for it.
     bool take(const ui::Chord& chord, const Table& table);
@@ -78,6 +85,7 @@ private:
     void measure(const Table& table);
     void handle_mouse(const Table& table);
     std::optional<Place> place_under_mouse() const;
+    std::optional<std::pair<std::size_t, std::size_t>> cell_of_table(Place place) const;
     void sort_by(const Table& table, std::size_t column);
     void draw(const Look& look) const;
     void draw_row(const Look& look, std::size_t row) const;
@@ -112,6 +120,7 @@ private:
     bool must_scroll_ = false;
     bool is_dragging_ = false;
     bool was_clicked_ = false;
+    std::optional<std::pair<std::size_t, std::size_t>> under_mouse_;
 
     struct Layout {
         std::vector<float> widths;

@@ -9,6 +9,7 @@
 #include "apps/frame/document/drawing.h"
 #include "apps/frame/session/table_commands.h"
 #include "apps/frame/tables/result_table.h"
+#include "apps/frame/window/derivation_panel.h"
 #include "apps/frame/window/no_results.h"
 #include "apps/frame/window/solver_panel.h"
 #include "femoop/files/whole_file.h"
@@ -26,6 +27,7 @@ namespace {
 // Of what is no table [ems].
 constexpr float least_height_of_diagrams = 20.0F;
 constexpr float least_height_of_solver = 27.0F;
+constexpr float least_height_of_derivation = 24.0F;
 
 Table table_of(const Session& session, TableKind kind)
 {
@@ -51,6 +53,7 @@ float TablesPanel::height(const Workspace& workspace, float room) const
     float least = 0.0F;
     if (workspace.bottom.content == BottomContent::Member) least = least_height_of_diagrams;
     if (workspace.bottom.content == BottomContent::Solver) least = least_height_of_solver;
+    if (workspace.bottom.content == BottomContent::Derivation) least = least_height_of_derivation;
     const float height = std::max(height_, least);
     return std::min(height * ImGui::GetFontSize(), 0.7F * room);
 }
@@ -110,14 +113,15 @@ void TablesPanel::go_to_wanted(Workspace& workspace)
     if (row != table_.rows.end()) grid_.go_to(static_cast<std::size_t>(row - table_.rows.begin()), wanted->column);
 }
 
-void TablesPanel::show(Workspace& workspace, ui::ImGuiSession& gui, const ui::Fonts& fonts)
+void TablesPanel::show(Workspace& workspace, const CommandTable& commands, ui::ImGuiSession& gui,
+                       const ui::Fonts& fonts)
 {
     const float em = ImGui::GetFontSize();
     show_splitter(ImGui::GetWindowHeight());
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {0.6F * em, 0.3F * em});
     ImGui::BeginChild("###tables", {0.0F, 0.0F}, false, ImGuiWindowFlags_AlwaysUseWindowPadding);
     ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {0.4F * em, 0.3F * em});
-    if (workspace.bottom.content != BottomContent::Solver) show_tabs(workspace);
+    if (is_table_or_member(workspace.bottom.content)) show_tabs(workspace);
     follow(workspace);
     grab_keyboard_if_opened(workspace);
     go_to_wanted(workspace);
@@ -125,6 +129,7 @@ void TablesPanel::show(Workspace& workspace, ui::ImGuiSession& gui, const ui::Fo
     case BottomContent::Table: show_table(workspace); break;
     case BottomContent::Member: member_.show(workspace, gui, fonts); break;
     case BottomContent::Solver: solver_panel(workspace, gui, fonts); break;
+    case BottomContent::Derivation: derivation_panel(workspace, commands, gui, fonts); break;
     }
     const bool is_over = ImGui::IsWindowHovered(ImGuiHoveredFlags_ChildWindows |
                                                 ImGuiHoveredFlags_AllowWhenBlockedByPopup |
@@ -174,7 +179,28 @@ void TablesPanel::show_table(Workspace& workspace)
         select_rows(workspace);
     }
     if (const auto edit = grid_.apply_edit()) carry_out(workspace, *edit);
+    point_at_number(workspace);
     show_footer(workspace.session);
+}
+
+std::optional<femoop::MovingEffect> TablesPanel::number_in(
+    const std::optional<std::pair<std::size_t, std::size_t>>& cell) const
+{
+    return cell ? table_.rows[cell->first].cells[cell->second].number : std::nullopt;
+}
+
+// The number under the mouse, else, where the table has the keyboard, the one at its cursor.
+void TablesPanel::point_at_number(Workspace& workspace)
+{
+    const auto under_mouse = number_in(grid_.cell_under_mouse());
+    if (under_mouse) workspace.pointed_number = under_mouse;
+    else if (has_keyboard_ && !workspace.pointed_number) workspace.pointed_number = number_in(grid_.cell_of_cursor());
+    if (!under_mouse || !ImGui::IsMouseReleased(ImGuiMouseButton_Right)) return;
+    has_keyboard_ = true;
+    grid_.go_to_mouse();
+    select_rows(workspace);
+    workspace.menu_number = under_mouse;
+    workspace.requests.push_back(Request::ContextMenu);
 }
 
 void TablesPanel::show_footer(const Session& session) const
@@ -210,6 +236,8 @@ ui::Input TablesPanel::take(Workspace& workspace, const ui::Input& input)
         return input;
     }
     grab_keyboard_if_opened(workspace);
+    if (!has_keyboard_ && workspace.bottom.shows(BottomContent::Derivation))
+        return take_presenter_keys(workspace, input);
     if (!has_keyboard_ || (table_.headings.empty() && workspace.bottom.shows(BottomContent::Table))) return input;
     ImGui::GetIO().ConfigFlags &= ~ImGuiConfigFlags_NavEnableKeyboard; // the arrows are the table's
     ui::Input rest = input;
@@ -227,11 +255,23 @@ ui::Input TablesPanel::take(Workspace& workspace, const ui::Input& input)
     return rest;
 }
 
+// While the hand is at the drawing the class is led on all the same.
+ui::Input TablesPanel::take_presenter_keys(Workspace& workspace, const ui::Input& input)
+{
+    if (ImGui::GetIO().WantTextInput) return input;
+    ui::Input rest = input;
+    std::erase_if(rest.keys, [&](const ui::KeyEvent& event) {
+        return event.is_down && workspace.bottom.is_open && handle_presenter_key(workspace, event.chord());
+    });
+    return rest;
+}
+
 bool TablesPanel::handle_key(Workspace& workspace, const ui::Chord& chord)
 {
     if (workspace.bottom.content == BottomContent::Member)
         return chord.key == Key::Escape || member_.take(workspace.session, chord);
     if (workspace.bottom.content == BottomContent::Solver) return handle_solver_key(workspace, chord);
+    if (workspace.bottom.content == BottomContent::Derivation) return handle_derivation_key(workspace, chord);
     follow(workspace); // the key before may have changed the document
     if (table_.headings.empty()) return false;
     if (grid_.take(chord, table_)) {
@@ -241,6 +281,7 @@ bool TablesPanel::handle_key(Workspace& workspace, const ui::Chord& chord)
         return true;
     }
     if (grid_.is_editing()) return false;
+    if (chord == ui::Chord{Key::W, {}} && workspace.pointed_number) return false; // it is asked after
     if (chord == ui::Chord{Key::C, ui::ctrl}) copy(workspace);
     else if (chord == ui::Chord{Key::V, ui::ctrl}) paste(workspace);
     else if (chord == ui::Chord{Key::Delete, {}} && can_grow(kind_) && grid_.has_whole_rows(table_))

@@ -26,7 +26,7 @@ public:
     float height(const Workspace& workspace, float room) const;
 
     /// Fills what is left of the current window of Dear ImGui's.
-    void show(Workspace& workspace, ui::ImGuiSession& gui, const ui::Fonts& fonts);
+    void show(Workspace& workspace, const CommandTable& commands, ui::ImGuiSession& gui, const ui::Fonts& fonts);
 
     /// Takes what is meant for the table. \returns what is left for others
     ui::Input take(Workspace& workspace, const ui::Input& input);
@@ -54,9 +54,12 @@ private:
     bool begin_tab(const std::string& label, bool is_chosen);
     void show_table(Workspace& workspace);
     void show_member_tab(Workspace& workspace);
+    std::optional<femoop::MovingEffect> number_in(const std::optional<std::pair<std::size_t, std::size_t>>& cell) const;
+    void point_at_number(Workspace& workspace);
     void show_footer(const Session& session) const;
     void select_rows(Workspace& workspace);
     bool handle_key(Workspace& workspace, const ui::Chord& chord);
+    static ui::Input take_presenter_keys(Workspace& workspace, const ui::Input& input);
     void carry_out(Workspace& workspace, const GridEdit& edit);
     bool fill_draft(Workspace& workspace, const GridEdit& edit);
     bool fill(Workspace& workspace, const GridEdit& edit);

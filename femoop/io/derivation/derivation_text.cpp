@@ -114,17 +114,25 @@ std::string sentence(const Step& step, const Model& model, const Translator& tr)
     return fill(tr("Node {0} is held in this direction: no unknown, but what its support imposes."), {node});
 }
 
-std::string derivation_text(const Derivation& derivation, const Model& model, const Translator& tr)
+std::string derivation_title(const Derivation& derivation, const Model& model, const Translator& tr)
 {
     const std::string unit = with_product_dots(unit_text(influence::dimension_of(derivation.effect), model.units));
-    const std::string title = fill(tr("{0} = {1} in {2}: where it comes from"),
-                                   {influence::effect_name(model, derivation.effect),
-                                    six_digits(derivation.value, tr) + " " + unit,
-                                    model.case_name(derivation.load_case)});
+    return fill(tr("{0} = {1} in {2}: where it comes from"),
+                {influence::effect_name(model, derivation.effect), six_digits(derivation.value, tr) + " " + unit,
+                 model.case_name(derivation.load_case)});
+}
+
+std::string derivation_units(const Model& model, const Translator& tr)
+{
+    return fill(tr("Lengths in {0}, forces in {1}, rotations in rad."),
+                {std::string(name(model.units.length)), std::string(name(model.units.force))});
+}
+
+std::string derivation_text(const Derivation& derivation, const Model& model, const Translator& tr)
+{
+    const std::string title = derivation_title(derivation, model, tr);
     std::string text = title + "\n" + std::string(tabular::shown_width(title), '=') + "\n";
-    text += fill(tr("Lengths in {0}, forces in {1}, rotations in rad."),
-                 {std::string(name(model.units.length)), std::string(name(model.units.force))}) +
-            "\n";
+    text += derivation_units(model, tr) + "\n";
     std::optional<CaseId> last;
     for (std::size_t i = 0; i < derivation.steps.size(); ++i) {
         const Step& step = derivation.steps[i];

@@ -75,6 +75,8 @@ public:
         return displacement(load_case, result, is_first);
     }
 
+    const SystemTrace& system() const { return system_.trace(); }
+
     Step combination(const CaseTerms& terms) const
     {
         NamedMatrix factors{"factors", {}, {"factor", "value"}, {}};
@@ -116,7 +118,8 @@ private:
                 .node = effect_.node,
                 .load_case = load_case,
                 .matrices = system_.equations(rows, load_case, result),
-                .is_whole = system_.is_written_whole()};
+                .is_whole = system_.is_written_whole(),
+                .rows = rows};
     }
 
     /// The member's nodes move and carry no loads, and the loads act while the nodes are held.
@@ -249,7 +252,7 @@ private:
         shares.values.resize(static_cast<Eigen::Index>(rows.size()) + 1, static_cast<Eigen::Index>(columns.size()));
         for (std::size_t i = 0; i < rows.size(); ++i) shares.values.row(static_cast<Eigen::Index>(i)) = rows[i];
         shares.values.bottomRows(1) = shares.values.topRows(static_cast<Eigen::Index>(rows.size())).colwise().sum();
-        return {.kind = StepKind::StiffnessRow, .node = node, .matrices = {shares}};
+        return {.kind = StepKind::StiffnessRow, .node = node, .matrices = {shares}, .rows = {row}};
     }
 
     /// Load on the node less what the members' loads take, and what imposed displacements bring.
@@ -267,7 +270,8 @@ private:
         }
         if (const double moved = ground_of(node, dof, load_case); moved != 0.0)
             sum.add("spring", spring_at(node, dof) * moved);
-        return {.kind = StepKind::LoadRow, .node = node, .load_case = load_case, .matrices = {sum.as("f")}};
+        return {
+            .kind = StepKind::LoadRow, .node = node, .load_case = load_case, .matrices = {sum.as("f")}, .rows = {row}};
     }
 
     /// What displacements that supports impose bring to one row of a member.
@@ -358,6 +362,7 @@ Derivation derive(const Model& model, const Results& results, CaseId load_case, 
     for (const CaseTerms::Term& term : terms.terms)
         append(derivation.steps, number.steps(CaseId(term.load_case), &term == &terms.terms.front()));
     if (load_case.index >= model.load_cases.size()) derivation.steps.push_back(number.combination(terms));
+    derivation.system = number.system();
     if (ends_with_sum(derivation))
         derivation.closing_error = std::abs(derivation.steps.back().matrices.back().values.bottomRows(1)(0, 0) -
                                             derivation.value);

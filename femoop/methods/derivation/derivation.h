@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "femoop/analysis/trace.h"
 #include "femoop/model/model.h"
 #include "femoop/result/results.h"
 
@@ -48,7 +49,8 @@ struct Step {
     std::optional<NodeId> node;
     std::optional<CaseId> load_case; ///< whose numbers these are; none where loads do not matter
     std::vector<NamedMatrix> matrices;
-    bool is_whole = false; ///< of equations: none is left out
+    bool is_whole = false;            ///< of equations: none is left out
+    std::vector<Eigen::Index> rows{}; ///< of the system, that it is about
 };
 
 /// The way from the data to one number: every step with its numbers, the last of which is the number.
@@ -61,6 +63,7 @@ struct Derivation {
     double value = 0.0;         ///< as the results have it
     double closing_error = 0.0; ///< by which the last step's sum, in 16 digits, is off; the analysis may carry more
     std::vector<Step> steps;
+    SystemTrace system{}; ///< of which the steps write what matters
 };
 
 /// Systems of no more unknowns are written as a whole.

@@ -108,7 +108,8 @@ std::vector<Step> MemberSteps::stiffness() const
              .matrices = {{"T", trace_.own_dofs, trace_.dofs, trace_.transformation}}},
             {.kind = StepKind::Stiffness,
              .member = member_,
-             .matrices = {{"k", trace_.dofs, trace_.dofs, trace_.global_stiffness}, places}}};
+             .matrices = {{"k", trace_.dofs, trace_.dofs, trace_.global_stiffness}, places},
+             .rows = rows()}};
 }
 
 Step MemberSteps::fixed_end_forces(CaseId load_case) const
@@ -117,7 +118,8 @@ Step MemberSteps::fixed_end_forces(CaseId load_case) const
     return {.kind = StepKind::FixedEndForces,
             .member = member_,
             .load_case = load_case,
-            .matrices = {{"f0'", trace_.own_dofs, {"f0'"}, forces.local}, {"f0", trace_.dofs, {"f0"}, forces.global}}};
+            .matrices = {{"f0'", trace_.own_dofs, {"f0'"}, forces.local}, {"f0", trace_.dofs, {"f0"}, forces.global}},
+            .rows = rows()};
 }
 
 Eigen::VectorXd MemberSteps::node_displacements(const CaseResult& result) const
@@ -137,7 +139,8 @@ Step MemberSteps::end_displacements(CaseId load_case, const CaseResult& result) 
         .kind = StepKind::EndDisplacements,
         .member = member_,
         .load_case = load_case,
-        .matrices = {{"u", trace_.dofs, {"u"}, u}, {"u'", trace_.own_dofs, {"u' = T u"}, trace_.transformation * u}}};
+        .matrices = {{"u", trace_.dofs, {"u"}, u}, {"u'", trace_.own_dofs, {"u' = T u"}, trace_.transformation * u}},
+        .rows = rows()};
 }
 
 Step MemberSteps::end_forces(CaseId load_case, const CaseResult& result) const

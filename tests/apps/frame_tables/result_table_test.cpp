@@ -7,6 +7,7 @@
 
 #include "apps/frame/document/number.h"
 #include "apps/frame/document/solution.h"
+#include "femoop/methods/influence/influence_line.h"
 #include "femoop/result/components.h"
 
 using namespace frame;
@@ -53,6 +54,30 @@ TEST_SUITE("frame tables: results")
         REQUIRE(fy.size() == 2);
         CHECK(fy[0] + fy[1] == doctest::Approx(20.0 * 6.0));
         CHECK(table.rows[1].part == Part(femoop::NodeId(3)));
+    }
+
+    TEST_CASE("Every number of a table of one case is known as the number of the results that it shows")
+    {
+        const Document document = starting_document();
+        const Solution solution = solve(document);
+        const femoop::CaseResult result = (*solution.results)[CaseId(0)];
+        for (const TableKind kind : {TableKind::Displacements, TableKind::Reactions, TableKind::MemberEnds}) {
+            const Table table = result_table({document.model, *solution.results, CaseId(0)}, kind,
+                                             in_english(document.model));
+            for (const Row& row : table.rows)
+                for (std::size_t j = 1; j < row.cells.size(); ++j) {
+                    REQUIRE(row.cells[j].number);
+                    const double value = femoop::influence::effect_in(*row.cells[j].number, result);
+                    const double written = row.cells[j].value.number.value();
+                    const double factor = kind == TableKind::Displacements && j < 3 ? 1000.0 : 1.0; // mm
+                    CHECK(std::abs(written - factor * value) < 1e-9 * (1.0 + std::abs(written)));
+                }
+        }
+        const Table extremes = result_table({document.model, *solution.results, CaseId(0)}, TableKind::Extremes,
+                                            in_english(document.model));
+        for (const Row& row : extremes.rows)
+            for (std::size_t j = 1; j < row.cells.size(); ++j)
+                CHECK(row.cells[j].number.has_value() == (j % 2 == 1)); // a value, then its place
     }
 
     TEST_CASE("The reaction of a slanting roller stands in the table as the one force that it is, too")

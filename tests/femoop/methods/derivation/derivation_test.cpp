@@ -8,6 +8,7 @@
 #include "femoop/analysis/trace.h"
 #include "femoop/io/derivation/derivation_text.h"
 #include "femoop/methods/derivation/derivation.h"
+#include "femoop/methods/derivation/renumbering.h"
 #include "femoop/methods/influence/influence_line.h"
 #include "femoop/result/components.h"
 #include "tests/femoop/analysis/random_structure.h"
@@ -250,5 +251,32 @@ TEST_SUITE("derivation")
                     }
             }
         }
+    }
+
+    TEST_CASE("A row of members that is numbered crosswise is renumbered to the band of a row")
+    {
+        FrameMaker made;
+        made.node("A", 0, 0, SupportKind::Fixed)
+            .node("D", 3 * L, 0)
+            .node("B", L, 0)
+            .node("E", 4 * L, 0)
+            .node("C", 2 * L, 0);
+        made.member("A", "B").member("B", "C").member("C", "D").member("D", "E");
+        const Renumbering found = renumbering_of(trace_system(made.model));
+        // D B E C, three unknowns each: of the axial and the bending ones of two neighbours a row has five entries
+        CHECK(found.on_paper.half_bandwidth > found.renumbered.half_bandwidth);
+        CHECK(found.renumbered.half_bandwidth == 5);
+        CHECK(found.renumbered.profile < found.on_paper.profile);
+    }
+
+    TEST_CASE("As LaTeX a derivation has every step, its tables and no character that LaTeX would take amiss")
+    {
+        const Model beam = propped_beam();
+        const std::string text = derivation_latex(derived(beam, along(MemberComponent::Mz, Percent{50.0})), beam,
+                                                  english);
+        CHECK(text.starts_with("\\section*{M(AB, 50\\%) = 12 kN\\ensuremath{\\cdot}m in "));
+        CHECK(text.find("\\paragraph{9.}") != std::string::npos);
+        CHECK(text.find("EI/L\\textasciicircum{}3") != std::string::npos);
+        CHECK(text.find("\\begin{tabular}{lrrrrrr}") != std::string::npos);
     }
 }

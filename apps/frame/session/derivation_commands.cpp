@@ -1,0 +1,103 @@
+#include "apps/frame/session/derivation_commands.h"
+
+#include <functional>
+
+namespace frame {
+
+using ui::Key;
+using ui::Reason;
+using ui::translatable;
+
+namespace {
+
+bool shows_derivation(const Workspace& workspace) { return workspace.bottom.shows(BottomContent::Derivation); }
+
+// From the palette, where the pointer is on no number.
+std::optional<femoop::MovingEffect> pinned_number(const Session& session)
+{
+    if (!session.pin) return std::nullopt;
+    AskedLine line;
+    line.ask(session.model(), *session.pin);
+    return line.effect(session.model());
+}
+
+std::optional<femoop::MovingEffect> meant_number(const Workspace& workspace)
+{
+    if (workspace.menu_number) return workspace.menu_number;
+    return workspace.pointed_number ? workspace.pointed_number : pinned_number(workspace.session);
+}
+
+Reason why_not_explain(const Workspace& workspace)
+{
+    if (const auto reason = workspace.session.why_no_results()) return reason;
+    if (workspace.session.view.is_envelope)
+        return translatable("an envelope has the numbers of several cases; choose one of them first");
+    if (meant_number(workspace)) return std::nullopt;
+    return translatable("point at a number of the picture or of a table of results first");
+}
+
+Reason why_not_step(const Workspace& workspace)
+{
+    if (!shows_derivation(workspace)) return translatable("no number is explained; point at one and press W");
+    return workspace.derivation.n_steps() > 0 ? std::nullopt : workspace.derivation.why_none();
+}
+
+std::function<void(Workspace&)> on_show(void (*move)(DerivationShow&))
+{
+    return [move](Workspace& workspace) {
+        move(workspace.derivation);
+        workspace.derivation.follow(workspace.session);
+    };
+}
+
+std::function<void(Workspace&)> asks_for(Request request)
+{
+    return [request](Workspace& workspace) { workspace.requests.push_back(request); };
+}
+
+} // namespace
+
+void explain(Workspace& workspace, const femoop::MovingEffect& effect)
+{
+    workspace.derivation.ask(workspace.session, effect);
+    workspace.bottom = {.is_open = true,
+                        .table = workspace.bottom.table,
+                        .content = BottomContent::Derivation,
+                        .asks_for_keyboard = true};
+}
+
+void close_derivation(Workspace& workspace)
+{
+    if (!shows_derivation(workspace)) return;
+    workspace.bottom.is_open = false;
+    workspace.bottom.content = BottomContent::Table;
+    workspace.derivation.clear();
+}
+
+void add_derivation_commands(CommandTable& table)
+{
+    Menu(table, translatable("View"))
+        .step(
+            {"view.why", translatable("Why this number?"), {{Key::W, {}}}},
+            [](Workspace& workspace) { explain(workspace, *meant_number(workspace)); }, why_not_explain);
+    Menu unlisted(table, {});
+    unlisted.step({"derivation.first", translatable("First step of the derivation")},
+                  on_show([](DerivationShow& show) { show.go_to(0); }), why_not_step);
+    unlisted.step({"derivation.previous", translatable("Previous step of the derivation")},
+                  on_show([](DerivationShow& show) { show.go_back(); }), why_not_step);
+    unlisted.step({"derivation.next", translatable("Next step of the derivation")},
+                  on_show([](DerivationShow& show) { show.go_on(); }), why_not_step);
+    unlisted.step({"derivation.last", translatable("Last step of the derivation")},
+                  on_show([](DerivationShow& show) { show.go_to(show.n_steps()); }), why_not_step);
+    unlisted.step({"derivation.next_number", translatable("The next number of the same place")},
+                  on_show([](DerivationShow& show) { show.choose_next(); }), why_not_step);
+    unlisted.step({"derivation.previous_number", translatable("The previous number of the same place")},
+                  on_show([](DerivationShow& show) { show.choose_previous(); }), why_not_step);
+    unlisted.step({"derivation.copy", translatable("Copy the derivation as text")}, asks_for(Request::CopyDerivation),
+                  why_not_step);
+    unlisted.step({"derivation.copy_latex", translatable("Copy the derivation as LaTeX")},
+                  asks_for(Request::CopyDerivationAsLatex), why_not_step);
+    unlisted.step({"derivation.close", translatable("Close the derivation")}, close_derivation, why_not_step);
+}
+
+} // namespace frame

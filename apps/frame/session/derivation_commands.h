@@ -1,0 +1,15 @@
+#pragma once
+
+#include "apps/frame/session/commands.h"
+
+namespace frame {
+
+/// "Why this number?": the player of the way from the data to a number, and its steps.
+void add_derivation_commands(CommandTable& table);
+
+/// Opens the player for a number of the results.
+void explain(Workspace& workspace, const femoop::MovingEffect& effect);
+/// Closes the panel, where it shows one.
+void close_derivation(Workspace& workspace);
+
+} // namespace frame

@@ -1,0 +1,132 @@
+#include "apps/frame/session/derivation_show.h"
+
+#include <algorithm>
+
+#include "femoop/methods/influence/effect_name.h"
+#include "femoop/methods/influence/usual_path.h"
+#include "femoop/model/fault/fault.h"
+#include "femoop/result/components.h"
+
+namespace frame {
+
+using femoop::ExpectedQuantity;
+using femoop::MovingEffect;
+using ui::translatable;
+
+namespace {
+
+std::vector<MovingEffect> numbers_of_node(const femoop::Model& model, femoop::NodeId node)
+{
+    std::vector<MovingEffect> numbers = femoop::influence::reactions_at(model, node);
+    for (const femoop::Dof dof : femoop::dof_list(model.analysis))
+        numbers.push_back({.quantity = ExpectedQuantity::Displacement, .node = node, .dof = dof});
+    return numbers;
+}
+
+std::vector<MovingEffect> numbers_of_member(const femoop::Model& model, MovingEffect effect)
+{
+    std::vector<MovingEffect> numbers;
+    const bool is_extreme = effect.quantity == ExpectedQuantity::Extreme;
+    const auto add = [&](ExpectedQuantity quantity, const std::vector<femoop::MemberComponent>& components) {
+        effect.quantity = is_extreme ? ExpectedQuantity::Extreme : quantity;
+        for (const femoop::MemberComponent component : components) {
+            effect.component = component;
+            numbers.push_back(effect);
+        }
+    };
+    add(ExpectedQuantity::SectionForce, femoop::section_force_components(model.analysis));
+    add(ExpectedQuantity::Displacement, femoop::local_displacement_components(model.analysis));
+    return numbers;
+}
+
+} // namespace
+
+std::vector<MovingEffect> numbers_beside(const femoop::Model& model, const MovingEffect& effect)
+{
+    return effect.member ? numbers_of_member(model, effect) : numbers_of_node(model, *effect.node);
+}
+
+void DerivationShow::ask(const Session& session, const MovingEffect& effect)
+{
+    asked_ = NamedEffect(session.model(), effect);
+    session_ = session.number();
+    made_for_.reset();
+    step_ = 0;
+    follow(session);
+}
+
+void DerivationShow::clear() { *this = DerivationShow(); }
+
+std::optional<ui::Message> DerivationShow::why_not_derive(const Session& session)
+{
+    if (!asked_) return translatable("Point at a number of the results and press W.");
+    if (session_ != session.number()) return translatable("The number that is explained belongs to another tab.");
+    if (const auto reason = session.why_no_results()) return reason;
+    if (session.model().n_cases() == 0) return translatable("The model has no load case.");
+    if (session.view.is_envelope)
+        return translatable(
+            "An envelope has the numbers of several cases; choose the one that governs to see where its number comes "
+            "from.");
+    const auto constrained = femoop::derivation::constrained_member(session.model());
+    if (!constrained) return std::nullopt;
+    return ui::Message(translatable("Member {member} is inextensible or rigid: a constraint stands where its stiffness "
+                                    "would, and no number is derived; give it a stiffness to see the steps."),
+                       {{"member", session.model()[*constrained].id}});
+}
+
+DerivationShow::MadeFor DerivationShow::state_of(const Session& session)
+{
+    return {session.number(), session.generation(), session.view.load_case.index, session.view.is_envelope,
+            session.hidden.has_value()};
+}
+
+void DerivationShow::follow(const Session& session)
+{
+    if (is_at(session)) return;
+    made_for_ = state_of(session);
+    derivation_.reset();
+    choices_.clear();
+    why_none_ = why_not_derive(session);
+    if (!asked_ || session_ != session.number()) return;
+    const auto effect = effect_in(session.model(), *asked_);
+    if (effect) choices_ = numbers_beside(session.model(), *effect);
+    is_lost_ = !effect || std::ranges::find(choices_, *effect) == choices_.end();
+    if (is_lost_ || why_none_) return;
+    try {
+        const femoop::Model model = solved_model(session.model(), session.solution());
+        derivation_ = femoop::derivation::derive(model, *session.solution().results, session.view.load_case, *effect);
+    } catch (const femoop::ModelError& error) { // a member that can move once it is taken out
+        why_none_ = ui::Message(std::string_view(error.what()));
+    }
+    if (n_steps() > 0) go_to(step_); // else it waits for the steps to come back
+}
+
+ui::Message DerivationShow::lost() const
+{
+    const bool is_of_member = !asked_->member.empty();
+    return {is_of_member ? translatable("The number that was explained is gone with member {part}.")
+                         : translatable("The number that was explained is gone from node {part}."),
+            {{"part", is_of_member ? asked_->member : asked_->node}}};
+}
+
+void DerivationShow::choose(std::size_t forward)
+{
+    if (choices_.empty()) return;
+    const auto is_asked = [&](const MovingEffect& one) {
+        const MovingEffect& asked = asked_->effect;
+        return one.quantity == asked.quantity && one.component == asked.component && one.dof == asked.dof;
+    };
+    const auto now = static_cast<std::size_t>(std::ranges::find_if(choices_, is_asked) - choices_.begin());
+    const MovingEffect& next = choices_[(now + forward) % choices_.size()];
+    asked_->effect.quantity = next.quantity;
+    asked_->effect.component = next.component;
+    asked_->effect.dof = next.dof;
+    made_for_.reset();
+}
+
+void DerivationShow::choose_next() { choose(1); }
+void DerivationShow::choose_previous() { choose(choices_.size() - 1); }
+
+void DerivationShow::go_to(std::size_t step) { step_ = n_steps() == 0 ? 0 : std::min(step, n_steps() - 1); }
+
+} // namespace frame

@@ -1,0 +1,76 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <tuple>
+#include <vector>
+
+#include "apps/frame/document/named_effect.h"
+#include "apps/frame/session/session.h"
+#include "femoop/methods/derivation/derivation.h"
+#include "ui/text/message.h"
+
+namespace frame {
+
+/// The number that is explained: which one, and at which step of the way from the data to it. It follows the document
+/// and the load case that is shown; a step that is no more there becomes the last one.
+class DerivationShow {
+public:
+    /// From its first step. \pre the effect is one of the session's model
+    void ask(const Session& session, const femoop::MovingEffect& effect);
+    void clear();
+
+    /// Derives it anew where the session's document, or what is shown of it, is another than before.
+    void follow(const Session& session);
+
+    /// Whether it has followed the session to where it is now.
+    bool is_at(const Session& session) const { return made_for_ == state_of(session); }
+
+    /// Null where nothing is explained: `why_none` says why.
+    const femoop::derivation::Derivation* derivation() const { return derivation_ ? &*derivation_ : nullptr; }
+    const std::optional<ui::Message>& why_none() const { return why_none_; }
+    /// Its node, its member or its support is gone from the document that it was asked of.
+    bool is_lost() const { return is_lost_; }
+    ui::Message lost() const; ///< what is to be said then
+
+    /// Nothing where none is asked for, or its part is gone.
+    std::optional<femoop::MovingEffect> asked(const femoop::Model& model) const
+    {
+        return asked_ ? effect_in(model, *asked_) : std::nullopt;
+    }
+    /// Every number of the same place, in the order in which they are walked through; none where nothing is explained.
+    const std::vector<femoop::MovingEffect>& choices() const { return choices_; }
+    void choose_next();
+    void choose_previous();
+
+    std::size_t n_steps() const { return derivation_ ? derivation_->steps.size() : 0; }
+    std::size_t step() const { return step_; }
+    const femoop::derivation::Step* shown_step() const { return n_steps() > 0 ? &derivation_->steps[step_] : nullptr; }
+    void go_to(std::size_t step); ///< the last one where it is beyond
+    void go_on() { go_to(step_ + 1); }
+    void go_back() { go_to(step_ == 0 ? 0 : step_ - 1); }
+
+private:
+    /// What it was derived from: session, generation, case, envelope, whether results are hidden.
+    using MadeFor = std::tuple<std::uint64_t, std::uint64_t, std::size_t, bool, bool>;
+
+    static MadeFor state_of(const Session& session);
+    std::optional<ui::Message> why_not_derive(const Session& session);
+    void choose(std::size_t forward);
+
+    std::optional<NamedEffect> asked_;
+    std::uint64_t session_ = 0; ///< that it was asked of
+    std::optional<MadeFor> made_for_;
+    std::optional<femoop::derivation::Derivation> derivation_;
+    std::optional<ui::Message> why_none_;
+    std::vector<femoop::MovingEffect> choices_;
+    bool is_lost_ = false;
+    std::size_t step_ = 0;
+};
+
+/// Every number of the results at the same place as one of them: of a member's section its section forces and
+/// displacements, of a whole member its extremes, of a node its reactions and displacements.
+std::vector<femoop::MovingEffect> numbers_beside(const femoop::Model& model, const femoop::MovingEffect& effect);
+
+} // namespace frame

@@ -1,0 +1,134 @@
+#include "apps/frame/view/derivation/matrix_block.h"
+
+#include <algorithm>
+#include <array>
+#include <numeric>
+
+#include "femoop/io/results/matrix_table.h"
+#include "ui/text/number_format.h"
+
+namespace frame {
+
+using ui::Anchor;
+using ui::Point;
+using ui::Role;
+using ui::translatable;
+
+namespace {
+
+void replace_all(std::string& text, std::string_view what, std::string_view by)
+{
+    for (std::size_t at = text.find(what); at != std::string::npos; at = text.find(what, at + by.size()))
+        text.replace(at, what.size(), by);
+}
+
+constexpr std::array words{translatable("data"),       translatable("entries"), translatable("place"),
+                           translatable("factors"),    translatable("factor"),  translatable("value"),
+                           translatable("extremes"),   translatable("max"),     translatable("min"),
+                           translatable("foundation"), translatable("spring"),  translatable("p at the node")};
+
+} // namespace
+
+std::string symbol_text(const std::string& symbol, const ui::Catalogue& tr)
+{
+    if (std::ranges::find(words, symbol) != words.end()) return tr(symbol);
+    std::string text = symbol;
+    replace_all(text, "^2", "²");
+    replace_all(text, "^3", "³");
+    replace_all(text, "^T", "ᵀ");
+    return ui::with_minus_signs(text);
+}
+
+MatrixBlock::MatrixBlock(const femoop::derivation::NamedMatrix& matrix, Kind kind, const DerivationLook& look,
+                         const ui::Fonts& fonts, double em)
+    : symbol_(symbol_text(matrix.symbol, look.tr)), kind_(kind), look_(look), fonts_(fonts), em_(em)
+{
+    for (const std::string& name : matrix.rows) rows_.push_back(symbol_text(name, look.tr));
+    for (const std::string& name : matrix.columns) columns_.push_back(symbol_text(name, look.tr));
+    if (columns_.size() == 1 && columns_.front() == symbol_) columns_.front().clear(); // it stands there already
+    widths_.assign(columns_.size(), 0.0);
+    const auto width = [&](const std::string& text) { return fonts.measure(text, em).width; };
+    for (std::size_t j = 0; j < columns_.size(); ++j) widths_[j] = width(columns_[j]);
+    for (const tabular::Row& row : femoop::matrix_table(matrix.rows, matrix.columns, matrix.values).rows) {
+        std::vector<std::string>& texts = numbers_.emplace_back();
+        for (std::size_t j = 0; j < columns_.size(); ++j) {
+            const double number = row.cells[j + 1].number.value_or(0.0);
+            texts.push_back(ui::with_minus_signs(ui::number_text(number, look.units.format())));
+            widths_[j] = std::max(widths_[j], width(texts.back()));
+        }
+    }
+}
+
+double MatrixBlock::line() const { return 1.45 * em_; }
+
+ui::TextStyle MatrixBlock::style(Role role, Anchor anchor) const
+{
+    ui::TextStyle sized = look_.theme.text(role, anchor);
+    sized.size = em_;
+    return sized;
+}
+
+double MatrixBlock::names_width() const
+{
+    double width = fonts_.measure(symbol_, em_, ui::Weight::Bold).width;
+    for (const std::string& name : rows_) width = std::max(width, fonts_.measure(name, em_).width);
+    return width + 1.0 * em_;
+}
+
+double MatrixBlock::column_left(std::size_t column) const
+{
+    const double gap = 0.9 * em_;
+    return names_width() +
+           std::accumulate(widths_.begin(), widths_.begin() + static_cast<std::ptrdiff_t>(column), 0.0) +
+           gap * static_cast<double>(column);
+}
+
+ui::Size MatrixBlock::size() const
+{
+    return {column_left(widths_.size()) - 0.1 * em_, line() * static_cast<double>(rows_.size() + 1) + 0.3 * em_};
+}
+
+void MatrixBlock::draw_numbers(ui::Painter& painter, Point corner) const
+{
+    for (std::size_t j = 0; j < columns_.size(); ++j) {
+        const double right = corner.x + column_left(j) + widths_[j];
+        painter.text({right, corner.y + 0.5 * line()}, columns_[j], style(Role::FaintLabel, Anchor::Right));
+        for (std::size_t i = 0; i < rows_.size(); ++i) {
+            ui::TextStyle number = style(Role::Label, Anchor::Right);
+            const bool is_sum = kind_ == Kind::Sum && i + 1 == rows_.size();
+            if (is_sum) number.weight = ui::Weight::Bold;
+            if (numbers_[i][j] == "0") number.color = look_.theme[Role::FaintLabel].text;
+            painter.text({right, corner.y + (static_cast<double>(i) + 1.5) * line()}, numbers_[i][j], number);
+        }
+    }
+}
+
+void MatrixBlock::draw_brackets(ui::Painter& painter, Point corner) const
+{
+    const ui::Stroke stroke{.color = look_.theme.stroke(Role::Label).color, .width = std::max(1.0, 0.09 * em_)};
+    const double top = corner.y + 1.02 * line(),
+                 bottom = corner.y + (static_cast<double>(rows_.size()) + 0.98) * line();
+    const double arm = 0.3 * em_, left = corner.x + names_width() - 0.45 * em_,
+                 right = corner.x + column_left(widths_.size()) - 0.45 * em_;
+    painter.polyline({{left + arm, top}, {left, top}, {left, bottom}, {left + arm, bottom}}, stroke);
+    painter.polyline({{right - arm, top}, {right, top}, {right, bottom}, {right - arm, bottom}}, stroke);
+}
+
+void MatrixBlock::draw(ui::Painter& painter, Point corner) const
+{
+    const ui::LayerScope layer(painter, ui::Layer::Labels);
+    ui::TextStyle head = style(Role::Label, Anchor::Left);
+    head.weight = ui::Weight::Bold;
+    painter.text({corner.x, corner.y + 0.5 * line()}, symbol_, head);
+    for (std::size_t i = 0; i < rows_.size(); ++i)
+        painter.text({corner.x, corner.y + (static_cast<double>(i) + 1.5) * line()}, rows_[i],
+                     style(Role::FaintLabel, Anchor::Left));
+    draw_numbers(painter, corner);
+    if (kind_ == Kind::Matrix) draw_brackets(painter, corner);
+    if (kind_ != Kind::Sum) return;
+    const double y = corner.y + static_cast<double>(rows_.size()) * line();
+    painter.line({corner.x, y}, {corner.x + size().width, y},
+                 {.color = look_.theme.stroke(Role::Label).color, .width = std::max(1.0, 0.09 * em_)});
+}
+
+} // namespace frame

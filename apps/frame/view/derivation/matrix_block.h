@@ -1,0 +1,45 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "apps/frame/view/derivation/derivation_picture.h"
+#include "ui/paint/geometry.h"
+#include "ui/paint/painter.h"
+
+namespace frame {
+
+/// A matrix of a step as it is written on a sheet: symbol, names above its columns and beside its rows, numbers in
+/// brackets. A list of named numbers has no brackets; where they are added up a line stands above the sum.
+class MatrixBlock {
+public:
+    enum class Kind : std::uint8_t { Matrix, List, Sum };
+    MatrixBlock(const femoop::derivation::NamedMatrix& matrix, Kind kind, const DerivationLook& look,
+                const ui::Fonts& fonts, double em);
+
+    ui::Size size() const;
+    void draw(ui::Painter& painter, ui::Point corner) const;
+
+private:
+    double line() const;
+    double names_width() const;
+    double column_left(std::size_t column) const;
+    void draw_numbers(ui::Painter& painter, ui::Point corner) const;
+    void draw_brackets(ui::Painter& painter, ui::Point corner) const;
+    ui::TextStyle style(ui::Role role, ui::Anchor anchor) const;
+
+    std::string symbol_;
+    Kind kind_;
+    const DerivationLook& look_;
+    const ui::Fonts& fonts_;
+    double em_;
+    std::vector<std::string> rows_, columns_;
+    std::vector<std::vector<std::string>> numbers_; ///< row by row
+    std::vector<double> widths_;                    ///< of the columns
+};
+
+/// What people read: 12 EI/L³ for 12 EI/L^3, and the words among the symbols in their language.
+std::string symbol_text(const std::string& symbol, const ui::Catalogue& tr);
+
+} // namespace frame

@@ -1,0 +1,208 @@
+#include "apps/frame/view/derivation/stiffness_map.h"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include "femoop/methods/derivation/renumbering.h"
+#include "ui/paint/wrapped_lines.h"
+
+namespace frame {
+
+using Eigen::Index;
+using femoop::derivation::Step;
+using femoop::derivation::StepKind;
+using ui::Anchor;
+using ui::Point;
+using ui::Role;
+
+namespace {
+
+constexpr double decades = 6.0; // from the largest number to the palest cell
+constexpr double least_share = 0.18;
+
+class StiffnessMap {
+public:
+    StiffnessMap(ui::Painter& painter, const femoop::SystemTrace& system, const Step& step, const femoop::Model& model,
+                 const DerivationLook& look, const ui::Box& box)
+        : painter_(painter), system_(system), step_(step), look_(look)
+    {
+        small_ = look.theme.type().small;
+        for (const femoop::SystemTrace::Unknown& unknown : system.unknowns)
+            names_.push_back(std::to_string(names_.size() + 1) + "  " + model[unknown.node].id + "." +
+                             std::string(name(unknown.dof)));
+        double names = 0.0;
+        for (const std::string& text : names_) names = std::max(names, painter.measure(text, faint()).width + 6.0);
+        const double head = 2.6 * small_, columns = n() + (step.load_case ? 1.6 : 0.0);
+        const auto side = [&](double margin) {
+            return std::min((box.width() - margin) / columns, (box.height() - head) / n());
+        };
+        has_names_ = names < 0.45 * box.width() && side(names) > 0.95 * small_;
+        const double margin = has_names_ ? names : 0.0;
+        cell_ = std::min(side(margin), 2.4 * small_);
+        corner_ = {box.min.x + margin, box.min.y + head};
+    }
+
+    void draw() const
+    {
+        {
+            const ui::LayerScope layer(painter_, ui::Layer::Areas);
+            for (Index column = 0; column < system_.K.outerSize(); ++column)
+                for (femoop::SparseMatrix::InnerIterator entry(system_.K, column); entry; ++entry)
+                    draw_cell(at(entry.row(), column), entry.value(), scale(system_.K.coeffs().abs().maxCoeff()));
+            if (step_.load_case) draw_loads(step_.load_case->index);
+        }
+        draw_frame();
+        draw_names();
+        for (const Index row : step_.rows) draw_mark(row);
+    }
+
+private:
+    double n() const { return static_cast<double>(system_.unknowns.size()); }
+    static double scale(double largest) { return largest > 0.0 ? largest : 1.0; }
+    bool is_of_member() const { return step_.kind == StepKind::Stiffness; }
+    bool is_of_loads() const { return step_.kind == StepKind::FixedEndForces || step_.kind == StepKind::LoadRow; }
+
+    ui::TextStyle faint(Anchor anchor = Anchor::Right) const
+    {
+        ui::TextStyle style = look_.theme.text(Role::FaintLabel, anchor);
+        style.size = small_;
+        return style;
+    }
+
+    ui::Box at(Index row, Index column) const
+    {
+        const Point min = corner_ + cell_ * Point{static_cast<double>(column), static_cast<double>(row)};
+        return {min, min + Point{cell_, cell_}};
+    }
+    ui::Box load_at(Index row) const
+    {
+        const ui::Box cell = at(row, 0);
+        const Point shift{cell_ * (n() + 0.6), 0.0};
+        return {cell.min + shift, cell.max + shift};
+    }
+
+    void draw_cell(const ui::Box& cell, double value, double largest) const
+    {
+        if (value == 0.0) return;
+        const double share = std::clamp(1.0 + std::log10(std::abs(value) / largest) / decades, least_share, 1.0);
+        const ui::Color ink = look_.theme.series(value > 0.0 ? 0 : 1).stroke.color;
+        painter_.rectangle(cell.grown(cell_ > 5.0 ? -0.5 : 0.0), ui::mixed(look_.theme.background(), ink, share));
+        if (value > 0.0 || cell_ < 6.0) return;
+        const Point middle = cell.center(), arm{0.25 * cell_, 0.0};
+        painter_.line(middle - arm, middle + arm,
+                      {.color = share > 0.5 ? look_.theme.background() : ink, .width = std::max(1.0, 0.1 * cell_)});
+    }
+
+    void draw_loads(std::size_t load_case) const
+    {
+        const Eigen::VectorXd f = system_.f.col(static_cast<Index>(load_case));
+        for (Index row = 0; row < f.size(); ++row) draw_cell(load_at(row), f[row], scale(f.cwiseAbs().maxCoeff()));
+    }
+
+    void outline(const ui::Box& box, const ui::Stroke& stroke) const
+    {
+        painter_.polyline({box.min, {box.max.x, box.min.y}, box.max, {box.min.x, box.max.y}}, stroke,
+                          ui::PathEnds::Closed);
+    }
+
+    void draw_frame() const
+    {
+        const ui::LayerScope layer(painter_, ui::Layer::Lines);
+        const ui::Stroke stroke{.color = look_.theme.stroke(Role::FaintLabel).color, .width = 1.0};
+        const Index last = static_cast<Index>(system_.unknowns.size()) - 1;
+        outline({at(0, 0).min, at(last, last).max}, stroke);
+        if (step_.load_case) outline({load_at(0).min, load_at(last).max}, stroke);
+    }
+
+    void draw_names() const
+    {
+        const ui::LayerScope layer(painter_, ui::Layer::Labels);
+        ui::TextStyle head = faint(Anchor::Bottom);
+        head.color = look_.theme[Role::Label].text;
+        head.weight = ui::Weight::Bold;
+        const double y = corner_.y - (has_names_ ? 1.4 : 0.3) * small_;
+        painter_.text({corner_.x + 0.5 * n() * cell_, y}, "K", head);
+        if (step_.load_case) painter_.text({load_at(0).center().x, y}, "f", head);
+        if (!has_names_) return;
+        for (Index i = 0; i < static_cast<Index>(names_.size()); ++i) {
+            const bool is_lit = std::ranges::find(step_.rows, i) != step_.rows.end();
+            ui::TextStyle style = faint();
+            if (is_lit) style.color = look_.theme[Role::Selection].text;
+            if (is_lit) style.weight = ui::Weight::Bold;
+            painter_.text({corner_.x - 4.0, at(i, 0).center().y}, names_[static_cast<std::size_t>(i)], style);
+            style.anchor = Anchor::Bottom;
+            painter_.text({at(0, i).center().x, corner_.y - 2.0}, std::to_string(i + 1), style);
+        }
+    }
+
+    void draw_mark(Index row) const
+    {
+        const ui::LayerScope layer(painter_, ui::Layer::Symbols);
+        const ui::Stroke stroke{.color = look_.theme.stroke(Role::Selection).color,
+                                .width = std::clamp(0.14 * cell_, 1.0, 3.0)};
+        if (is_of_member())
+            for (const Index column : step_.rows) outline(at(row, column), stroke);
+        else if (!is_of_loads()) outline({at(row, 0).min, at(row, static_cast<Index>(names_.size()) - 1).max}, stroke);
+        const bool has_load = step_.load_case && (is_of_loads() || step_.kind == StepKind::Equations);
+        if (has_load) outline(load_at(row), stroke);
+    }
+
+    ui::Painter& painter_;
+    const femoop::SystemTrace& system_;
+    const Step& step_;
+    const DerivationLook& look_;
+    double small_ = 0.0, cell_ = 0.0;
+    Point corner_;
+    bool has_names_ = false;
+    std::vector<std::string> names_; ///< "4  B.ux"
+};
+
+void write(ui::Painter& painter, const std::string& text, const ui::TextStyle& style, const ui::Box& box)
+{
+    const ui::LayerScope layer(painter, ui::Layer::Labels);
+    double y = box.min.y;
+    for (const std::string& line : ui::wrapped_lines(painter.fonts(), text, style, box.width())) {
+        painter.text({box.min.x, y}, line, style);
+        y += 1.35 * style.size;
+    }
+}
+
+std::string renumbering_text(const femoop::SystemTrace& system, const ui::Catalogue& tr)
+{
+    const auto [now, then] = femoop::derivation::renumbering_of(system);
+    return tr("half bandwidth {width}, profile {profile}; nodes in reverse Cuthill–McKee order: {other_width}, "
+              "{other_profile}",
+              {{"width", std::to_string(now.half_bandwidth)},
+               {"profile", std::to_string(now.profile)},
+               {"other_width", std::to_string(then.half_bandwidth)},
+               {"other_profile", std::to_string(then.profile)}});
+}
+
+/// Why K is not drawn; nothing where it is.
+std::string why_no_map(std::size_t n, const ui::Catalogue& tr)
+{
+    if (n == 0) return tr("Every displacement is held: K has no rows.");
+    if (n <= most_unknowns_mapped) return {};
+    return tr("K has {count} rows; it is drawn with {most} or fewer.",
+              {{"count", std::to_string(n)}, {"most", std::to_string(most_unknowns_mapped)}});
+}
+
+} // namespace
+
+void draw_stiffness_map(ui::Painter& painter, const femoop::derivation::Derivation& derivation, const Step& step,
+                        const femoop::Model& model, const DerivationLook& look, const ui::Box& box)
+{
+    ui::TextStyle style = look.theme.text(Role::FaintLabel, Anchor::TopLeft);
+    const std::string reason = why_no_map(derivation.system.unknowns.size(), look.tr);
+    if (!reason.empty()) return write(painter, reason, style, box);
+    style.size = look.theme.type().small;
+    const std::string note = renumbering_text(derivation.system, look.tr);
+    const double height = 1.35 * style.size *
+                          static_cast<double>(ui::wrapped_lines(painter.fonts(), note, style, box.width()).size());
+    StiffnessMap(painter, derivation.system, step, model, look, {box.min, box.max - Point{0.0, height}}).draw();
+    write(painter, note, style, {{box.min.x, box.max.y - height}, box.max});
+}
+
+} // namespace frame

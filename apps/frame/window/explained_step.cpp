@@ -1,0 +1,58 @@
+#include "apps/frame/window/explained_step.h"
+
+#include <algorithm>
+#include <string>
+
+#include "femoop/element/analysis_model.h"
+
+namespace frame {
+
+namespace {
+
+constexpr std::size_t most_numbered = 200; // nodes: of more the numbers could not be read
+
+bool speaks_of(const femoop::derivation::Step& step, const femoop::Model& model, femoop::NodeId node)
+{
+    if (step.node) return step.node == node;
+    if (!step.member) return false;
+    const auto& ends = model[*step.member].nodes;
+    return std::ranges::find(ends, node) != ends.end();
+}
+
+} // namespace
+
+const femoop::derivation::Step* explained_step(const Workspace& workspace)
+{
+    const bool is_shown = workspace.bottom.shows(BottomContent::Derivation) &&
+                          workspace.derivation.is_at(workspace.session);
+    return is_shown ? workspace.derivation.shown_step() : nullptr;
+}
+
+std::vector<NodeNumbers> node_numbers(const Workspace& workspace)
+{
+    const auto* const step = explained_step(workspace);
+    const femoop::Model& model = workspace.session.model();
+    if (step == nullptr || model.nodes.size() > most_numbered) return {};
+    const std::span<const femoop::Dof> dofs = femoop::model_dofs(model.analysis);
+    std::vector<std::string> texts(model.nodes.size() * dofs.size(), "0");
+    const auto& unknowns = workspace.derivation.derivation()->system.unknowns;
+    for (std::size_t i = 0; i < unknowns.size(); ++i) {
+        const auto dof = static_cast<std::size_t>(std::ranges::find(dofs, unknowns[i].dof) - dofs.begin());
+        texts[unknowns[i].node.index * dofs.size() + dof] = std::to_string(i + 1);
+    }
+    std::vector<NodeNumbers> numbers;
+    for (std::size_t i = 0; i < model.nodes.size(); ++i) {
+        std::string text;
+        for (std::size_t j = 0; j < dofs.size(); ++j) text += (j == 0 ? "" : " ") + texts[i * dofs.size() + j];
+        numbers.push_back({femoop::NodeId(i), "(" + text + ")", speaks_of(*step, model, femoop::NodeId(i))});
+    }
+    return numbers;
+}
+
+void light(Highlight& highlight, const femoop::derivation::Step& step)
+{
+    if (step.member) highlight.members.push_back(*step.member);
+    else if (step.node) highlight.nodes.push_back(*step.node);
+}
+
+} // namespace frame

@@ -1,0 +1,140 @@
+#include "apps/frame/session/derivation_show.h"
+
+#include <doctest/doctest.h>
+
+#include <string>
+
+#include "apps/frame/document/command.h"
+#include "apps/frame/document/drawing.h"
+#include "apps/frame/session/derivation_commands.h"
+#include "femoop/methods/influence/effect_name.h"
+#include "tests/apps/frame/example_workspace.h"
+
+using namespace frame;
+using femoop::ExpectedQuantity;
+using femoop::MemberComponent;
+using femoop::MovingEffect;
+using femoop::derivation::StepKind;
+using frame_test::run;
+using frame_test::workspace_with;
+
+namespace {
+
+MovingEffect moment(const Session& session, const std::string& member, double x)
+{
+    return {.member = session.model().find_member(member), .component = MemberComponent::Mz, .at = femoop::Quantity(x)};
+}
+
+MovingEffect reaction(const Session& session, const std::string& node, femoop::Dof dof)
+{
+    return {.quantity = ExpectedQuantity::Reaction, .node = session.model().find_node(node), .dof = dof};
+}
+
+std::string explained(const Workspace& workspace)
+{
+    const auto* const derivation = workspace.derivation.derivation();
+    return derivation ? femoop::influence::effect_name(workspace.session.model(), derivation->effect) : "";
+}
+
+std::string refusal(Workspace& workspace)
+{
+    workspace.derivation.follow(workspace.session);
+    return workspace.derivation.why_none() ? ui::Catalogue()(*workspace.derivation.why_none()) : "";
+}
+
+} // namespace
+
+TEST_SUITE("frame session")
+{
+    TEST_CASE("Asked why, a section's moment is derived in steps that stop at the first and the last")
+    {
+        Workspace workspace = workspace_with("portal.json");
+        CHECK(run(workspace, "derivation.next") == "no number is explained; point at one and press W");
+        CHECK(run(workspace, "view.why") == "point at a number of the picture or of a table of results first");
+        workspace.pointed_number = moment(workspace.session, "BC", 3.0);
+        CHECK(!run(workspace, "view.why"));
+        CHECK(explained(workspace) == "M(BC, 3)");
+        CHECK(workspace.derivation.n_steps() == 9);
+        CHECK(workspace.derivation.shown_step()->kind == StepKind::Member);
+        CHECK(!run(workspace, "derivation.previous"));
+        CHECK(workspace.derivation.step() == 0);
+        CHECK(!run(workspace, "derivation.last"));
+        CHECK(!run(workspace, "derivation.next"));
+        CHECK(workspace.derivation.shown_step()->kind == StepKind::Superposition);
+        CHECK(!run(workspace, "derivation.close"));
+        CHECK_FALSE(workspace.bottom.is_open);
+    }
+
+    TEST_CASE("The numbers of one place follow one another round")
+    {
+        Workspace workspace = workspace_with("portal.json");
+        explain(workspace, moment(workspace.session, "BC", 3.0));
+        for (const char* const next : {"u(BC, 3)", "v(BC, 3)", "N(BC, 3)", "V(BC, 3)", "M(BC, 3)"}) {
+            CHECK(!run(workspace, "derivation.next_number"));
+            CHECK(explained(workspace) == next);
+        }
+        CHECK(!run(workspace, "derivation.previous_number"));
+        CHECK(explained(workspace) == "V(BC, 3)");
+        explain(workspace, reaction(workspace.session, "A", femoop::Dof::rz));
+        CHECK(!run(workspace, "derivation.next_number"));
+        CHECK(explained(workspace) == "ux(A)");
+    }
+
+    TEST_CASE("What is explained follows an edit, and the case that is shown")
+    {
+        Workspace workspace = workspace_with("portal.json");
+        Session& session = workspace.session;
+        explain(workspace, moment(session, "BC", 3.0));
+        const double before = workspace.derivation.derivation()->value;
+        session.change({"Double it", [](Document& document) {
+                            for (femoop::MemberLoad& load : document.model.load_cases[0].members)
+                                if (auto* const q = std::get_if<femoop::DistributedLoad>(&load.load))
+                                    q->values[0].start = femoop::Quantity(2.0 * q->values[0].start.value());
+                        }});
+        workspace.derivation.follow(session);
+        CHECK(workspace.derivation.derivation()->value != before);
+        const std::size_t steps = workspace.derivation.n_steps();
+        session.view.load_case = *session.model().find_case("ULS");
+        workspace.derivation.follow(session);
+        CHECK(workspace.derivation.n_steps() > steps);
+        CHECK(workspace.derivation.derivation()->steps.back().kind == StepKind::Combination);
+    }
+
+    TEST_CASE("A place beyond the end of a shorter member is its end; a number whose support is gone is lost")
+    {
+        Workspace workspace = workspace_with("portal.json");
+        Session& session = workspace.session;
+        explain(workspace, moment(session, "BC", 7.5));
+        const femoop::NodeId c = *session.model().find_node("C");
+        session.change(
+            {"Nearer", [&](Document& document) { document.model.nodes[c.index].at[0] = femoop::Quantity(6.0); }});
+        workspace.derivation.follow(session);
+        CHECK(explained(workspace) == "M(BC, 6)");
+        explain(workspace, reaction(session, "A", femoop::Dof::uy));
+        session.change({"Free", [](Document& document) { document.model.nodes[0].support.reset(); }});
+        workspace.derivation.follow(session);
+        CHECK(workspace.derivation.is_lost());
+        CHECK(ui::Catalogue()(workspace.derivation.lost()) == "The number that was explained is gone from node A.");
+    }
+
+    TEST_CASE("An envelope, hidden results, a mechanism and a rigid member have no derivation, and it is said why")
+    {
+        Workspace workspace = workspace_with("portal.json");
+        Session& session = workspace.session;
+        explain(workspace, moment(session, "BC", 3.0));
+        session.view.is_envelope = true;
+        CHECK(refusal(workspace).starts_with("An envelope has the numbers of several cases"));
+        session.view.is_envelope = false;
+        session.hidden = ShowSet{Show::M};
+        CHECK(refusal(workspace) == "The results are hidden; H reveals them.");
+        session.hidden.reset();
+        CHECK(refusal(workspace).empty());
+        session.change({"Stiffen", [](Document& document) { document.model.members[0].inextensible = true; }});
+        CHECK(refusal(workspace).starts_with("Member AB is inextensible or rigid"));
+        session.undo();
+        session.change({"Free", [](Document& document) {
+                            for (femoop::Node& node : document.model.nodes) node.support.reset();
+                        }});
+        CHECK(refusal(workspace) == "There are no results: see the problems.");
+    }
+}

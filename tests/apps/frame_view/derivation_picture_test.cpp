@@ -1,0 +1,116 @@
+// A step of the way to a number: how it looks, and that all of it is on the sheet.
+#include "apps/frame/view/derivation/derivation_picture.h"
+
+#include <doctest/doctest.h>
+
+#include "apps/drawing/results/diagram.h"
+#include "femoop/analysis/linear_static.h"
+#include "femoop/element/analysis_model.h"
+#include "tests/apps/drawing/view_model.h"
+#include "tests/golden/scene.h"
+#include "ui/paint/text_measure.h"
+#include "ui/text/language_manner.h"
+
+using namespace frame;
+using femoop::MemberComponent;
+using femoop::derivation::Derivation;
+
+namespace {
+
+Derivation derived(const femoop::Model& model, const femoop::MovingEffect& effect, const std::string& load_case)
+{
+    return femoop::derivation::derive(model, femoop::analyse(model), model.find_case(load_case).value(), effect);
+}
+
+Derivation moment(const femoop::Model& model, const std::string& member, double x, const std::string& load_case)
+{
+    return derived(model,
+                   {.member = model.find_member(member), .component = MemberComponent::Mz, .at = femoop::Quantity(x)},
+                   load_case);
+}
+
+DerivationLook look(ui::ThemeName theme, std::size_t step, ui::Language language = ui::Language::English)
+{
+    const ui::NumberFormat format{.digits = 4, .mark = ui::decimal_mark(language)};
+    return {.theme = ui::Theme(theme),
+            .tr = ui::Catalogue(language),
+            .units = ui::DisplayUnits(ui::UnitSystem::KnM, {}, format),
+            .step = step};
+}
+
+void check_picture(const std::string& name, const femoop::Model& model, const Derivation& derivation, ui::Size size,
+                   const DerivationLook& look)
+{
+    golden::check_scene(name, {.size = size, .background = look.theme.background()},
+                        [&](ui::Painter& painter) { draw_derivation(painter, derivation, model, look); });
+}
+
+} // namespace
+
+TEST_SUITE("frame: where a number comes from")
+{
+    TEST_CASE("The member's k and its place in K, framed in the heat map")
+    {
+        const femoop::Model portal = view_test::example("portal");
+        check_picture("derivation_place", portal, moment(portal, "BC", 3.0, "Q"), {1280.0, 380.0},
+                      look(ui::ThemeName::Light, 3));
+    }
+
+    TEST_CASE("The equations of a portal, whole, dark")
+    {
+        const femoop::Model portal = view_test::example("portal");
+        check_picture("derivation_equations_dark", portal, moment(portal, "AB", 0.0, "W"), {1280.0, 380.0},
+                      look(ui::ThemeName::Dark, 5));
+    }
+
+    TEST_CASE("On a projector in Portuguese: the value by superposition")
+    {
+        const femoop::Model portal = view_test::example("portal");
+        const Derivation derivation = moment(portal, "BC", 3.0, "Q");
+        check_picture("derivation_projector_pt", portal, derivation, {1280.0, 420.0},
+                      look(ui::ThemeName::Projector, derivation.steps.size() - 1, ui::Language::Portuguese));
+    }
+
+    TEST_CASE("In print and in a small window: a row of K of a larger frame")
+    {
+        const femoop::Model storeys = view_test::example("storey_frame");
+        femoop::MovingEffect sway{.quantity = femoop::ExpectedQuantity::Displacement,
+                                  .node = femoop::NodeId(storeys.nodes.size() - 1),
+                                  .dof = femoop::Dof::ux};
+        check_picture("derivation_row_print", storeys, derived(storeys, sway, storeys.load_cases[0].id), {880.0, 320.0},
+                      look(ui::ThemeName::Print, 0));
+    }
+
+    TEST_CASE("Every step of every kind of number is drawn, its words on the sheet that it asks for")
+    {
+        const ui::Fonts fonts;
+        for (const char* name : {"portal", "pratt_truss", "grillage", "storey_frame", "inclined_roller"}) {
+            const femoop::Model model = view_test::example(name);
+            const MemberComponent component = femoop::is_truss(model.analysis) ? MemberComponent::N
+                                                                               : MemberComponent::Mz;
+            const std::vector<femoop::MovingEffect> effects{
+                {.member = femoop::MemberId(0), .component = component, .at = femoop::Percent{30.0}},
+                {.quantity = femoop::ExpectedQuantity::Extreme, .member = femoop::MemberId(0), .component = component},
+                {.quantity = femoop::ExpectedQuantity::Displacement,
+                 .node = femoop::NodeId(1),
+                 .dof = femoop::model_dofs(model.analysis).front()}};
+            for (const femoop::MovingEffect& effect : effects) {
+                const Derivation derivation = derived(model, effect,
+                                                      model.case_name(femoop::CaseId(model.n_cases() - 1)));
+                for (std::size_t step = 0; step < derivation.steps.size(); ++step)
+                    for (const ui::Size room : {ui::Size{1260.0, 380.0}, ui::Size{560.0, 260.0}}) {
+                        const DerivationLook shown = look(ui::ThemeName::Projector, step);
+                        const ui::Size sheet = sheet_for(derivation, model, shown, room, fonts);
+                        ui::Painter painter(sheet, fonts);
+                        draw_derivation(painter, derivation, model, shown);
+                        CHECK(painter.picture().n_refused() == 0);
+                        CAPTURE(name);
+                        CAPTURE(step);
+                        CAPTURE(room.width);
+                        for (const ui::Box& box : painter.picture().text_boxes(fonts))
+                            CHECK(painter.sheet().grown(2.0).contains(box));
+                    }
+            }
+        }
+    }
+}
