@@ -16,7 +16,8 @@ namespace drawing {
 
 /// Whether each result gets a panel of its own beside the loads, or all are drawn over one another.
 enum class Layout : std::uint8_t {
-    Automatic, ///< a panel for the loads and reactions, and one for each result
+    Automatic,    ///< a panel for the loads and reactions, and one for each result
+    LoadsOnFirst, ///< likewise, the loads and reactions with the first of the results
     Overlay
 };
 

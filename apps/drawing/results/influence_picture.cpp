@@ -27,25 +27,28 @@ using femoop::Side;
 using femoop::influence::LinePiece;
 using femoop::influence::MotionPiece;
 using femoop::influence::PathMember;
+using femoop::influence::Stretch;
 
 constexpr double square_enough = 1e-6; // of the load: what of it lies across the member
 
-/// The part of a line over one member of the path, from where the load comes onto it.
+/// The part of a line over one member of the path, or over a part of it.
 class LineOnMember final : public LineFunction {
 public:
-    LineOnMember(const femoop::influence::PiecewiseLine& line, const PathMember& on) : begin_(on.begin), end_(on.end())
+    LineOnMember(const femoop::influence::PiecewiseLine& line, const Stretch& part) : begin_(part.from), end_(part.to)
     {
         const double near = 1e-12 * line.length();
         for (const LinePiece& piece : line.pieces)
-            if (piece.from >= begin_ - near && piece.to <= end_ + near) pieces_.push_back(&piece);
+            if (piece.to > begin_ + near && piece.from < end_ - near) pieces_.push_back(&piece);
     }
+
+    bool is_empty() const { return pieces_.empty(); }
 
     double length() const override { return end_ - begin_; }
 
     std::vector<double> breaks() const override
     {
         std::vector<double> places{0.0};
-        for (const LinePiece* piece : pieces_) places.push_back(piece->to - begin_);
+        for (const LinePiece* piece : pieces_) places.push_back(std::min(piece->to, end_) - begin_);
         return places;
     }
 
@@ -56,9 +59,10 @@ public:
         femoop::Extremes found{{0.0, value(0.0)}, {0.0, value(0.0)}};
         for (const LinePiece* piece : pieces_) {
             std::vector<double> places = piece->turning_places();
-            places.insert(places.begin(), piece->from);
-            places.push_back(piece->to);
+            places.insert(places.begin(), std::max(piece->from, begin_));
+            places.push_back(std::min(piece->to, end_));
             for (const double s : places) {
+                if (s < begin_ || s > end_) continue;
                 const femoop::Extreme here{s - begin_, piece->value(s)};
                 if (here.value > found.max.value) found.max = here;
                 if (here.value < found.min.value) found.min = here;
@@ -73,7 +77,8 @@ public:
     {
         std::vector<double> places;
         for (const LinePiece* piece : pieces_)
-            for (const double s : piece->turning_places()) places.push_back(s - begin_);
+            for (const double s : piece->turning_places())
+                if (s >= begin_ && s <= end_) places.push_back(s - begin_);
         return places;
     }
 
@@ -103,7 +108,7 @@ public:
 
     void draw() const
     {
-        draw_moved();
+        if (!picture_.traced) draw_moved();
         for (const PathMember& on : picture_.path.members) draw_on(on);
         write_end(picture_.path.members.front(), 0.0);
         write_end(picture_.path.members.back(), picture_.path.length());
@@ -138,12 +143,18 @@ private:
 
     void draw_on(const PathMember& on) const
     {
-        LineDiagram look{.frame = frame_on(on),
+        const Stretch part{std::max(on.begin, picture_.traced ? picture_.traced->from : on.begin),
+                           std::min(on.end(), picture_.traced ? picture_.traced->to : on.end())};
+        const LineOnMember line(picture_.line.ordinates, part);
+        if (line.is_empty()) return;
+        SymbolFrame frame = frame_on(on);
+        frame.origin = frame((part.from - on.begin) * scene_.projection.scale(), 0.0);
+        LineDiagram look{.frame = frame,
                          .role = role_,
                          .largest = scale_.largest,
                          .pixels_per_unit = scale_.pixels_per_unit,
                          .text = [this](double value) { return text(value); }};
-        drawing::draw(quiet_scene(), LineOnMember(picture_.line.ordinates, on), look);
+        drawing::draw(quiet_scene(), line, look);
     }
 
     /// Where forces stand their ordinates are what one wants to read.
@@ -297,6 +308,39 @@ OrdinateUnit ordinate_unit(const ui::DisplayUnits& units, const InfluencePicture
     return unit;
 }
 
+std::string ordinate_text(const ui::DisplayUnits& units, const OrdinateUnit& unit, double value)
+{
+    return with_minus(units.number(value * unit.factor, ui::Measure::Plain)) + (unit.name.empty() ? "" : " ") +
+           unit.name;
+}
+
+namespace {
+
+// Of ordinates times a length: m², mm·m/kN.
+std::string area_unit(const std::string& ordinate, const std::string& length)
+{
+    if (ordinate.empty()) return length;
+    if (ordinate == length) return length + "²";
+    const auto slash = std::min(ordinate.find('/'), ordinate.size());
+    return ordinate.substr(0, slash) + "·" + length + ordinate.substr(slash);
+}
+
+} // namespace
+
+std::string areas_text(const ui::DisplayUnits& units, const InfluencePicture& picture, const ui::Catalogue& tr)
+{
+    const femoop::influence::LineAreas areas = picture.line.ordinates.areas();
+    const OrdinateUnit unit = ordinate_unit(units, picture);
+    const ui::DisplayUnit length = units.unit(ui::Measure::Length);
+    const auto text = [&](double area) {
+        return with_minus(units.number(area * unit.factor * length.factor, ui::Measure::Plain));
+    };
+    const double rounding = written_as_zero * std::max(areas.positive, -areas.negative);
+    std::string both = areas.positive > rounding ? "+" + text(areas.positive) : "";
+    if (areas.negative < -rounding) both += (both.empty() ? "" : ", ") + text(areas.negative);
+    return tr("areas {areas} {unit}", {{"areas", both}, {"unit", area_unit(unit.name, length.name)}});
+}
+
 std::string effect_text(const femoop::Model& model, const ui::DisplayUnits& units, const MovingEffect& effect)
 {
     std::string text = femoop::influence::component_name(model.analysis, effect) + "(";
@@ -339,6 +383,16 @@ ui::Role role_of(const MovingEffect& effect)
     if (effect.quantity == ExpectedQuantity::Reaction) return ui::Role::Reaction;
     if (!effect.component || is_displacement(*effect.component)) return ui::Role::Deformed;
     return role_of(*effect.component);
+}
+
+Show show_of(const MovingEffect& effect, femoop::AnalysisKind kind)
+{
+    if (effect.quantity == ExpectedQuantity::Reaction) return Show::Reactions;
+    if (!effect.component || is_displacement(*effect.component)) return Show::Deformed;
+    constexpr std::array diagrams{Show::N, Show::V, Show::M, Show::T, Show::Vy, Show::Vz, Show::My, Show::Mz};
+    const auto* const alone = std::ranges::find_if(
+        diagrams, [&](Show item) { return components(item, kind) == std::vector{*effect.component}; });
+    return alone == diagrams.end() ? Show::M : *alone;
 }
 
 ui::Measure measure_of(const MovingEffect& effect)

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "apps/drawing/results/position_curve.h"
+#include "apps/drawing/show.h"
 #include "apps/drawing/sketch/scene.h"
 #include "femoop/methods/influence/influence_line.h"
 #include "femoop/methods/influence/load_path.h"
@@ -23,6 +24,8 @@ struct InfluencePicture {
     /// Forces that stand on the path: their ordinates are drawn, and written in place of the line's own values.
     std::vector<femoop::influence::StandingForce> forces{};
     std::optional<PositionCurve> curve{}; ///< of a train that is moved: drawn over the foot of the sheet
+    /// The part of the line that is drawn, where it is traced by a load and its structure does not move yet.
+    std::optional<femoop::influence::Stretch> traced{};
     std::vector<std::string> sentences{}; ///< for the foot of the sheet, the first one in bold
 };
 
@@ -46,6 +49,10 @@ struct OrdinateUnit {
 };
 OrdinateUnit ordinate_unit(const ui::DisplayUnits& units, const InfluencePicture& picture);
 
+std::string ordinate_text(const ui::DisplayUnits& units, const OrdinateUnit& unit, double value); ///< 9.216 ft
+/// "areas +612.4, −148.3 ft²": between the line and the path, of either sign.
+std::string areas_text(const ui::DisplayUnits& units, const InfluencePicture& picture, const ui::Catalogue& tr);
+
 /// M(BC, 38.57 ft), fy(A)
 std::string effect_text(const femoop::Model& model, const ui::DisplayUnits& units, const femoop::MovingEffect& effect);
 
@@ -53,6 +60,8 @@ std::string effect_text(const femoop::Model& model, const ui::DisplayUnits& unit
 std::string principle(const femoop::MovingEffect& effect, const ui::Catalogue& tr);
 
 ui::Role role_of(const femoop::MovingEffect& effect);
+/// The diagram or result that the effect is read from in a case.
+Show show_of(const femoop::MovingEffect& effect, femoop::AnalysisKind kind);
 ui::Measure measure_of(const femoop::MovingEffect& effect);
 
 } // namespace drawing

@@ -111,6 +111,7 @@ private:
         const double radius = 4.0 * look_.theme.symbol_scale();
         const ui::Point now = at(curve_.now);
         painter_.line({now.x, room_.min.y}, {now.x, room_.max.y}, look_.theme.stroke(ui::Role::Label));
+        for (const Place& candidate : curve_.candidates) painter_.disc(at(candidate), 0.45 * radius, stroke.color);
         if (curve_.worst) painter_.circle(at(*curve_.worst), radius + 1.5 * stroke.width, stroke);
         painter_.disc(now, radius, stroke.color);
         write_marks(now);

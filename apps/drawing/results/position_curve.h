@@ -23,9 +23,10 @@ struct PositionCurve {
     struct Place {
         double position = 0.0, value = 0.0;
     };
-    std::vector<Run> runs;      ///< forwards, and reversed where it runs that way too
-    std::optional<Place> worst; ///< nothing where the axles are best away
-    Place now;                  ///< where it stands
+    std::vector<Run> runs;           ///< forwards, and reversed where it runs that way too
+    std::vector<Place> candidates{}; ///< where it may be worst
+    std::optional<Place> worst;      ///< nothing where the axles are best away
+    Place now;                       ///< where it stands
     double path_length = 0.0;
     ui::Role role = ui::Role::BendingMoment;
     ui::Measure measure = ui::Measure::Moment; ///< of the effect
@@ -41,8 +42,8 @@ struct CurveLook {
 /// That it takes of a sheet; 0 where the sheet is too low for it.
 double curve_height(const ui::Theme& theme, ui::Size sheet);
 
-/// A diagram of its own, across the box: a reversed run is dashed, a ring stands at the critical place, a line and a
-/// disc where the train stands. Positive values are above.
+/// A diagram of its own, across the box: a reversed run is dashed, small discs stand at the candidates, a ring at the
+/// critical place, a line and a disc where the train stands. Positive values are above.
 void draw_position_curve(ui::Painter& painter, const PositionCurve& curve, const ui::Box& box, const CurveLook& look);
 
 } // namespace drawing

@@ -79,12 +79,34 @@ void stand_on(InfluencePicture& picture, const StandingTrain& standing)
     picture.forces = standing_forces(standing.train, standing.placing, picture.line.ordinates, standing.kind);
 }
 
+std::string train_sentence(const femoop::Model& model, const DrawOptions& options, const InfluencePicture& picture,
+                           const StandingTrain& standing)
+{
+    return TrainSentences(model, options, picture, standing).value();
+}
+
 std::vector<std::string> train_sentences(const femoop::Model& model, const DrawOptions& options,
                                          const InfluencePicture& picture, const StandingTrain& standing)
 {
     const TrainSentences said(model, options, picture, standing);
     std::vector<std::string> sentences{said.value()};
     if (std::string sum = said.sum(); !sum.empty()) sentences.push_back(std::move(sum));
+    return sentences;
+}
+
+std::vector<std::string> trace_sentences(const femoop::Model& model, const DrawOptions& options,
+                                         const InfluencePicture& picture)
+{
+    const ui::DisplayUnits units = display_units(model, options);
+    const femoop::influence::StandingForce& load = picture.forces.front();
+    std::vector<std::string> sentences{
+        options.tr("{effect} under a unit load at s = {place}: η = {ordinate}",
+                   {{"effect", effect_text(model, units, picture.line.effect)},
+                    {"place", with_minus(units.text(load.s, ui::Measure::Length))},
+                    {"ordinate", ordinate_text(units, ordinate_unit(units, picture), load.ordinate)}})};
+    if (picture.traced)
+        sentences.push_back(options.tr("Move the load along the path: it draws the line, place by place."));
+    else sentences.push_back(principle(picture.line.effect, options.tr));
     return sentences;
 }
 

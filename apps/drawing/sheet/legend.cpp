@@ -112,11 +112,6 @@ void add_bar(PanelHead& head, const Scene& scene, double pixels_per_unit, const 
     head.bar_text = ui::number_text(shown, scene.options.numbers) + (unit.name.empty() ? "" : " ") + unit.name;
 }
 
-std::string ordinate_text(const Scene& scene, double value, const OrdinateUnit& unit)
-{
-    return scene.number(value * unit.factor, ui::Measure::Plain) + (unit.name.empty() ? "" : " ") + unit.name;
-}
-
 // The first of the places where it stands.
 std::string extremes_text(const Scene& scene, const femoop::influence::PiecewiseLine& line, const OrdinateUnit& unit)
 {
@@ -124,7 +119,7 @@ std::string extremes_text(const Scene& scene, const femoop::influence::Piecewise
     const auto add = [&](std::string_view which, const femoop::influence::LineExtreme& extreme) {
         join(text, scene.options.tr("{which} {value} at s = {place}",
                                     {{"which", which},
-                                     {"value", ordinate_text(scene, extreme.value, unit)},
+                                     {"value", ordinate_text(scene.units, unit, extreme.value)},
                                      {"place", scene.text(extreme.positions.front(), ui::Measure::Length)}}));
     };
     const femoop::influence::LineExtreme max = line.max(), min = line.min();
@@ -132,25 +127,6 @@ std::string extremes_text(const Scene& scene, const femoop::influence::Piecewise
     if (max.value > rounding) add("max", max);
     if (min.value < -rounding) add("min", min);
     return text;
-}
-
-// Of ordinates times a length: m², mm·m/kN.
-std::string area_unit(const std::string& ordinate, const std::string& length)
-{
-    if (ordinate.empty()) return length;
-    if (ordinate == length) return length + "²";
-    const auto slash = std::min(ordinate.find('/'), ordinate.size());
-    return ordinate.substr(0, slash) + "·" + length + ordinate.substr(slash);
-}
-
-std::string areas_text(const Scene& scene, const femoop::influence::LineAreas& areas, const OrdinateUnit& unit)
-{
-    const ui::DisplayUnit length = scene.units.unit(ui::Measure::Length);
-    const auto text = [&](double area) { return scene.number(area * unit.factor * length.factor, ui::Measure::Plain); };
-    const double rounding = written_as_zero * std::max(areas.positive, -areas.negative);
-    std::string both = areas.positive > rounding ? "+" + text(areas.positive) : "";
-    if (areas.negative < -rounding) both += (both.empty() ? "" : ", ") + text(areas.negative);
-    return scene.options.tr("areas {areas} {unit}", {{"areas", both}, {"unit", area_unit(unit.name, length.name)}});
 }
 
 std::string capitalized(std::string text)
@@ -248,8 +224,9 @@ PanelHead influence_head(const Scene& scene, const InfluencePicture& picture, co
     if (!(scale.largest > 0.0)) head.note = tr("zero everywhere");
     if (!(scale.largest > 0.0)) return head;
     add_bar(head, scene, scale.pixels_per_unit, {unit.name, unit.factor});
+    if (picture.traced) return head;
     head.note = extremes_text(scene, picture.line.ordinates, unit);
-    join(head.note, areas_text(scene, picture.line.ordinates.areas(), unit));
+    join(head.note, areas_text(scene.units, picture, tr));
     return head;
 }
 

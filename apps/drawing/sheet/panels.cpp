@@ -29,18 +29,19 @@ std::vector<ShowSet> panel_contents(const PanelRequest& request)
     ShowSet base = request.show;
     for (const Show item : results) base.erase(item);
     const bool shows_forces = base.contains(Show::Loads) || base.contains(Show::Reactions);
-    const std::size_t n_panels = shown.size() + (shows_forces ? 1 : 0);
+    const bool is_apart = shows_forces && request.layout != Layout::LoadsOnFirst;
+    const std::size_t n_panels = shown.size() + (is_apart ? 1 : 0);
     if (!request.has_results || shown.empty() || n_panels < 2 || request.layout == Layout::Overlay)
         return {request.show};
     std::vector<ShowSet> sets;
-    if (shows_forces) sets.push_back(base);
+    if (is_apart) sets.push_back(base);
     ShowSet plain = base;
     for (const Show item :
          {Show::Loads, Show::Reactions, Show::Dimensions, Show::LocalAxes, Show::MemberNames, Show::NodeNumbers})
         plain.erase(item);
     if (shows_forces) plain.erase(Show::Counting);
     for (const Show item : shown) {
-        ShowSet set = plain;
+        ShowSet set = sets.empty() && request.layout == Layout::LoadsOnFirst ? base : plain;
         set.insert(item);
         sets.push_back(set);
     }

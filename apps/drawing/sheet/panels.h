@@ -14,7 +14,8 @@ struct Panel {
     ShowSet show; ///< what this one shows
 };
 
-/// How a sheet is divided: one picture with everything, or the loads first and then one panel per result.
+/// How a sheet is divided: one picture with everything, or the loads first (alone, or with the first of the results) and
+/// then one panel per result.
 struct PanelRequest {
     ShowSet show;
     Layout layout = Layout::Automatic;

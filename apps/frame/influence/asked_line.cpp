@@ -5,7 +5,10 @@
 #include <limits>
 #include <utility>
 
+#include "apps/drawing/results/influence_words.h"
+#include "apps/drawing/sketch/scene.h"
 #include "apps/frame/document/fault/sentence.h"
+#include "femoop/analysis/linear_static.h"
 #include "femoop/geometry/member_geometry.h"
 #include "femoop/methods/influence/load_components.h"
 #include "femoop/methods/influence/train/standing_train.h"
@@ -47,13 +50,15 @@ void AskedLine::ask(const Model& model, const drawing::Cut& cut)
 {
     const bool goes_on = !femoop::is_truss(model.analysis) && has(model, last_component_); // of a bar it is its force
     const MemberComponent component = goes_on ? last_component_ : foremost_component(model);
-    asked_ = NamedEffect(model, {.member = cut.member, .component = component, .at = femoop::Quantity(cut.x)});
+    asked_ = Asked{.member = model[cut.member].id, .x = cut.x, .component = component};
+    begin_trace();
 }
 
 void AskedLine::ask(const Model& model, femoop::NodeId node)
 {
     const Dof down = upright(model);
-    asked_ = NamedEffect(model, {.quantity = ExpectedQuantity::Displacement, .node = node, .dof = down});
+    asked_ = Asked{.node = model[node].id, .quantity = ExpectedQuantity::Displacement, .dof = down};
+    begin_trace();
     const std::vector<MovingEffect> reactions = femoop::influence::reactions_at(model, node);
     if (reactions.empty()) return;
     MovingEffect& asked = asked_->effect;
@@ -64,10 +69,10 @@ void AskedLine::ask(const Model& model, femoop::NodeId node)
 
 void AskedLine::choose(const MovingEffect& effect)
 {
-    MovingEffect& asked = asked_->effect;
-    asked.quantity = effect.quantity;
-    asked.component = effect.component;
-    asked.dof = effect.dof;
+    begin_trace();
+    asked_->quantity = effect.quantity;
+    asked_->component = effect.component;
+    asked_->dof = effect.dof;
     if (effect.component && effect.quantity == ExpectedQuantity::SectionForce) last_component_ = *effect.component;
 }
 
@@ -106,6 +111,20 @@ void AskedLine::clear()
 
 void AskedLine::choose_train(const std::string& name) { train_ = {.name = name}; }
 
+void AskedLine::trace()
+{
+    train_ = {.is_unit_load = true};
+    begin_trace();
+}
+
+// Another line is traced from its beginning.
+void AskedLine::begin_trace()
+{
+    if (!train_.is_unit_load) return;
+    traced_to_ = 0.0;
+    train_.place = AskedTrain::Place{};
+}
+
 void AskedLine::seek(femoop::ExtremeKind kind)
 {
     train_.kind = kind;
@@ -123,6 +142,14 @@ std::optional<AskedTrain::Place> AskedLine::worst_place() const
     const femoop::influence::Placing& worst = worst_placing();
     if (!worst.position) return std::nullopt;
     return AskedTrain::Place{*worst.position, worst.reversed};
+}
+
+bool AskedLine::stands_at(const AskedTrain::Place& place) const
+{
+    const femoop::influence::Placing& placing = found_.standing->placing;
+    constexpr double near = 1e-9; // of the path
+    return placing.position && placing.reversed == place.reversed &&
+           std::abs(*placing.position - place.position) <= near * found_.picture->path.length();
 }
 
 double AskedLine::nearest_on_path(const Eigen::Vector3d& place) const
@@ -143,6 +170,16 @@ double AskedLine::nearest_on_path(const Eigen::Vector3d& place) const
     return nearest;
 }
 
+std::string AskedLine::words(const drawing::DrawOptions& options) const
+{
+    std::string words;
+    if (!found_.picture->traced) words = influence_words(*found_.model, options, *found_.picture);
+    if (found_.standing && !train_.is_unit_load)
+        return words + "\n" + train_words(*found_.model, options, *found_.picture, *found_.standing, found_.worst);
+    for (const std::string& sentence : sentences(options)) words += "  " + sentence + "\n";
+    return words;
+}
+
 const drawing::InfluencePicture* AskedLine::picture(const Model& model, std::uint64_t generation,
                                                     const drawing::DrawOptions& options) const
 {
@@ -156,7 +193,10 @@ const drawing::InfluencePicture* AskedLine::picture(const Model& model, std::uin
             found_ = {.generation = generation, .model = std::make_shared<const Model>(model)};
             found_.analysis = std::make_shared<femoop::influence::InfluenceAnalysis>(model);
         }
-        const bool is_here = found_.effect == wanted && found_.train == train_;
+        const UnitLoad unit_load{options.tr("unit load"),
+                                 1.0 / display_units(model, options).unit(ui::Measure::Force).factor};
+        const bool is_here = found_.effect == wanted && found_.train == train_ && found_.unit_load == unit_load;
+        found_.unit_load = unit_load;
         if (found_.analysis && !is_here) find(*wanted);
     } catch (const femoop::ModelError&) { // the problems say why the model cannot be solved
         found_.effect = wanted;
@@ -171,7 +211,8 @@ const drawing::InfluencePicture* AskedLine::picture(const Model& model, std::uin
 
 void AskedLine::find(const MovingEffect& effect) const
 {
-    const bool is_same_line = found_.picture && found_.effect == effect && found_.train.name == train_.name;
+    const bool is_same_train = found_.train.name == train_.name && found_.train.is_unit_load == train_.is_unit_load;
+    const bool is_same_line = found_.picture && found_.effect == effect && is_same_train;
     found_.effect = effect;
     found_.train = train_;
     if (is_same_line && found_.standing) return stand_train();
@@ -180,9 +221,14 @@ void AskedLine::find(const MovingEffect& effect) const
     found_.faults.clear();
     const std::vector<femoop::Train>& trains = found_.model->moving_loads.trains;
     const auto train = std::ranges::find(trains, train_.name, &femoop::Train::id);
-    if (train == trains.end()) return find_line(effect);
+    if (train == trains.end() && !train_.is_unit_load) return find_line(effect);
     try {
-        find_line_of_train(*train, effect);
+        if (train_.is_unit_load) {
+            find_line(effect);
+            find_unit_load();
+        } else {
+            find_line_of_train(*train, effect);
+        }
         stand_train();
     } catch (const femoop::ModelError& error) { // the line alone stands, and it is said why
         found_.standing.reset();
@@ -208,9 +254,21 @@ void AskedLine::find_line_of_train(const femoop::Train& train, const MovingEffec
                       .line = found_.trains->line(train, effect)};
     found_.picture->motion = found_.analysis->motion(effect);
     found_.standing = {.name = train.id, .train = femoop::influence::moving_train(train, effect)};
+    search_line();
+}
+
+void AskedLine::find_unit_load() const
+{
+    found_.standing = {.name = found_.unit_load.name, .train = {.axles = {found_.unit_load.force}}};
+    search_line();
+}
+
+void AskedLine::search_line() const
+{
     found_.search = std::make_shared<const femoop::influence::TrainSearch>(
         found_.picture->line.ordinates, found_.picture->path.nodes(), found_.standing->train);
     found_.worst = found_.search->worst();
+    found_.sought.reset();
 }
 
 const femoop::influence::Placing& AskedLine::worst_placing() const
@@ -228,12 +286,28 @@ void AskedLine::stand_train() const
     const femoop::influence::Placing& worst = worst_placing();
     const std::optional<AskedTrain::Place>& place = train_.place;
     const bool is_put = place && !standing.train.axles.empty();
+    const bool is_away = train_.is_unit_load && !is_put && !worst.position; // it does no such thing anywhere
     standing.is_worst = !is_put || (worst.position == place->position && worst.reversed == place->reversed);
     standing.placing = standing.is_worst ? worst : placed(*place, standing.kind);
+    if (is_away) standing.placing = placed({}, standing.kind);
     stand_on(*found_.picture, standing);
+    find_candidates();
     found_.picture->curve.reset();
+    if (train_.is_unit_load) return trace_line();
     if (standing.placing.position) found_.picture->curve = curve();
     load_train();
+}
+
+// As far as the load has come; what it does to the structure is seen beside it.
+void AskedLine::trace_line() const
+{
+    constexpr double all = 1.0 - 1e-9;
+    const double length = found_.picture->path.length();
+    traced_to_ = std::max(traced_to_, *found_.standing->placing.position);
+    found_.picture->traced.reset();
+    if (traced_to_ < all * length) found_.picture->traced = Stretch{0.0, traced_to_};
+    load_train();
+    found_.results = femoop::analyse(*found_.loaded);
 }
 
 femoop::influence::Placing AskedLine::placed(const AskedTrain::Place& place, ExtremeKind kind) const
@@ -241,6 +315,13 @@ femoop::influence::Placing AskedLine::placed(const AskedTrain::Place& place, Ext
     const Stretch along = positions(place.reversed); // the path may have become shorter
     return found_.search->at({.position = std::clamp(place.position, along.from, along.to), .reversed = place.reversed},
                              kind);
+}
+
+void AskedLine::find_candidates() const
+{
+    const ExtremeKind kind = found_.standing->kind;
+    if (found_.sought != kind) found_.candidates = candidate_positions(*found_.search, kind);
+    found_.sought = kind;
 }
 
 void AskedLine::load_train() const
@@ -267,12 +348,14 @@ drawing::PositionCurve AskedLine::curve() const
     };
     add(false);
     if (standing.train.both_directions) add(true);
+    for (const CandidatePosition& one : found_.candidates) curve.candidates.push_back({one.position, one.value});
     if (const auto worst = worst_place()) curve.worst = {worst->position, worst_placing().value};
     return curve;
 }
 
 std::vector<std::string> AskedLine::sentences(const drawing::DrawOptions& options) const
 {
+    if (found_.standing && train_.is_unit_load) return trace_sentences(*found_.model, options, *found_.picture);
     if (found_.standing) return train_sentences(*found_.model, options, *found_.picture, *found_.standing);
     std::vector<std::string> sentences{drawing::principle(found_.picture->line.effect, options.tr)};
     for (const femoop::Fault& fault : found_.faults) sentences.push_back(sentence(fault, options.tr));

@@ -11,7 +11,7 @@
 #include "apps/drawing/draw_options.h"
 #include "apps/drawing/results/influence_picture.h"
 #include "apps/drawing/results/train_picture.h"
-#include "apps/frame/document/named_effect.h"
+#include "apps/frame/influence/candidate_position.h"
 #include "femoop/methods/influence/influence_line.h"
 #include "femoop/methods/influence/train/train_analysis.h"
 #include "femoop/methods/influence/train/train_search.h"
@@ -30,6 +30,7 @@ struct AskedTrain {
         friend bool operator==(const Place&, const Place&) = default;
     };
     std::string name;                        ///< of the model's trains; empty: none
+    bool is_unit_load = false;               ///< a unit load in place of a train, which traces the line as it moves
     std::optional<femoop::ExtremeKind> kind; ///< that it is placed for; nothing: the one of the greater magnitude
     std::optional<Place> place;              ///< where it was put; nothing: where it is worst
 
@@ -68,11 +69,24 @@ public:
     void seek(femoop::ExtremeKind kind);        ///< where the train is worst in this way
     void put_train(const AskedTrain::Place& place);
     void put_train_back() { train_.place.reset(); }
+    /// A unit load at the beginning of the path; it draws the line as far as it is put.
+    void trace();
+    bool is_traced() const { return train_.is_unit_load; }
+
+    /// How the structure bears the unit load. \pre it stands
+    const femoop::Results& results() const { return *found_.results; }
+
+    /// It in words, with what stands on it. \pre there is a last picture
+    std::string words(const drawing::DrawOptions& options) const;
 
     /// What stands on the last picture; null where none does.
     const drawing::StandingTrain* standing() const { return found_.standing ? &*found_.standing : nullptr; }
     /// Where the train is worst; nothing where its axles are best away. \pre it stands
     std::optional<AskedTrain::Place> worst_place() const;
+    /// The proof of that: every position where it may be worst. \pre it stands
+    const std::vector<CandidatePosition>& candidates() const { return found_.candidates; }
+    /// Whether it stands there. \pre it stands
+    bool stands_at(const AskedTrain::Place& place) const;
     /// The model with that train as its only load. \pre it stands
     const femoop::Model& loaded() const { return *found_.loaded; }
     /// Where its leading axle may be put. \pre it stands, and has axles
@@ -81,6 +95,20 @@ public:
     double nearest_on_path(const Eigen::Vector3d& place) const;
 
 private:
+    struct Asked {
+        std::string member, node; ///< one of them
+        double x = 0.0;           ///< along the member
+        femoop::ExpectedQuantity quantity = femoop::ExpectedQuantity::SectionForce;
+        std::optional<femoop::MemberComponent> component;
+        std::optional<femoop::Dof> dof;
+    };
+    /// As the reader knows it.
+    struct UnitLoad {
+        std::string name;
+        double force = 1.0; ///< that is 1 in his units
+
+        friend bool operator==(const UnitLoad&, const UnitLoad&) = default;
+    };
     struct Found {
         std::uint64_t generation = 0;
         std::shared_ptr<const femoop::Model> model;                     ///< as it was then
@@ -91,22 +119,32 @@ private:
         std::shared_ptr<const femoop::influence::TrainSearch> search; ///< of that train on that effect
         std::optional<drawing::InfluencePicture> picture;
         std::optional<drawing::StandingTrain> standing;
-        femoop::influence::WorstPlacings worst; ///< of that train
+        femoop::influence::WorstPlacings worst;    ///< of that train
+        std::optional<femoop::ExtremeKind> sought; ///< that the candidates are for
+        std::vector<CandidatePosition> candidates;
         std::optional<femoop::Model> loaded;
+        std::optional<femoop::Results> results; ///< of the unit load
+        UnitLoad unit_load;
         std::vector<femoop::Fault> faults; ///< why the train cannot stand
     };
     void find(const femoop::MovingEffect& effect) const;
+    void find_unit_load() const;
     void find_line(const femoop::MovingEffect& effect) const;
     void find_line_of_train(const femoop::Train& train, const femoop::MovingEffect& effect) const;
     const femoop::influence::Placing& worst_placing() const;
     void stand_train() const;
     femoop::influence::Placing placed(const AskedTrain::Place& place, femoop::ExtremeKind kind) const;
+    void begin_trace();
+    void search_line() const;
+    void trace_line() const;
+    void find_candidates() const;
     void load_train() const;
     drawing::PositionCurve curve() const;
     std::vector<std::string> sentences(const drawing::DrawOptions& options) const;
 
     std::optional<NamedEffect> asked_;
     AskedTrain train_;
+    mutable double traced_to_ = 0.0; ///< by the unit load, as it was seen
     femoop::MemberComponent last_component_ = femoop::MemberComponent::Mz;
     mutable Found found_;
 };

@@ -40,6 +40,14 @@ void add_influence_commands(CommandTable& table)
     menu.step({"view.influence.next", translatable("The next quantity of the influence line"), {{Key::I, ui::shift}}},
               choose_next, needs_influence_line);
     menu.step(
+        {"view.influence.trace", translatable("Trace the influence line with a unit load"), {{Key::U, {}}}},
+        [](Workspace& workspace) {
+            AskedLine& line = workspace.session.influence;
+            if (line.is_traced()) line.choose_train({});
+            else line.trace();
+        },
+        needs_influence_line);
+    menu.step(
         {"view.influence.close", translatable("Close the influence line")},
         [](Workspace& workspace) { workspace.session.influence.clear(); }, needs_influence_line);
 }

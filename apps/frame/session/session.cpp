@@ -452,6 +452,8 @@ std::string description(const Session& session)
     if (shown.is_envelope)
         words += "\n" + envelope_text(session.model(), shown) + "\n" +
                  femoop::envelope_text(session.model(), *told, envelope_cases(session.model(), shown), tr);
+    if (session.influence.picture(session.model(), session.generation(), shown) != nullptr)
+        words += "\n" + session.influence.words(shown);
     return words;
 }
 

@@ -170,8 +170,8 @@ private:
     std::uint64_t number_;
 };
 
-/// Model and results in words, and the envelope's numbers where one is shown; of hidden results it says that they are
-/// hidden.
+/// Model and results in words, the envelope's numbers where one is shown, and the influence line that is looked at; of
+/// hidden results it says that they are hidden.
 std::string description(const Session& session);
 
 /// The notice, and the faults that it is about in the words of who writes files, each a line. \pre there is one

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <string>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -62,6 +63,13 @@ Reason needs_axles(const Workspace& workspace)
     return translatable("the train has no axles that could be moved");
 }
 
+Reason needs_candidates(const Workspace& workspace)
+{
+    if (Reason reason = needs_axles(workspace)) return reason;
+    if (!workspace.session.influence.candidates().empty()) return std::nullopt;
+    return translatable("the train does nothing to this effect, wherever it stands");
+}
+
 Reason needs_both_directions(const Workspace& workspace)
 {
     if (Reason reason = needs_axles(workspace)) return reason;
@@ -104,6 +112,29 @@ void move_train(Workspace& workspace, double direction)
     constexpr double here = 1e-6; // of a step
     place.position = direction * size * (std::floor(steps + here) + 1.0);
     session.influence.put_train(place);
+}
+
+// Forwards in the order of the places, then reversed; after the last one the first.
+void put_at_candidate(Workspace& workspace, bool is_next)
+{
+    Session& session = workspace.session;
+    const AskedTrain::Place now = place_of_train(session);
+    const std::vector<CandidatePosition>& all = session.influence.candidates();
+    const auto is_beyond = [&](const CandidatePosition& one) {
+        const AskedTrain::Place place{one.position, one.reversed};
+        if (session.influence.stands_at(place)) return false;
+        const bool is_greater = std::tuple(place.reversed, place.position) > std::tuple(now.reversed, now.position);
+        return is_greater == is_next;
+    };
+    const CandidatePosition* found = is_next ? &all.front() : &all.back();
+    if (is_next) {
+        const auto next = std::ranges::find_if(all, is_beyond);
+        if (next != all.end()) found = &*next;
+    } else {
+        const auto previous = std::find_if(all.rbegin(), all.rend(), is_beyond);
+        if (previous != all.rend()) found = &*previous;
+    }
+    session.influence.put_train({found->position, found->reversed});
 }
 
 // The axles stand where they stood, in the other order.
@@ -186,6 +217,12 @@ void add_train_commands(CommandTable& table)
     menu.step(
         {"train.back", translatable("Move it back along the path"), {{Key::Left, ui::ctrl}}},
         [](Workspace& workspace) { move_train(workspace, -1.0); }, needs_axles);
+    menu.step(
+        {"train.candidate.next", translatable("To the next candidate"), {{Key::Right, ui::ctrl_shift}}},
+        [](Workspace& workspace) { put_at_candidate(workspace, true); }, needs_candidates);
+    menu.step(
+        {"train.candidate.previous", translatable("To the previous candidate"), {{Key::Left, ui::ctrl_shift}}},
+        [](Workspace& workspace) { put_at_candidate(workspace, false); }, needs_candidates);
     menu.step({"train.turn", translatable("Turn it about"), {{Key::Up, ui::ctrl}}}, turn_train, needs_both_directions);
     for (const LibraryCommand& entry : library_commands())
         menu.step(

@@ -44,8 +44,9 @@ void hold_train(Aim& aim)
     aim.grip.reset();
 }
 
-// An influence line belongs to no case either: it stands alone on the structure, or with a train.
-DrawOptions with_influence(DrawOptions options, bool has_train)
+// An influence line belongs to no case either: it stands alone on the structure, or with a train. Under a unit load that
+// traces it the structure's own diagram stands beside it.
+DrawOptions with_influence(DrawOptions options, const Session& session, bool has_train)
 {
     options.show = options.show & ShowSet{Show::Values,          Show::NodeNames, Show::MemberNames, Show::Dimensions,
                                           Show::DrawnDimensions, Show::LocalAxes, Show::Legend};
@@ -54,6 +55,9 @@ DrawOptions with_influence(DrawOptions options, bool has_train)
     if (!has_train) return options;
     options.show.insert(Show::Loads); // of the train, which is the only load case then
     options.load_case = femoop::CaseId(0);
+    if (!session.influence.is_traced()) return options;
+    options.layout = drawing::Layout::LoadsOnFirst;
+    options.show.insert(drawing::show_of(*session.influence.effect(session.model()), session.model().analysis));
     return options;
 }
 
@@ -73,7 +77,7 @@ DrawOptions looked_at(const Workspace& workspace)
     DrawOptions options = session.results_view();
     if (session.influence.is_on(session.model())) {
         const bool has_train = shown_line(session) != nullptr && session.influence.standing() != nullptr;
-        return with_influence(std::move(options), has_train);
+        return with_influence(std::move(options), session, has_train);
     }
     if (shown_diagram(session) != nullptr) return with_diagram(std::move(options));
     if (options.is_envelope) options.show = options.show - ShowSet{Show::Loads, Show::Deformed};
@@ -107,7 +111,9 @@ DrawInput input_of(const Workspace& workspace, const DrawOptions& options, const
     const Session& session = workspace.session;
     if (const auto* const line = shown_line(session)) {
         const bool has_train = session.influence.standing() != nullptr;
+        const bool is_traced = has_train && session.influence.is_traced();
         return {.model = has_train ? session.influence.loaded() : session.model(),
+                .results = is_traced ? &session.influence.results() : nullptr,
                 .dimensions = session.document().companion.dimensions,
                 .influence = line};
     }

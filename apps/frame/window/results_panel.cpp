@@ -15,6 +15,7 @@
 #include "apps/frame/document/fault/sentence.h"
 #include "apps/frame/session/fault_target.h"
 #include "apps/frame/window/envelope_panel.h"
+#include "apps/frame/window/influence_panel.h"
 #include "apps/frame/window/no_results.h"
 #include "apps/frame/window/result_list.h"
 #include "femoop/result/components.h"
@@ -206,6 +207,7 @@ void results_panel(Workspace& workspace)
     Session& session = workspace.session;
     const ui::Catalogue& tr = session.view.tr;
     const auto& results = session.solution().results;
+    if (session.influence.is_on(session.model())) return influence_panel(workspace);
     if (explain_no_results(workspace)) return;
     if (results->n_cases() == 0) {
         ui::wrapped_text(tr("The model has no load case."));

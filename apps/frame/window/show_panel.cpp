@@ -7,6 +7,7 @@
 #include <string>
 
 #include "apps/frame/window/factor_slider.h"
+#include "apps/frame/window/influence_panel.h"
 #include "ui/text/number_format.h"
 
 namespace frame {
@@ -88,33 +89,59 @@ void deformation_slider(Session& session, const FactorLook& look)
 
 } // namespace
 
-void show_panel(Workspace& workspace, const CommandTable& commands, CaseList& cases, ui::NumberFields& fields)
+namespace {
+
+void show_results(Workspace& workspace, const CommandTable& commands)
 {
     using enum Show;
-    Session& session = workspace.session;
-    const ui::Catalogue& tr = session.view.tr;
-    const ImGuiStyle& style = ImGui::GetStyle();
-    ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {style.FramePadding.x, 0.3F * style.FramePadding.y});
-    cases.show(workspace, commands);
-    heading(tr("Results"));
+    heading(workspace.session.view.tr("Results"));
     show_toggles(workspace, commands, {N, V, M});
-    const femoop::AnalysisKind kind = session.model().analysis;
+    const femoop::AnalysisKind kind = workspace.session.model().analysis;
     if (kind == femoop::AnalysisKind::Grillage || kind == femoop::AnalysisKind::Frame3d) toggle(workspace, commands, T);
     show_toggles(workspace, commands, {Deformed, Reactions});
-    heading(tr("Picture"));
-    show_toggles(workspace, commands, {Loads, Values, NodeNames, MemberNames, Dimensions});
-    if (!session.document().companion.dimensions.empty()) toggle(workspace, commands, DrawnDimensions);
+}
+
+void show_picture(Workspace& workspace, const CommandTable& commands, bool has_line)
+{
+    using enum Show;
+    heading(workspace.session.view.tr("Picture"));
+    if (!has_line) toggle(workspace, commands, Loads);
+    show_toggles(workspace, commands, {Values, NodeNames, MemberNames, Dimensions});
+    if (!workspace.session.document().companion.dimensions.empty()) toggle(workspace, commands, DrawnDimensions);
     show_toggles(workspace, commands, {LocalAxes, Legend});
+}
+
+void show_scales(Session& session, ui::NumberFields& fields, bool has_line)
+{
+    const ui::Catalogue& tr = session.view.tr;
     heading(tr("Scales"));
     const FactorLook look{fields, tr, {.digits = 2, .mark = session.view.numbers.mark}};
     show({.id = "###diagrams", .name = tr("Diagrams")}, look, session.view.diagram_factor);
-    if (session.view.show.contains(StepValues)) step_slider(session);
+    if (session.view.show.contains(Show::StepValues) && !has_line) step_slider(session);
     show({.id = "###loads", .name = tr("Load arrows")}, look, session.view.load_factor);
     show({.id = "###symbols", .name = tr("Symbols")}, look, session.view.symbol_factor);
-    deformation_slider(session, look);
+    if (!has_line) deformation_slider(session, look);
+}
+
+} // namespace
+
+void show_panel(Workspace& workspace, const CommandTable& commands, CaseList& cases, ui::NumberFields& fields)
+{
+    Session& session = workspace.session;
+    const ImGuiStyle& style = ImGui::GetStyle();
+    ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {style.FramePadding.x, 0.3F * style.FramePadding.y});
+    const bool has_line = session.influence.is_on(session.model());
+    if (has_line) {
+        influence_choices(workspace, commands);
+    } else {
+        cases.show(workspace, commands);
+        show_results(workspace, commands);
+    }
+    show_picture(workspace, commands, has_line);
+    show_scales(session, fields, has_line);
     if (const auto* const animate = commands.find("view.animate")) {
         bool is_on = animate->is_on(workspace);
-        if (ImGui::Checkbox(tr(animate->label).c_str(), &is_on)) run(*animate, workspace);
+        if (ImGui::Checkbox(session.view.tr(animate->label).c_str(), &is_on)) run(*animate, workspace);
     }
     ImGui::PopStyleVar();
 }

@@ -62,7 +62,7 @@ constexpr std::array supports{
     SupportTool{femoop::SupportKind::Fixed, translatable("Fixed")},
 };
 
-constexpr std::string_view no_train = translatable("no train");
+constexpr std::string_view no_train = translatable("no train"), unit_load = translatable("unit load");
 
 /// The number that a load of the tool has.
 struct LoadValue {
@@ -92,7 +92,10 @@ void list_trains(Workspace& workspace, const CommandTable& commands)
     Session& session = workspace.session;
     const ui::Catalogue& tr = session.view.tr;
     const std::string now = session.influence.train().name;
-    if (ImGui::Selectable((tr(no_train) + "###none").c_str(), now.empty())) session.influence.choose_train({});
+    if (ImGui::Selectable((tr(no_train) + "###none").c_str(), now.empty() && !session.influence.is_traced()))
+        session.influence.choose_train({});
+    if (ImGui::Selectable((tr(unit_load) + "###unit load").c_str(), session.influence.is_traced()))
+        session.influence.trace();
     const std::vector<femoop::Train> trains = session.model().moving_loads.trains;
     for (std::size_t i = 0; i < trains.size(); ++i) {
         ImGui::PushID(static_cast<int>(i));
@@ -118,13 +121,14 @@ void train_settings(Workspace& workspace, const CommandTable& commands)
     constexpr float least = 5.0F, most = 11.0F;                 // [em]
     const float em = ImGui::GetFontSize(), of_ways = 9.0F * em; // the two buttons behind it
     ImGui::SetNextItemWidth(std::clamp(ImGui::GetContentRegionAvail().x - of_ways, least * em, most * em));
-    if (ImGui::BeginCombo("###train", (name.empty() ? tr(no_train) : name).c_str(), ImGuiComboFlags_HeightLargest)) {
+    const std::string shown = !name.empty() ? name : tr(session.influence.is_traced() ? unit_load : no_train);
+    if (ImGui::BeginCombo("###train", shown.c_str(), ImGuiComboFlags_HeightLargest)) {
         list_trains(workspace, commands);
         ImGui::EndCombo();
     }
     ImGui::SameLine();
     const drawing::StandingTrain* const standing = session.influence.standing();
-    if (standing == nullptr) return;
+    if (standing == nullptr || session.influence.is_traced()) return;
     const femoop::ExtremeKind kind = standing->kind;
     const auto way = [&](std::string_view label, femoop::ExtremeKind sought) {
         const std::string button = tr(label) + "###" + std::string(label);

@@ -93,6 +93,49 @@ TEST_SUITE("frame session")
         CHECK(line(session)->line.ordinates.max().value == doctest::Approx(1.0)); // all of a load at C hangs on it
     }
 
+    TEST_CASE("A unit load traces the line as far as it comes, and its structure says the ordinate at the section")
+    {
+        Workspace workspace = workspace_with("bridge.json");
+        Session& session = workspace.session;
+        session.influence.ask(session.model(), drawing::Cut{MemberId(1), 40.0});
+        CHECK(!run(workspace, "view.influence.trace"));
+        REQUIRE(line(session) != nullptr);
+        REQUIRE(line(session)->traced.has_value());
+        CHECK(line(session)->traced->to == 0.0);
+        for (const double s : {30.0, 77.0, 160.0, 55.0}) {
+            CAPTURE(s);
+            session.influence.put_train({.position = s});
+            REQUIRE(line(session) != nullptr);
+            const double ordinate = line(session)->line.ordinates.value(s);
+            const auto moment = session.influence.results()[femoop::CaseId(0)]
+                                    .curve(MemberId(1))
+                                    .value(femoop::MemberComponent::Mz, 40.0);
+            CHECK(moment == doctest::Approx(ordinate).epsilon(1e-9));
+        }
+        CHECK(line(session)->traced->to == doctest::Approx(160.0));
+        session.influence.put_train({.position = 1e3});
+        REQUIRE(line(session) != nullptr);
+        CHECK(!line(session)->traced.has_value());
+        session.influence.ask(session.model(), drawing::Cut{MemberId(1), 20.0}); // another line, from its beginning
+        REQUIRE(line(session) != nullptr);
+        CHECK(line(session)->traced->to == 0.0);
+        CHECK(!run(workspace, "view.influence.trace"));
+        CHECK(line(session)->forces.empty());
+    }
+
+    TEST_CASE("A unit load stands on the path where a line has no such extreme, too")
+    {
+        Workspace workspace = workspace_with("portal.json");
+        Session& session = workspace.session;
+        session.influence.ask(session.model(), *session.model().find_node("A"));
+        CHECK(!run(workspace, "view.influence.trace"));
+        for (const auto kind : {femoop::ExtremeKind::Max, femoop::ExtremeKind::Min}) {
+            session.influence.seek(kind);
+            REQUIRE(line(session) != nullptr);
+            CHECK(line(session)->forces.size() == 1);
+        }
+    }
+
     TEST_CASE("A structure that can move has no influence lines, and the tool says why")
     {
         Workspace workspace = workspace_with("mechanism.json");

@@ -2,8 +2,10 @@
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <string_view>
+#include <vector>
 
 #include "femoop/methods/influence/train/standing_train.h"
 #include "femoop/methods/influence/train/train_analysis.h"
@@ -109,6 +111,48 @@ TEST_SUITE("frame session")
         CHECK(!run(workspace, "train.worst"));
         CHECK(train(workspace).is_worst);
         CHECK(train(workspace).placing.position.value() == Approx(114.0));
+    }
+
+    TEST_CASE("The worst of the candidates is the train's value, and every candidate is what the train does there")
+    {
+        Workspace workspace = bridge();
+        CHECK(run(workspace, "train.candidate.next") ==
+              "no train stands on the influence line; press R or take one from the menu Trains");
+        run(workspace, "train.next");
+        for (int direction = 0; direction < 2; ++direction) {
+            const double worst = train(workspace).placing.value;
+            const bool is_max = train(workspace).kind == ExtremeKind::Max;
+            const std::vector<CandidatePosition> all = workspace.session.influence.candidates();
+            REQUIRE(all.size() > 10);
+            double found = all.front().value;
+            for (const CandidatePosition& one : all)
+                found = is_max ? std::max(found, one.value) : std::min(found, one.value);
+            CHECK(found == Approx(worst).epsilon(1e-9));
+            for (const CandidatePosition& one : all) {
+                CAPTURE(one.position);
+                workspace.session.influence.put_train({one.position, one.reversed});
+                const double there = train(workspace).placing.value;
+                CHECK((is_max ? there - one.value : one.value - there) >
+                      -1e-9 * std::abs(worst)); // the worse side counts
+                CHECK(sum(workspace) == Approx(there).epsilon(1e-9));
+            }
+            CHECK(!run(workspace, "train.worst"));
+            CHECK(!run(workspace, "train.extreme"));
+        }
+    }
+
+    TEST_CASE("Keys go from candidate to candidate, and from the last one to the first")
+    {
+        Workspace workspace = bridge();
+        run(workspace, "train.next");
+        train(workspace);
+        const std::vector<CandidatePosition> all = workspace.session.influence.candidates();
+        workspace.session.influence.put_train({all.back().position, all.back().reversed});
+        CHECK(!run(workspace, "train.candidate.next"));
+        CHECK(train(workspace).placing.position.value() == Approx(all.front().position));
+        CHECK(!run(workspace, "train.candidate.previous"));
+        CHECK(train(workspace).placing.position.value() == Approx(all.back().position));
+        CHECK(train(workspace).placing.reversed);
     }
 
     TEST_CASE("A train runs from where it comes onto its path to where it has left it, and no farther")

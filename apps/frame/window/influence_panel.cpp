@@ -1,0 +1,197 @@
+#include "apps/frame/window/influence_panel.h"
+
+#include <imgui.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "apps/drawing/results/influence_picture.h"
+#include "apps/drawing/results/line_diagram.h"
+#include "apps/drawing/sketch/scene.h"
+#include "apps/frame/window/result_list.h"
+#include "femoop/methods/influence/effect_name.h"
+#include "femoop/methods/influence/influence_line.h"
+#include "ui/widgets/item_label.h"
+#include "ui/widgets/wrapped_text.h"
+
+namespace frame {
+
+using drawing::InfluencePicture;
+using drawing::StandingTrain;
+using ui::translatable;
+
+namespace {
+
+void heading(const std::string& text)
+{
+    ImGui::Spacing();
+    ImGui::TextDisabled("%s", text.c_str());
+    ImGui::Separator();
+}
+
+void choose_quantity(Session& session)
+{
+    AskedLine& line = session.influence;
+    const femoop::Model& model = session.model();
+    const auto now = line.effect(model);
+    for (const femoop::MovingEffect& choice : line.choices(model))
+        if (ImGui::RadioButton(effect_text(model, session.units(), choice).c_str(), choice == now)) line.choose(choice);
+}
+
+void choose_train(Session& session)
+{
+    AskedLine& line = session.influence;
+    const std::string now = line.train().name;
+    const std::vector<femoop::Train> trains = session.model().moving_loads.trains;
+    if (ImGui::RadioButton((session.tr()("no train") + "###no train").c_str(), now.empty() && !line.is_traced()))
+        line.choose_train({});
+    if (ImGui::RadioButton((session.tr()("unit load") + "###unit load").c_str(), line.is_traced())) line.trace();
+    for (std::size_t i = 0; i < trains.size(); ++i) {
+        const std::string label = ui::item_label(trains[i].id, "train " + std::to_string(i));
+        if (ImGui::RadioButton(label.c_str(), trains[i].id == now)) line.choose_train(trains[i].id);
+    }
+}
+
+/// The line's numbers and its train's.
+class InfluenceTables {
+public:
+    InfluenceTables(Session& session, const InfluencePicture& picture)
+        : session_(session),
+          picture_(picture),
+          units_(session.units()),
+          unit_(ordinate_unit(units_, picture)),
+          effect_(effect_text(session.model(), units_, picture.line.effect))
+    {}
+
+    void title() const { ImGui::TextDisabled("%s", tr()("Influence line of {effect}", {{"effect", effect_}}).c_str()); }
+
+    void candidates() const
+    {
+        AskedLine& line = session_.influence;
+        const bool is_max = line.standing()->kind == femoop::ExtremeKind::Max;
+        const std::string name = is_max ? tr()("Candidates for the largest value")
+                                        : tr()("Candidates for the least value");
+        if (line.candidates().empty() || !result_section(name, "candidates")) return;
+        const ui::Measure measure = drawing::measure_of(picture_.line.effect);
+        const std::vector<std::string> headings{units_.label("s", ui::Measure::Length), tr()("direction"),
+                                                tr()("candidate"), units_.label(component(), measure)};
+        const double worst = worst_value();
+        result_list("candidates", headings, line.candidates().size(), [&](std::size_t i) {
+            const CandidatePosition candidate = line.candidates()[i]; // a click may change them
+            place_cell({candidate.position, candidate.reversed});
+            name_cell(candidate.reversed ? "<" : ">");
+            name_cell(tr()(name_of(candidate.kind)));
+            const std::string mark = candidate.value == worst ? "* " : "";
+            number_cell(mark + text(candidate.value, measure));
+        });
+        ui::wrapped_text(tr()(
+            "s is the place of the leading axle. At a break an axle passes an end of a piece of the line (− before "
+            "it, + after it, where the effect jumps); at a root the effect is level between two breaks. It can be "
+            "largest or least nowhere else. A click sets the train there."));
+    }
+
+    void ordinates() const
+    {
+        if (!result_section(tr()("Ordinates"), "ordinates")) return;
+        constexpr std::size_t n = 11; // of each member
+        const std::vector<femoop::influence::LineStation> all = stations(picture_.line, n);
+        const std::string heading = "η" + (unit_.name.empty() ? "" : " [" + unit_.name + "]");
+        const double rounding = drawing::written_as_zero * picture_.line.ordinates.largest();
+        result_list("ordinates", {units_.label("s", ui::Measure::Length), heading}, all.size(), [&](std::size_t i) {
+            ImGui::TextUnformatted(text(all[i].s, ui::Measure::Length).c_str());
+            const double value = std::abs(all[i].value) > rounding ? all[i].value : 0.0;
+            number_cell(text(value * unit_.factor, ui::Measure::Plain));
+        });
+        if (picture_.line.ordinates.largest() > 0.0) ui::wrapped_text(areas_text(units_, picture_, tr()));
+    }
+
+private:
+    const ui::Catalogue& tr() const { return session_.tr(); }
+    std::string text(double value, ui::Measure measure) const
+    {
+        return drawing::with_minus(units_.number(value, measure));
+    }
+    std::string component() const
+    {
+        return femoop::influence::component_name(session_.model().analysis, picture_.line.effect);
+    }
+
+    double worst_value() const
+    {
+        const auto& candidates = session_.influence.candidates();
+        const bool is_max = session_.influence.standing()->kind == femoop::ExtremeKind::Max;
+        double worst = candidates.front().value;
+        for (const CandidatePosition& one : candidates)
+            worst = is_max ? std::max(worst, one.value) : std::min(worst, one.value);
+        return worst;
+    }
+
+    void place_cell(const AskedTrain::Place& place) const
+    {
+        AskedLine& line = session_.influence;
+        const std::string label = text(place.position, ui::Measure::Length) + "###candidate";
+        if (ImGui::Selectable(label.c_str(), line.stands_at(place), ImGuiSelectableFlags_SpanAllColumns))
+            line.put_train(place);
+    }
+
+    static std::string_view name_of(CandidatePosition::Kind kind)
+    {
+        switch (kind) {
+        case CandidatePosition::Kind::Break: return translatable("break");
+        case CandidatePosition::Kind::BreakBefore: return translatable("break −");
+        case CandidatePosition::Kind::BreakAfter: return translatable("break +");
+        case CandidatePosition::Kind::Root: break;
+        }
+        return translatable("root");
+    }
+
+    Session& session_;
+    const InfluencePicture& picture_;
+    ui::DisplayUnits units_;
+    drawing::OrdinateUnit unit_;
+    std::string effect_;
+};
+
+} // namespace
+
+void influence_choices(Workspace& workspace, const CommandTable& commands)
+{
+    Session& session = workspace.session;
+    const ui::Catalogue tr = session.tr();
+    heading(tr("Influence line"));
+    choose_quantity(session);
+    heading(tr("Train"));
+    choose_train(session);
+    const StandingTrain* const standing = session.influence.standing();
+    if (standing != nullptr && !session.influence.is_traced()) {
+        const femoop::ExtremeKind kind = standing->kind;
+        const auto way = [&](std::string_view label, femoop::ExtremeKind sought) {
+            const std::string button = tr(label) + "###" + std::string(label);
+            if (ImGui::RadioButton(button.c_str(), kind == sought)) session.influence.seek(sought);
+        };
+        ImGui::Spacing();
+        way(translatable("its largest value"), femoop::ExtremeKind::Max);
+        way(translatable("its least value"), femoop::ExtremeKind::Min);
+    }
+    ImGui::Spacing();
+    const auto& close = *commands.find("view.influence.close");
+    if (ui::wrapped_button(tr(close.label), "close line")) run(close, workspace);
+}
+
+void influence_panel(Workspace& workspace)
+{
+    Session& session = workspace.session;
+    const InfluencePicture* const picture = session.influence.picture(session.model(), session.generation(),
+                                                                      session.view);
+    if (picture == nullptr) return ui::wrapped_text(session.tr()("the model has no results"));
+    const InfluenceTables tables(session, *picture);
+    tables.title();
+    const bool is_traced = session.influence.is_traced();
+    if (session.influence.standing() != nullptr && !is_traced) tables.candidates();
+    if (!picture->traced) tables.ordinates();
+}
+
+} // namespace frame
