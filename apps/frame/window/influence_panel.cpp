@@ -12,6 +12,7 @@
 #include "apps/drawing/results/line_diagram.h"
 #include "apps/drawing/sketch/scene.h"
 #include "apps/frame/window/result_list.h"
+#include "apps/frame/window/show_panel.h"
 #include "femoop/methods/influence/effect_name.h"
 #include "femoop/methods/influence/influence_line.h"
 #include "ui/widgets/item_label.h"
@@ -24,13 +25,6 @@ using drawing::StandingTrain;
 using ui::translatable;
 
 namespace {
-
-void heading(const std::string& text)
-{
-    ImGui::Spacing();
-    ImGui::TextDisabled("%s", text.c_str());
-    ImGui::Separator();
-}
 
 void choose_quantity(Session& session)
 {
@@ -161,9 +155,9 @@ void influence_choices(Workspace& workspace, const CommandTable& commands)
 {
     Session& session = workspace.session;
     const ui::Catalogue tr = session.tr();
-    heading(tr("Influence line"));
+    panel_heading(tr("Influence line"));
     choose_quantity(session);
-    heading(tr("Train"));
+    panel_heading(tr("Train"));
     choose_train(session);
     const StandingTrain* const standing = session.influence.standing();
     if (standing != nullptr && !session.influence.is_traced()) {

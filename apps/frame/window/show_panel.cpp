@@ -16,13 +16,6 @@ using ui::translatable;
 
 namespace {
 
-void heading(const std::string& text)
-{
-    ImGui::Spacing();
-    ImGui::TextDisabled("%s", text.c_str());
-    ImGui::Separator();
-}
-
 void toggle(Workspace& workspace, const CommandTable& commands, Show item)
 {
     const auto* const command = commands.find(command_id(item));
@@ -94,7 +87,7 @@ namespace {
 void show_results(Workspace& workspace, const CommandTable& commands)
 {
     using enum Show;
-    heading(workspace.session.view.tr("Results"));
+    panel_heading(workspace.session.view.tr("Results"));
     show_toggles(workspace, commands, {N, V, M});
     const femoop::AnalysisKind kind = workspace.session.model().analysis;
     if (kind == femoop::AnalysisKind::Grillage || kind == femoop::AnalysisKind::Frame3d) toggle(workspace, commands, T);
@@ -104,7 +97,7 @@ void show_results(Workspace& workspace, const CommandTable& commands)
 void show_picture(Workspace& workspace, const CommandTable& commands, bool has_line)
 {
     using enum Show;
-    heading(workspace.session.view.tr("Picture"));
+    panel_heading(workspace.session.view.tr("Picture"));
     if (!has_line) toggle(workspace, commands, Loads);
     show_toggles(workspace, commands, {Values, NodeNames, MemberNames, Dimensions});
     if (!workspace.session.document().companion.dimensions.empty()) toggle(workspace, commands, DrawnDimensions);
@@ -114,7 +107,7 @@ void show_picture(Workspace& workspace, const CommandTable& commands, bool has_l
 void show_scales(Session& session, ui::NumberFields& fields, bool has_line)
 {
     const ui::Catalogue& tr = session.view.tr;
-    heading(tr("Scales"));
+    panel_heading(tr("Scales"));
     const FactorLook look{fields, tr, {.digits = 2, .mark = session.view.numbers.mark}};
     show({.id = "###diagrams", .name = tr("Diagrams")}, look, session.view.diagram_factor);
     if (session.view.show.contains(Show::StepValues) && !has_line) step_slider(session);
@@ -124,6 +117,13 @@ void show_scales(Session& session, ui::NumberFields& fields, bool has_line)
 }
 
 } // namespace
+
+void panel_heading(const std::string& text)
+{
+    ImGui::Spacing();
+    ImGui::TextDisabled("%s", text.c_str());
+    ImGui::Separator();
+}
 
 void show_panel(Workspace& workspace, const CommandTable& commands, CaseList& cases, ui::NumberFields& fields)
 {
