@@ -27,14 +27,14 @@ using femoop::Side;
 using femoop::influence::LinePiece;
 using femoop::influence::MotionPiece;
 using femoop::influence::PathMember;
-using femoop::influence::Stretch;
 
 constexpr double square_enough = 1e-6; // of the load: what of it lies across the member
 
 /// The part of a line over one member of the path, or over a part of it.
 class LineOnMember final : public LineFunction {
 public:
-    LineOnMember(const femoop::influence::PiecewiseLine& line, const Stretch& part) : begin_(part.from), end_(part.to)
+    LineOnMember(const femoop::influence::PiecewiseLine& line, const femoop::influence::Stretch& part)
+        : begin_(part.from), end_(part.to)
     {
         const double near = 1e-12 * line.length();
         for (const LinePiece& piece : line.pieces)
@@ -103,7 +103,7 @@ public:
           picture_(picture),
           scale_(scale),
           unit_(ordinate_unit(scene.units, picture)),
-          role_(role_of(picture.line.effect))
+          role_(drawing::role_of(picture.line.effect))
     {}
 
     void draw() const
@@ -143,8 +143,8 @@ private:
 
     void draw_on(const PathMember& on) const
     {
-        const Stretch part{std::max(on.begin, picture_.traced ? picture_.traced->from : on.begin),
-                           std::min(on.end(), picture_.traced ? picture_.traced->to : on.end())};
+        const femoop::influence::Stretch part{std::max(on.begin, picture_.traced ? picture_.traced->from : on.begin),
+                                              std::min(on.end(), picture_.traced ? picture_.traced->to : on.end())};
         const LineOnMember line(picture_.line.ordinates, part);
         if (line.is_empty()) return;
         SymbolFrame frame = frame_on(on);

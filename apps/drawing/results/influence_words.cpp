@@ -13,7 +13,6 @@ namespace drawing {
 namespace {
 
 using femoop::influence::LineExtreme;
-using femoop::influence::Stretch;
 
 /// Says what stands on one picture.
 class LineWords {
@@ -57,7 +56,7 @@ public:
                                  {{"force", with_minus(units_.text(force.force, ui::Measure::Force))},
                                   {"place", length(force.s)},
                                   {"ordinate", ordinate_text(units_, unit_, force.ordinate)}}));
-        for (const Stretch& on : standing.placing.uniform)
+        for (const femoop::influence::Stretch& on : standing.placing.uniform)
             lines.push_back(
                 tr()("{load} on s = {from} to {to}",
                      {{"load", with_minus(units_.text(standing.train.uniform, ui::Measure::ForcePerLength))},

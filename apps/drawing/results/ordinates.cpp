@@ -16,7 +16,7 @@ Vector3d positive_side(const Scene& scene, const MemberShape& member, MemberComp
 {
     const bool in_xz = component == MemberComponent::My || component == MemberComponent::Vz;
     const Vector3d side = in_xz ? member.z() : member.y();
-    if (is_moment(component)) {
+    if (drawing::is_moment(component)) {
         const bool on_tension = scene.options.moment_side == MomentSide::Tension;
         return on_tension ? Vector3d(-side) : side;
     }
@@ -79,7 +79,7 @@ bool is_moment(MemberComponent component)
 
 bool has_signs(const Scene& scene, MemberComponent component)
 {
-    return !is_moment(component) || scene.options.moment_side == MomentSide::Compression;
+    return !drawing::is_moment(component) || scene.options.moment_side == MomentSide::Compression;
 }
 
 SymbolFrame diagram_frame(const Scene& scene, const MemberShape& member, MemberComponent component)

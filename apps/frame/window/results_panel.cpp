@@ -179,7 +179,8 @@ void difference_row(const ShownCase& shown, const Difference& one)
     const Measure measure = measure_of_difference(one);
     const auto part = std::visit([](auto id) { return Part(id); }, one.part);
     const std::string id = std::visit([&](auto id_of_part) { return shown.model()[id_of_part].id; }, one.part);
-    part_cell(shown.session, part, id + ": " + shown.units.label(component_name(one, shown.model().analysis), measure));
+    part_cell(shown.session(), part,
+              id + ": " + shown.units.label(component_name(one, shown.model().analysis), measure));
     number_cell(shown.units.number(one.now, measure));
     number_cell(one.then ? shown.units.number(*one.then, measure) : "");
     number_cell(one.then ? shown.units.number(*one.change(), measure) : "");
@@ -188,8 +189,8 @@ void difference_row(const ShownCase& shown, const Difference& one)
 /// The present results beside those that are kept, part by part.
 void show_differences(const ShownCase& shown)
 {
-    const ReferenceResults& reference = *shown.session.reference;
-    const auto counterpart = reference.counterpart(shown.model(), shown.session.view.load_case);
+    const ReferenceResults& reference = *shown.session().reference;
+    const auto counterpart = reference.counterpart(shown.model(), shown.session().view.load_case);
     if (!counterpart) return;
     const ui::Catalogue& tr = shown.tr();
     const std::string name = reference.name.empty() ? tr("the results that were kept") : reference.name;
