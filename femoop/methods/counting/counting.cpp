@@ -86,7 +86,7 @@ std::vector<SupportReactions> reactions_of(const Discretisation& structure)
     for (const Discretisation::SupportRow& support : structure.supports)
         if (structure.is_attached[support.node.index])
             list.push_back({.node = support.node,
-                            .n_blocked = static_cast<int>(support.blocked.size()),
+                            .n_blocked = support.blocked.size(),
                             .n_springs = static_cast<int>(
                                 std::ranges::count_if(support.springs, [](double k) { return k > 0.0; }))});
     return list;

@@ -60,7 +60,7 @@ struct Counting {
     std::optional<std::size_t> n_motions{}; ///< ways to move without strain; absent: more than were looked for
 
     int forces_per_ring() const { return is_3d(kind) ? 6 : 3; }
-    int equations_per_joint() const { return static_cast<int>(dofs(kind).size()); }
+    int equations_per_joint() const { return dofs(kind).size(); }
     int equations_per_part() const { return is_3d(kind) ? 6 : 3; } ///< of a piece as a whole
     int n_released() const;
     int n_reactions() const;
