@@ -23,7 +23,7 @@ using ui::Role;
 
 namespace {
 
-constexpr double margin = 12.0;
+constexpr double panel_margin = 12.0;
 constexpr double map_share = 0.34;                      // of the sheet's width, at most
 constexpr std::array sizes{1.0, 0.92, 0.84, 0.76, 0.7}; // of the theme's type, the first that fits
 
@@ -63,13 +63,13 @@ public:
     {
         for (const double size : sizes) {
             lay_out(size * look.theme.type().normal);
-            if (bottom_ <= sheet.height - margin && right_ <= room_right()) break;
+            if (bottom_ <= sheet.height - panel_margin && right_ <= room_right()) break;
         }
     }
 
     ui::Size needed() const
     {
-        return {right_ + (sheet_.width - room_right()), std::max(bottom_ + margin, 12.0 * look_.theme.type().normal)};
+        return {right_ + (sheet_.width - room_right()), std::max(bottom_ + panel_margin, 12.0 * look_.theme.type().normal)};
     }
 
     void draw(ui::Painter& painter) const
@@ -79,14 +79,14 @@ public:
             blocks_[i].draw(painter, places_[i]);
             if (step_.kind == StepKind::Equations && i > 0) draw_sign(painter, i);
         }
-        const double left = sheet_.width - margin - map_width();
+        const double left = sheet_.width - panel_margin - map_width();
         draw_stiffness_map(painter, derivation_, step_, model_, look_,
-                           {{left, margin}, {sheet_.width - margin, sheet_.height - margin}});
+                           {{left, panel_margin}, {sheet_.width - panel_margin, sheet_.height - panel_margin}});
     }
 
 private:
     double map_width() const { return std::min(map_share * sheet_.width, 1.25 * sheet_.height); }
-    double room_right() const { return sheet_.width - map_width() - 3.0 * margin; }
+    double room_right() const { return sheet_.width - map_width() - 3.0 * panel_margin; }
 
     ui::TextStyle title_style() const
     {
@@ -115,7 +115,7 @@ private:
     }
     std::vector<std::string> lines(const std::string& text, const ui::TextStyle& style) const
     {
-        return ui::wrapped_lines(fonts_, text, style, room_right() - margin);
+        return ui::wrapped_lines(fonts_, text, style, room_right() - panel_margin);
     }
     std::vector<std::string> sentence_lines() const
     {
@@ -124,14 +124,14 @@ private:
     double head_height() const
     {
         const double titles = 1.45 * title_style().size * static_cast<double>(title_lines().size());
-        return margin + titles + 1.4 * sentence_style().size * static_cast<double>(sentence_lines().size() + 1);
+        return panel_margin + titles + 1.4 * sentence_style().size * static_cast<double>(sentence_lines().size() + 1);
     }
     std::vector<std::string> title_lines() const { return lines(title() + "   " + place_text(), title_style()); }
 
     void draw_head(ui::Painter& painter) const
     {
         const ui::LayerScope layer(painter, ui::Layer::Labels);
-        Point pen{margin, margin};
+        Point pen{panel_margin, panel_margin};
         const auto write = [&](const std::vector<std::string>& all, const ui::TextStyle& style, double height) {
             for (const std::string& one : all) {
                 painter.text(pen, one, style);
@@ -152,14 +152,14 @@ private:
         blocks_.clear();
         places_.clear();
         const double gap = 2.0 * em;
-        Point pen{margin, head_height() + 0.5 * em};
+        Point pen{panel_margin, head_height() + 0.5 * em};
         double row_height = 0.0;
         right_ = 0.0;
         for (const NamedMatrix& matrix : step_.matrices) {
             const MatrixBlock& block = blocks_.emplace_back(matrix, kind_of(step_, matrix), look_, fonts_, em);
             const ui::Size size = block.size();
-            if (pen.x > margin && pen.x + size.width > room_right()) {
-                pen = {margin, pen.y + row_height + 0.6 * em};
+            if (pen.x > panel_margin && pen.x + size.width > room_right()) {
+                pen = {panel_margin, pen.y + row_height + 0.6 * em};
                 row_height = 0.0;
             }
             places_.push_back(pen);
