@@ -29,4 +29,12 @@ UsageError unknown_choice(std::string_view option, const std::string& found, con
 femoop::CaseId find_case(const femoop::Model& model, const std::string& name, const ui::Catalogue& tr);
 std::vector<femoop::CaseId> all_cases(const femoop::Model& model);
 
+/// Of nodes, members, paths.
+template <class Parts> std::vector<std::string> ids_of(const Parts& parts)
+{
+    std::vector<std::string> ids;
+    for (const auto& part : parts) ids.push_back(part.id);
+    return ids;
+}
+
 } // namespace cli

@@ -51,13 +51,6 @@ Words words_of(const std::string& text, const ui::Catalogue& tr)
     return words;
 }
 
-template <class Parts> std::vector<std::string> ids_of(const Parts& parts)
-{
-    std::vector<std::string> ids;
-    for (const auto& part : parts) ids.push_back(part.id);
-    return ids;
-}
-
 femoop::NodeId node_named(const Model& model, const std::string& name, const ui::Catalogue& tr)
 {
     if (const auto node = model.find_node(name)) return *node;

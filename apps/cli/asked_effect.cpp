@@ -23,13 +23,6 @@ using femoop::Fault;
 using femoop::FaultKind;
 using femoop::Model;
 
-template <class Parts> std::vector<std::string> ids_of(const Parts& parts)
-{
-    std::vector<std::string> ids;
-    for (const auto& part : parts) ids.push_back(part.id);
-    return ids;
-}
-
 std::vector<std::string> member_components(femoop::AnalysisKind kind)
 {
     std::vector<std::string> names;
