@@ -196,7 +196,9 @@ private:
 /// How many independent section forces a member has: its actions, less what its releases take.
 int member_forces(const MemberEndConditions* end_conditions, AnalysisKind kind)
 {
-    if (is_truss(kind) || (end_conditions != nullptr && end_conditions->is_bar)) {
+    const bool is_bar = end_conditions != nullptr && end_conditions->is_bar;
+    if (is_bar && kind == AnalysisKind::Grillage) return 0; // its axial force is none of a grillage's
+    if (is_truss(kind) || is_bar) {
         const bool slides = end_conditions != nullptr &&
                             (end_conditions->joints[0][0] == 0.0 || end_conditions->joints[1][0] == 0.0);
         return slides ? 0 : 1;

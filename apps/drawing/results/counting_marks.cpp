@@ -24,15 +24,23 @@ void write(const Scene& scene, ui::Point target, int n, ui::Role role, ui::Point
                           .size = scene.sketch.theme().type().large});
 }
 
+/// The number in a circle with the forces beside it, which stand together.
 void draw_ring(const Scene& scene, const Ring& ring, std::size_t number, int n_forces)
 {
     Sketch& sketch = scene.sketch;
-    const ui::Point middle = scene.projection(ring.middle);
-    const double radius = 0.85 * sketch.theme().type().large;
-    sketch.disc(middle, radius, sketch.theme().background());
+    const ui::Theme& theme = sketch.theme();
+    const double em = theme.type().large, radius = 0.85 * em;
+    const ui::Point middle = scene.projection(ring.middle) - ui::Point{em, 0.0};
+    sketch.disc(middle, radius, theme.background());
     sketch.ring(middle, radius, sketch.thin(ui::Role::Dimension));
-    sketch.painter().text(middle, std::to_string(number), sketch.theme().text(ui::Role::Label, ui::Anchor::Center));
-    write(scene, middle, n_forces, ui::Role::Label, {1.0, 0.0}, radius + 4.0);
+    sketch.painter().text(middle, std::to_string(number), theme.text(ui::Role::Label, ui::Anchor::Center));
+    ui::TextStyle style = theme.text(ui::Role::Label, ui::Anchor::Left);
+    style.weight = ui::Weight::Bold;
+    style.size = em;
+    const ui::Point beside = middle + ui::Point{radius + 4.0, 0.0};
+    sketch.painter().text(beside, summand(n_forces), style);
+    sketch.keep_clear({beside - ui::Point{0.0, 0.6 * em}, beside + ui::Point{1.6 * em, -0.6 * em},
+                       beside + ui::Point{1.6 * em, 0.6 * em}, beside + ui::Point{0.0, 0.6 * em}});
 }
 
 } // namespace

@@ -63,6 +63,13 @@ Vector3d middle_of(const femoop::Discretisation& structure, const Body& body)
 
 } // namespace
 
+void AskedBody::clear()
+{
+    const std::size_t next = number_ + 1;
+    *this = {};
+    number_ = next;
+}
+
 void AskedBody::lift(const femoop::Model& model, femoop::NodeId node)
 {
     clear();
@@ -97,6 +104,7 @@ void AskedBody::turn_cut()
     std::swap(line_->from, line_->to);
     about_.reset();
     subject_.reset();
+    ++number_;
 }
 
 void AskedBody::put_moment_point(const Vector3d& about)

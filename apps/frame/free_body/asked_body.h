@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -24,7 +25,9 @@ public:
     };
 
     bool is_on(const femoop::Model& model) const { return !body(model).is_empty(); }
-    void clear() { *this = {}; }
+    void clear();
+    /// Grows whenever another body is lifted.
+    std::size_t number() const { return number_; }
 
     void lift(const femoop::Model& model, femoop::NodeId node);
     void lift(const femoop::Model& model, femoop::MemberId member, bool adds); ///< to the members that are lifted
@@ -47,6 +50,7 @@ private:
     femoop::free_body::Body body(const femoop::Model& model) const;
     Eigen::Vector3d aside(const femoop::Model& model, const femoop::free_body::Body& body) const;
 
+    std::size_t number_ = 0;
     std::string node_;
     std::vector<std::string> members_;
     std::optional<CutLine> line_;

@@ -157,7 +157,7 @@ void Canvas::fit(Session& session)
 bool Canvas::FittedFor::serves(const FittedFor& wanted) const
 {
     const bool has_room = (has_pencil || !wanted.has_pencil) && (has_train || !wanted.has_train) &&
-                          has_body == wanted.has_body;
+                          free_body == wanted.free_body;
     const bool is_tight = std::ranges::equal(factors, wanted.factors, std::ranges::less_equal());
     return session == wanted.session && sheet == wanted.sheet && layout == wanted.layout && theme == wanted.theme &&
            is_in_space == wanted.is_in_space && has_diagram == wanted.has_diagram && has_room && is_tight;
@@ -172,6 +172,7 @@ Canvas::FittedFor Canvas::wanted_fit(const Session& session, const DrawOptions& 
             is_seen_in_space(session.model().analysis),
             is_sketched(session),
             session.influence.standing() != nullptr,
+            lifted_body(session) != nullptr ? session.free_body.number() : 0,
             options.show.contains(Show::Cremona),
             {options.diagram_factor, options.load_factor, options.symbol_factor}};
 }

@@ -85,6 +85,7 @@ private:
         bool is_in_space;
         bool has_pencil;               ///< a guess needs room beside the structure
         bool has_train;                ///< and a standing train for its forces and its curve
+        std::size_t free_body;         ///< and each free body for its forces: its number, 0 where none is lifted
         bool has_diagram;              ///< which takes half the sheet
         std::array<double, 3> factors; ///< of diagrams, loads and symbols: what shrinks gives its room back
 

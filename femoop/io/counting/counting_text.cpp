@@ -119,7 +119,7 @@ std::vector<std::string> sum_lines(const Counting& counting, const Model& model,
     const auto line = [&](std::string_view what, const std::string& sum, int value) {
         return tr(what) + ": " + sum + " = " + signed_text(value);
     };
-    std::vector<std::string> lines{line("Degree of static indeterminacy", terms.total(), degree.total()),
+    std::vector<std::string> lines{line("Degree of indeterminacy", terms.total(), degree.total()),
                                    line("External", terms.external(), degree.external),
                                    line("Internal", terms.internal(), degree.internal)};
     if (degree.has_foundation)

@@ -52,7 +52,7 @@ TEST_CASE("The degree of static indeterminacy is counted in words and numbers")
 {
     const Run text = cremona({"check", "-", "--count"}, cantilever());
     CHECK(text.status == 0);
-    CHECK(has(text.out, "Degree of static indeterminacy: 0 rings × 3 + 3 reactions − 1 part × 3 = 0\n"));
+    CHECK(has(text.out, "Degree of indeterminacy: 0 rings × 3 + 3 reactions − 1 part × 3 = 0\n"));
     CHECK(has(text.out, "  support A: +3\n"));
     const Run json = cremona({"check", "-", "--count", "--json"}, cantilever());
     const auto counting = nlohmann::json::parse(json.out).at("files").at(0).at("counting");

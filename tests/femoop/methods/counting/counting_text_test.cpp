@@ -27,7 +27,7 @@ std::string text_of(const Model& model) { return counting_text(count(model), mod
 TEST_CASE("The sum names what it counts, whole and in parts, and then where each stands")
 {
     CHECK(text_of(closed_frame().model) ==
-          "Degree of static indeterminacy: 1 ring × 3 − 1 release + 4 reactions − 1 part × 3 = 3\n"
+          "Degree of indeterminacy: 1 ring × 3 − 1 release + 4 reactions − 1 part × 3 = 3\n"
           "External: 4 reactions − 1 part × 3 = 1\n"
           "Internal: 1 ring × 3 − 1 release = 2\n"
           "  ring 1 of AB, BC, CD, DA: +3\n"
@@ -43,7 +43,7 @@ TEST_CASE("A truss is counted by its members and nodes")
     made.model.analysis = AnalysisKind::Truss2d;
     made.model.nodes[0].support = Support{.kind = Pin};
     made.member("A", "C");
-    CHECK(text_of(made.model) == "Degree of static indeterminacy: 5 members + 3 reactions − 4 nodes × 2 = 0\n"
+    CHECK(text_of(made.model) == "Degree of indeterminacy: 5 members + 3 reactions − 4 nodes × 2 = 0\n"
                                  "External: 3 reactions − 1 part × 3 = 0\n"
                                  "Internal: 5 members − (4 nodes × 2 − 1 part × 3) = 0\n"
                                  "  support A: +2\n"

@@ -10,7 +10,7 @@ using namespace femoop::free_body;
 namespace {
 
 /// A cantilever from A under 12 kN/m and 30 kN at 3 m, cut at 2 m.
-Model cantilever()
+Model held_beam()
 {
     FrameMaker made;
     made.node("A", 0, 0, SupportKind::Fixed)
@@ -32,7 +32,7 @@ FreeBody right_part(const Model& model)
 
 TEST_CASE("The forces on a body stand in a table that adds up to nothing, and in its equations")
 {
-    const Model model = cantilever();
+    const Model model = held_beam();
     CHECK(free_body_text(right_part(model), model, {2.0, 0.0, 0.0}, english) ==
           "Free body: nodes B; members AB from x = 2 m to x = 5 m\n"
           "Moments about (2, 0) m\n"
@@ -50,7 +50,7 @@ TEST_CASE("The forces on a body stand in a table that adds up to nothing, and in
 
 TEST_CASE("Moments about another point have the arms of all forces")
 {
-    const Model model = cantilever();
+    const Model model = held_beam();
     const auto lines = equation_lines(right_part(model), model, {5.0, 0.0, 0.0}, english);
     REQUIRE(lines.size() == 3);
     CHECK(lines[2] == "ΣM(5, 0) = 60 + 54 − 114 = 0  [kN·m]");
