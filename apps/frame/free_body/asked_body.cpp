@@ -135,7 +135,8 @@ Vector3d AskedBody::aside(const femoop::Model& model, const Body& body) const
     const double size = share_aside * structure.size();
     if (line_) {
         const Vector2d d = (line_->to - line_->from).normalized();
-        return size * Vector3d(-d.y(), d.x(), 0.0);
+        const Vector2d across = Vector2d(-d.y(), d.x()) + 0.35 * d; // and along it, so that no member hides another
+        return size * Vector3d(across.x(), across.y(), 0.0);
     }
     const Vector3d away = middle_of(structure, body) - middle_of(structure.positions);
     if (away.norm() > 1e-6 * structure.size()) return size * away.normalized();
