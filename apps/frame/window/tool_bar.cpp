@@ -313,7 +313,7 @@ std::string_view hint(ToolKind tool, bool is_in_space)
     case ToolKind::Dimension: return translatable("Click two nodes, then a place; more nodes go on.");
     case ToolKind::Predict: return translatable("Draw the moments beside the members; H reveals.");
     case ToolKind::Influence: return translatable("Click a section or a support; drag the section along. R: trains");
-    case ToolKind::FreeBody: return translatable("Click nodes or members, or draw a cut; U: its other side");
+    case ToolKind::FreeBody: return translatable("Click a part, or draw a cut; V: its other side");
     case ToolKind::Paste: return translatable("Click where it goes, or type the place: 6,4  @3,2");
     case ToolKind::Delete: break;
     }
