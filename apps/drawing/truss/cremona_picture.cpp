@@ -259,21 +259,47 @@ private:
         }
     }
 
-    /// Broad below, so that a reaction shows beside the loads that lie on it.
     void draw_forces(ForceCause cause) const
     {
-        const bool is_reaction = cause == ForceCause::Reaction;
-        const ui::Role role = is_reaction ? ui::Role::Reaction : ui::Role::Load;
-        ui::Stroke stroke{.color = sketch().theme().stroke(role).color, .width = sketch().px(is_reaction ? 6.0 : 2.4)};
-        if (is_reaction) stroke.color = ui::with_opacity(stroke.color, 0.6);
+        const ui::Role role = cause == ForceCause::Reaction ? ui::Role::Reaction : ui::Role::Load;
+        const ui::Color color = sketch().theme().stroke(role).color;
         for (std::size_t i = 0; i < picture_.diagram.forces.size(); ++i) {
-            if (picture_.truss.forces[picture_.diagram.forces[i]].cause != cause) continue;
-            const auto spaces = picture_.diagram.force_spaces(i);
-            const ui::Point a = at(spaces[0]), b = at(spaces[1]), along = ui::direction(b - a);
-            sketch().line(a, b, stroke);
+            if (cause_of(i) != cause) continue;
+            const auto [begin, end] = force_ends(i);
+            const ui::Point along = ui::direction(end - begin);
+            const ui::Point aside = cause == ForceCause::Reaction ? beside_loads(begin, end) : ui::Point{};
+            const ui::Point a = begin + aside, b = end + aside;
+            sketch().line(a, b, {.color = color, .width = sketch().px(2.4)});
             const double head = std::min(sketch().px(11.0), 0.6 * ui::distance(a, b));
-            arrow_head(sketch(), 0.5 * (a + b) + 0.5 * head * along, along, head, sketch().theme().stroke(role).color);
+            arrow_head(sketch(), 0.5 * (a + b) + 0.5 * head * along, along, head, color);
         }
+    }
+
+    ForceCause cause_of(std::size_t i) const { return picture_.truss.forces[picture_.diagram.forces[i]].cause; }
+
+    std::array<ui::Point, 2> force_ends(std::size_t i) const
+    {
+        const auto spaces = picture_.diagram.force_spaces(i);
+        return {at(spaces[0]), at(spaces[1])};
+    }
+
+    /// A reaction on the line of loads is drawn beside them, away from the sides of bars.
+    ui::Point beside_loads(ui::Point a, ui::Point b) const
+    {
+        constexpr double same_line = 1.0; // [px]
+        const ui::Point across = ui::left_normal(ui::direction(b - a));
+        bool is_on_loads = false;
+        for (std::size_t i = 0; i < picture_.diagram.forces.size(); ++i) {
+            if (cause_of(i) != ForceCause::Load) continue;
+            const auto [begin, end] = force_ends(i);
+            is_on_loads = is_on_loads || (std::abs(ui::dot(begin - a, across)) < same_line &&
+                                          std::abs(ui::dot(end - a, across)) < same_line);
+        }
+        if (!is_on_loads) return {};
+        double others = 0.0;
+        for (const femoop::truss::Space& space : picture_.diagram.spaces)
+            others += ui::dot(plan_(space.point) - a, across);
+        return (others > 0.0 ? -1.0 : 1.0) * sketch().px(8.0) * across;
     }
 
     /// Spaces whose points fall together share a name.
