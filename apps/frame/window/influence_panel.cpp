@@ -72,14 +72,12 @@ public:
         const ui::Measure measure = drawing::measure_of(picture_.line.effect);
         const std::vector<std::string> headings{units_.label("s", ui::Measure::Length), tr()("direction"),
                                                 tr()("candidate"), units_.label(component(), measure)};
-        const double worst = worst_value();
-        result_list("candidates", headings, line.candidates().size(), [&](std::size_t i) {
-            const CandidatePosition candidate = line.candidates()[i]; // a click may change them
-            place_cell({candidate.position, candidate.reversed});
-            name_cell(candidate.reversed ? "<" : ">");
-            name_cell(tr()(name_of(candidate.kind)));
-            const std::string mark = candidate.value == worst ? "* " : "";
-            number_cell(mark + text(candidate.value, measure));
+        const std::vector<CandidatePosition> all = worst_first(line.candidates(), is_max);
+        result_list("candidates", headings, all.size(), [&](std::size_t i) {
+            place_cell({all[i].position, all[i].reversed});
+            name_cell(all[i].reversed ? "<" : ">");
+            name_cell(tr()(name_of(all[i].kind)));
+            number_cell(text(all[i].value, measure));
         });
         ui::wrapped_text(tr()(
             "s is the place of the leading axle. At a break an axle passes an end of a piece of the line (− before "
@@ -113,14 +111,12 @@ private:
         return femoop::influence::component_name(session_.model().analysis, picture_.line.effect);
     }
 
-    double worst_value() const
+    static std::vector<CandidatePosition> worst_first(std::vector<CandidatePosition> all, bool is_max)
     {
-        const auto& candidates = session_.influence.candidates();
-        const bool is_max = session_.influence.standing()->kind == femoop::ExtremeKind::Max;
-        double worst = candidates.front().value;
-        for (const CandidatePosition& one : candidates)
-            worst = is_max ? std::max(worst, one.value) : std::min(worst, one.value);
-        return worst;
+        std::ranges::stable_sort(all, [&](const CandidatePosition& a, const CandidatePosition& b) {
+            return is_max ? a.value > b.value : a.value < b.value;
+        });
+        return all;
     }
 
     void place_cell(const AskedTrain::Place& place) const
@@ -185,7 +181,9 @@ void influence_panel(Workspace& workspace)
     tables.title();
     const bool is_traced = session.influence.is_traced();
     if (session.influence.standing() != nullptr && !is_traced) tables.candidates();
-    if (!picture->traced) tables.ordinates();
+    if (picture->traced)
+        ui::wrapped_text(session.tr()("The ordinates stand here when the load has passed its whole path."));
+    else tables.ordinates();
 }
 
 } // namespace frame
