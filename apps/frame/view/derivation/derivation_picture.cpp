@@ -24,8 +24,8 @@ using ui::Role;
 namespace {
 
 constexpr double panel_margin = 12.0;
-constexpr double map_share = 0.34;                      // of the sheet's width, at most
-constexpr std::array sizes{1.0, 0.92, 0.84, 0.76, 0.7}; // of the theme's type, the first that fits
+constexpr double map_share = 0.34;                                  // of the sheet's width, at most
+constexpr std::array sizes{1.25, 1.12, 1.0, 0.92, 0.84, 0.76, 0.7}; // of the theme's type, the first that fits
 
 MatrixBlock::Kind kind_of(const Step& step, const NamedMatrix& matrix)
 {
@@ -69,7 +69,8 @@ public:
 
     ui::Size needed() const
     {
-        return {right_ + (sheet_.width - room_right()), std::max(bottom_ + panel_margin, 12.0 * look_.theme.type().normal)};
+        return {right_ + (sheet_.width - room_right()),
+                std::max(bottom_ + panel_margin, 12.0 * look_.theme.type().normal)};
     }
 
     void draw(ui::Painter& painter) const

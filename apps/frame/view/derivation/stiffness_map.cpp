@@ -40,9 +40,11 @@ public:
         };
         has_names_ = names < 0.45 * box.width() && side(names) > 0.95 * small_;
         const double margin = has_names_ ? names : 0.0;
-        cell_ = std::min(side(margin), 2.4 * small_);
+        cell_ = std::min(side(margin), 3.6 * small_);
         corner_ = {box.min.x + margin, box.min.y + head};
     }
+
+    double bottom() const { return corner_.y + n() * cell_; }
 
     void draw() const
     {
@@ -140,8 +142,8 @@ private:
     void draw_mark(Index row) const
     {
         const ui::LayerScope layer(painter_, ui::Layer::Symbols);
-        const ui::Stroke stroke{.color = look_.theme.stroke(Role::Selection).color,
-                                .width = std::clamp(0.14 * cell_, 1.0, 3.0)};
+        const ui::Stroke stroke{.color = look_.theme.stroke(Role::Member).color, // unlike that of any cell
+                                .width = std::clamp(0.1 * cell_, 1.0, 3.0)};
         if (is_of_member())
             for (const Index column : step_.rows) outline(at(row, column), stroke);
         else if (!is_of_loads()) outline({at(row, 0).min, at(row, static_cast<Index>(names_.size()) - 1).max}, stroke);
@@ -199,10 +201,12 @@ void draw_stiffness_map(ui::Painter& painter, const femoop::derivation::Derivati
     if (!reason.empty()) return write(painter, reason, style, box);
     style.size = look.theme.type().small;
     const std::string note = renumbering_text(derivation.system, look.tr);
-    const double height = 1.35 * style.size *
-                          static_cast<double>(ui::wrapped_lines(painter.fonts(), note, style, box.width()).size());
-    StiffnessMap(painter, derivation.system, step, model, look, {box.min, box.max - Point{0.0, height}}).draw();
-    write(painter, note, style, {{box.min.x, box.max.y - height}, box.max});
+    const double height = 0.6 * style.size +
+                          1.35 * style.size *
+                              static_cast<double>(ui::wrapped_lines(painter.fonts(), note, style, box.width()).size());
+    const StiffnessMap map(painter, derivation.system, step, model, look, {box.min, box.max - Point{0.0, height}});
+    map.draw();
+    write(painter, note, style, {{box.min.x, map.bottom() + 0.5 * style.size}, box.max});
 }
 
 } // namespace frame
