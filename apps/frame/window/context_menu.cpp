@@ -54,14 +54,25 @@ std::vector<std::string_view> loads_for(const Session& session)
     return has_nodes ? loads_for_nodes(session.model().analysis) : std::vector<std::string_view>{};
 }
 
+// It opens in the frame after the click.
+bool is_asked_for(const Workspace& workspace)
+{
+    return std::ranges::find(workspace.requests, Request::ContextMenu) != workspace.requests.end();
+}
+
+void forget_place(Workspace& workspace)
+{
+    workspace.menu_cut.reset();
+    workspace.menu_number.reset();
+}
+
 } // namespace
 
 void ContextMenu::show(Workspace& workspace, const CommandTable& commands)
 {
     if (std::exchange(opens_, false)) ImGui::OpenPopup("###context");
     if (!ImGui::BeginPopup("###context")) {
-        workspace.menu_cut.reset();
-        workspace.menu_number.reset();
+        if (!is_asked_for(workspace)) forget_place(workspace);
         return;
     }
     if (workspace.menu_number) {
