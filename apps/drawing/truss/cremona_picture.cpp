@@ -221,7 +221,7 @@ private:
 class ReciprocalDrawing {
 public:
     ReciprocalDrawing(const Scene& scene, const CremonaPicture& picture, const ui::Box& panel)
-        : scene_(scene), picture_(picture), plan_(picture.diagram, panel, scene.sketch.theme())
+        : scene_(scene), picture_(picture), plan_(picture.diagram, panel, scene.sketch.theme()), sides_(sides())
     {}
 
     void draw() const
@@ -267,7 +267,7 @@ private:
             if (cause_of(i) != cause) continue;
             const auto [begin, end] = force_ends(i);
             const ui::Point along = ui::direction(end - begin);
-            const ui::Point aside = cause == ForceCause::Reaction ? beside_loads(begin, end) : ui::Point{};
+            const ui::Point aside = cause == ForceCause::Reaction ? beside_sides(begin, end) : ui::Point{};
             const ui::Point a = begin + aside, b = end + aside;
             sketch().line(a, b, {.color = color, .width = sketch().px(2.4)});
             const double head = std::min(sketch().px(11.0), 0.6 * ui::distance(a, b));
@@ -283,23 +283,31 @@ private:
         return {at(spaces[0]), at(spaces[1])};
     }
 
-    /// A reaction on the line of loads is drawn beside them, away from the sides of bars.
-    ui::Point beside_loads(ui::Point a, ui::Point b) const
+    /// A reaction on the line of a load or of a bar's side is drawn beside it, away from the other sides.
+    ui::Point beside_sides(ui::Point a, ui::Point b) const
     {
         constexpr double same_line = 1.0; // [px]
         const ui::Point across = ui::left_normal(ui::direction(b - a));
-        bool is_on_loads = false;
-        for (std::size_t i = 0; i < picture_.diagram.forces.size(); ++i) {
-            if (cause_of(i) != ForceCause::Load) continue;
-            const auto [begin, end] = force_ends(i);
-            is_on_loads = is_on_loads || (std::abs(ui::dot(begin - a, across)) < same_line &&
-                                          std::abs(ui::dot(end - a, across)) < same_line);
-        }
-        if (!is_on_loads) return {};
+        const auto is_below = [&](const std::array<ui::Point, 2>& side) {
+            return std::ranges::all_of(side,
+                                       [&](ui::Point end) { return std::abs(ui::dot(end - a, across)) < same_line; });
+        };
+        if (std::ranges::none_of(sides_, is_below)) return {};
         double others = 0.0;
         for (const femoop::truss::Space& space : picture_.diagram.spaces)
             others += ui::dot(plan_(space.point) - a, across);
         return (others > 0.0 ? -1.0 : 1.0) * sketch().px(8.0) * across;
+    }
+
+    /// Of all loads and bars, drawn yet or not, so that nothing shifts from stage to stage.
+    std::vector<std::array<ui::Point, 2>> sides() const
+    {
+        std::vector<std::array<ui::Point, 2>> all;
+        for (std::size_t i = 0; i < picture_.diagram.forces.size(); ++i)
+            if (cause_of(i) == ForceCause::Load) all.push_back(force_ends(i));
+        for (std::size_t i = 0; i < picture_.truss.bars.size(); ++i)
+            if (picture_.diagram.joints.forces[i] != 0.0) all.push_back(ends(MemberId(i)));
+        return all;
     }
 
     /// Spaces whose points fall together share a name.
@@ -339,6 +347,7 @@ private:
     const Scene& scene_;
     const CremonaPicture& picture_;
     DiagramPlan plan_;
+    std::vector<std::array<ui::Point, 2>> sides_;
 };
 
 } // namespace

@@ -8,7 +8,8 @@ namespace femoop::truss {
 
 namespace {
 
-constexpr double along_bar = 1e-9; // rad: so near a bar a line runs along it
+constexpr double along_bar = 1e-9;    // rad: so near a bar a line runs along it
+constexpr double clear_of_bars = 0.5; // rad: an arrow is well seen there
 
 /// Between a bar and the next one clockwise.
 struct Corner {
@@ -58,17 +59,36 @@ public:
     }
 
 private:
+    /// A direction between two bars, and the angle to the nearer one.
+    struct Place {
+        std::size_t corner = 0;
+        Eigen::Vector2d away;
+        double room = 0.0;
+    };
+
     void lay(std::size_t force)
     {
         const Eigen::Vector2d along = truss_.forces[force].force.normalized();
-        for (const Eigen::Vector2d& away : {Eigen::Vector2d(-along), along})
-            for (std::size_t i = 0; i < corners_.size(); ++i)
-                if (is_open_[i] && corners_[i].holds(away)) {
-                    forces_in_[i].push_back({.bar = {}, .force = force, .away = away});
-                    return;
-                }
-        if (const auto widest = widest_open())
-            forces_in_[*widest].push_back({.bar = {}, .force = force, .away = corners_[*widest].middle()});
+        const std::optional<Place> pushing = place(-along), pulling = place(along);
+        if (pushing && (pushing->room >= clear_of_bars || !pulling || pushing->room >= pulling->room))
+            return lay(force, *pushing);
+        if (pulling) return lay(force, *pulling);
+        if (const auto widest = widest_open()) lay(force, {*widest, corners_[*widest].middle(), 0.0});
+    }
+
+    void lay(std::size_t force, const Place& place)
+    {
+        forces_in_[place.corner].push_back({.bar = {}, .force = force, .away = place.away});
+    }
+
+    std::optional<Place> place(const Eigen::Vector2d& away) const
+    {
+        for (std::size_t i = 0; i < corners_.size(); ++i) {
+            if (!is_open_[i] || !corners_[i].holds(away)) continue;
+            const double at = clockwise_angle(corners_[i].begin, away);
+            return Place{i, away, std::min(at, corners_[i].angle - at)};
+        }
+        return std::nullopt;
     }
 
     std::optional<std::size_t> widest_open() const

@@ -29,8 +29,9 @@ double clockwise_angle(const Eigen::Vector2d& from, const Eigen::Vector2d& to);
 /// Whether forces may lie between this bar and the next one clockwise.
 using IsOpen = std::function<bool(NodeId joint, MemberId bar)>;
 
-/// Lays each force between two bars of its joint: before the joint, which it pushes, where there is room; else behind,
-/// where it pulls; else, as its line runs along bars or between others, in the middle of the widest room.
+/// Lays each force between two bars of its joint: before the joint, which it pushes, where it is clear of bars; else
+/// there or behind, where it pulls, whichever is clearer; else, as its line runs along bars or between others, in the
+/// middle of the widest room.
 Arrangement arrange(const Truss& truss, const IsOpen& is_open);
 
 } // namespace femoop::truss
