@@ -128,36 +128,54 @@ private:
     void name_space(SpaceId id) const
     {
         const femoop::truss::Space& space = picture_.diagram[id];
-        if (!space.is_inside && picture_.n_stages == 0) return;
-        const ui::Point at = space.is_inside ? middle_of(space) : beside(id);
+        if (space.is_inside) return name_inside(space);
+        if (picture_.n_stages == 0) return;
         sketch().caption({.text = space.name,
                           .role = letter_role,
-                          .target = at,
+                          .target = beside(id),
                           .toward = {0.0, 0.0},
                           .gap = 0.0,
                           .rank = Rank::Largest,
                           .weight = ui::Weight::Bold,
-                          .size = 1.25 * sketch().theme().type().normal,
+                          .size = letter_size(),
                           .reach = 60.0});
     }
 
+    double letter_size() const { return 1.25 * sketch().theme().type().normal; }
+
+    /// Beside its space a name would be another's: it stays within, if need be smaller.
+    void name_inside(const femoop::truss::Space& space) const
+    {
+        constexpr double fitting = 1.7; // em of a circle's radius
+        const auto [at, room] = middle_of(space);
+        const ui::LayerScope layer(sketch().painter(), ui::Layer::Labels);
+        ui::TextStyle style = sketch().theme().text(letter_role, ui::Anchor::Center);
+        style.weight = ui::Weight::Bold;
+        style.size = std::clamp(fitting * room, 0.8 * sketch().theme().type().small, letter_size());
+        sketch().painter().text(at, space.name, style);
+        const ui::Size size = ui::label_size(sketch().painter().fonts(), space.name, style);
+        sketch().reserve(ui::box_at(at - ui::Point{0.5 * size.width, 0.5 * size.height}, size));
+    }
+
+    struct Middle {
+        ui::Point at;
+        double room = 0.0; ///< distance from the nearest bar
+    };
+
     /// Where within its bars there is most room.
-    ui::Point middle_of(const femoop::truss::Space& space) const
+    Middle middle_of(const femoop::truss::Space& space) const
     {
         std::vector<ui::Point> corners;
         for (const femoop::truss::Way& way : space.outline) corners.push_back(place(begin_of(picture_.truss, way)));
         ui::Box box{corners.front(), corners.front()};
         for (const ui::Point corner : corners) box = ui::united(box, {corner, corner});
         constexpr int n = 24;
-        ui::Point best = box.center();
-        double most = 0.0;
+        Middle best{box.center()};
         for (int i = 1; i < n; ++i)
             for (int j = 1; j < n; ++j) {
                 const ui::Point at{box.min.x + box.width() * i / n, box.min.y + box.height() * j / n};
                 const double room = room_at(at, corners);
-                if (room <= 1.001 * most) continue;
-                most = room;
-                best = at;
+                if (room > 1.001 * best.room) best = {at, room};
             }
         return best;
     }

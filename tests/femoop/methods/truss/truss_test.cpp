@@ -162,6 +162,39 @@ TEST_CASE("A compound truss, where every joint has three bars, is begun by a sec
     check_laws(truss, diagram);
 }
 
+TEST_CASE("A Fink truss, where joint by joint comes to a stop, goes on by a section through its tie")
+{
+    TrussMaker made;
+    for (const bool is_left : {true, false}) {
+        const auto node = [&](char letter, double x, double y, SupportKind kind = SupportKind::Custom) {
+            made.node(std::string(1, is_left ? letter : static_cast<char>(letter + 'a' - 'A')),
+                      {is_left ? x : 16.0 - x, y}, kind);
+        };
+        node('A', 0.0, 0.0, is_left ? Pin : Roller);
+        node('B', 2.0, 1.0);
+        node('C', 4.0, 2.0);
+        node('D', 6.0, 3.0);
+        node('P', 2.5, 0.0);
+        node('Q', 5.0, 0.0);
+        node('R', 6.5, 2.0);
+    }
+    made.node("T", {8.0, 4.0}).bars({"AB", "BC", "CD", "DT", "AP", "PQ", "BP", "PC", "CQ", "CR", "RQ", "RT", "DR"});
+    made.bars({"ab", "bc", "cd", "dT", "ap", "pq", "bp", "pc", "cq", "cr", "rq", "rT", "dr", "Qq"});
+    for (const char* joint : {"B", "C", "D", "T", "d", "c", "b"}) made.load(joint, {0.0, -10.0});
+    const Truss truss = truss_in(made.model);
+    const Reciprocal diagram = reciprocal(truss);
+    check_laws(truss, diagram);
+    const MemberId tie = bar_named(made.model, "Q-q");
+    const auto section = std::ranges::find_if(diagram.joints.steps, [&](const truss::Step& step) {
+        return step.kind == truss::StepKind::Cut && step.found.front() == tie;
+    });
+    REQUIRE(section != diagram.joints.steps.end());
+    const CutEquation& equation = section->cut->equations.front();
+    REQUIRE(equation.ritter_point);
+    CHECK((*equation.ritter_point - Eigen::Vector2d(8.0, 4.0)).norm() < 1e-9); // the ridge
+    CHECK(equation.force == doctest::Approx(truss[tie].force));
+}
+
 TEST_CASE("Zero-force bars carry nothing, and a rule finds those that textbooks find")
 {
     for (unsigned seed = 0; seed < n_seeds; ++seed) {
