@@ -29,7 +29,7 @@ template <class Visit> void each_entry(const SparseMatrix& K, Visit&& visit)
 {
     for (Eigen::Index column = 0; column < K.outerSize(); ++column)
         for (SparseMatrix::InnerIterator entry(K, column); entry; ++entry)
-            visit(static_cast<std::size_t>(entry.row()), static_cast<std::size_t>(column));
+            if (entry.value() != 0.0) visit(static_cast<std::size_t>(entry.row()), static_cast<std::size_t>(column));
 }
 
 BlockGraph graph_of(const SystemTrace& system, const Places& blocks)
