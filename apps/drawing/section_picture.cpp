@@ -91,7 +91,7 @@ public:
         painter_.disc(fit_.centroid, px(3.5), color(Role::LocalAxes));
     }
 
-    void draw_size()
+    void draw_size(double yc)
     {
         const Point low = fit_(figure_.bottom, figure_.left), high = fit_(figure_.top, figure_.right);
         const double left = low.x - px(32), below = low.y + px(20);
@@ -99,7 +99,7 @@ public:
         dimension({low.x, below}, {high.x, below}, figure_.width(), Anchor::Top);
         const bool is_off_middle = std::abs(figure_.top + figure_.bottom) > 1e-9 * figure_.height();
         const double right = fit_.centroid.x + fit_.scale * std::max(figure_.right, -figure_.left) + px(46);
-        if (is_off_middle) dimension({right, low.y}, {right, fit_.centroid.y}, -figure_.bottom, Anchor::Left);
+        if (is_off_middle) dimension({right, low.y}, {right, fit_.centroid.y}, yc, Anchor::Left);
     }
 
     /// Arrows on both sides of a thickness, its value beside them.
@@ -253,11 +253,13 @@ void draw_section(ui::Painter& painter, const femoop::Section& section, const fe
     const ui::Box sheet = painter.sheet();
     painter.set_layer(ui::Layer::Background);
     painter.rectangle(sheet, look.theme.background());
-    const Fit fit(*figure, {sheet.min + k * Point{96, 40}, sheet.max - k * Point{108, 48}});
+    const double beside = section.turned ? 124 : 108; // a broad figure leaves its dimensions no other room
+    const Fit fit(*figure, {sheet.min + k * Point{96, 40}, sheet.max - k * Point{beside, 48}});
     draw_area(painter, *figure, fit, look.theme);
     SectionSheet picture(painter, *figure, fit, look);
-    picture.draw_axes(section_properties(section, file));
-    picture.draw_size();
+    const femoop::SectionProperties properties = section_properties(section, file);
+    picture.draw_axes(properties);
+    picture.draw_size(properties.yc.value_or(-figure->bottom));
     if (const auto thin = plates(section, *figure, file))
         draw_plates(picture, section.turned ? lying(*thin, *figure) : *thin, *figure);
 }

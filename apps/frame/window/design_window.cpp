@@ -4,8 +4,8 @@
 
 #include <algorithm>
 #include <string>
+#include <vector>
 
-#include "apps/frame/window/number_row.h"
 #include "ui/widgets/wrapped_text.h"
 
 namespace frame {
@@ -50,7 +50,9 @@ void show_action(Workspace& workspace, std::size_t place)
     const ui::Catalogue& tr = workspace.session.view.tr;
     const ActionKind* const chosen = draft.actions()[place].kind;
     const std::string id = "###action" + std::to_string(place);
-    if (ImGui::BeginCombo(id.c_str(), label_of(chosen, tr).c_str(), ImGuiComboFlags_HeightLargest)) {
+    std::vector<std::string> labels{label_of(nullptr, tr)};
+    for (const ActionKind& kind : action_kinds(draft.code())) labels.push_back(label_of(&kind, tr));
+    if (ui::begin_wrapped_combo(label_of(chosen, tr), labels, id.c_str())) {
         if (ImGui::Selectable(label_of(nullptr, tr).c_str(), chosen == nullptr)) draft.set_action(place, nullptr);
         for (const ActionKind& kind : action_kinds(draft.code())) {
             if (ImGui::Selectable(label_of(&kind, tr).c_str(), chosen == &kind)) draft.set_action(place, &kind);
@@ -64,14 +66,18 @@ void show_action(Workspace& workspace, std::size_t place)
 
 void show_actions(Workspace& workspace)
 {
-    const Rows rows("actions");
-    if (!rows.is_open()) return;
+    if (!ImGui::BeginTable("actions", 2, ImGuiTableFlags_SizingFixedFit)) return;
+    ImGui::TableSetupColumn("###case", ImGuiTableColumnFlags_WidthFixed);
+    ImGui::TableSetupColumn("###action", ImGuiTableColumnFlags_WidthStretch);
     const femoop::Model& model = workspace.session.model();
     for (std::size_t i = 0; i < workspace.design.actions().size(); ++i) {
-        rows.name(model.load_cases[i].id);
-        ImGui::SetNextItemWidth(-1.0F);
+        ImGui::TableNextColumn();
+        ImGui::AlignTextToFramePadding();
+        ImGui::TextUnformatted(model.load_cases[i].id.c_str());
+        ImGui::TableNextColumn();
         show_action(workspace, i);
     }
+    ImGui::EndTable();
 }
 
 void show_states(Workspace& workspace)

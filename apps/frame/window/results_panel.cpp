@@ -181,9 +181,8 @@ void difference_row(const ShownCase& shown, const Difference& one)
     const std::string id = std::visit([&](auto id_of_part) { return shown.model()[id_of_part].id; }, one.part);
     part_cell(shown.session(), part,
               id + ": " + shown.units.label(component_name(one, shown.model().analysis), measure));
-    number_cell(shown.units.number(one.now, measure));
-    number_cell(one.then ? shown.units.number(*one.then, measure) : "");
-    number_cell(one.then ? shown.units.number(*one.change(), measure) : "");
+    for (const std::optional<double>& value : {std::optional(one.now), one.then, one.change()})
+        number_cell(value ? with_minus(shown.units.number(*value, measure)) : "");
 }
 
 /// The present results beside those that are kept, part by part.

@@ -206,7 +206,7 @@ void SectionWindow::show_content(Workspace& workspace, ui::ImGuiSession& gui, ui
     const float line = ImGui::GetTextLineHeightWithSpacing();
     const auto properties = section_properties(draft.section(), workspace.session.model().units);
     const float below = (properties.Iyz != 0.0 ? 7.5F : 5.5F) * line;
-    show_picture(workspace, gui, std::max(ImGui::GetContentRegionAvail().y - below, 7.0F * line));
+    show_picture(workspace, gui, std::max(ImGui::GetContentRegionAvail().y - below, 5.5F * line));
     show_properties_of(properties, workspace.session.units());
 }
 
@@ -260,6 +260,7 @@ void SectionWindow::show_families(Workspace& workspace)
     constexpr int n_in_row = 6;
     const float width = (ImGui::GetContentRegionAvail().x - (n_in_row - 1) * gap) / n_in_row;
     int place = 0;
+    ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {0.0F, ImGui::GetStyle().FramePadding.y});
     for (const femoop::ProfileFamily family : femoop::profile_families()) {
         if (place++ % n_in_row != 0) ImGui::SameLine(0.0F, gap);
         const bool is_chosen = lists_profiles(workspace.section) && family_ == family;
@@ -272,6 +273,7 @@ void SectionWindow::show_families(Workspace& workspace)
         filter_.clear();
         is_listing_ = begins_filter_ = true;
     }
+    ImGui::PopStyleVar();
 }
 
 std::vector<const femoop::Profile*> SectionWindow::listed_profiles() const
