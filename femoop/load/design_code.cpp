@@ -41,7 +41,7 @@ constexpr ActionKind variable(std::string_view id, std::string_view label, std::
 // Building of type 2 (imposed loads up to 5 kN/m^2): permanent actions grouped 1.4, variable ones grouped 1.4. Of
 // variable actions taken one by one (table 4) the wind has 1.4 and temperature 1.2.
 constexpr std::array nbr_actions{
-    permanent("permanent", "Permanent, grouped", "tables 2, 6", 1.4, 1.0),
+    permanent("permanent", "Permanent, grouped", "table 2", 1.4, 1.0),
     variable("live", "Imposed load, no fixed equipment or crowds", "tables 5, 6", 1.4, {0.5, 0.4, 0.3}),
     variable("crowded", "Imposed load, fixed equipment or crowds", "tables 5, 6", 1.4, {0.7, 0.6, 0.4}),
     variable("storage", "Libraries, archives, workshops, garages", "tables 5, 6", 1.4, {0.8, 0.7, 0.6}),
