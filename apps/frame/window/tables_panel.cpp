@@ -259,6 +259,7 @@ ui::Input TablesPanel::take(Workspace& workspace, const ui::Input& input)
 ui::Input TablesPanel::take_presenter_keys(Workspace& workspace, const ui::Input& input)
 {
     if (ImGui::GetIO().WantTextInput) return input;
+    ImGui::GetIO().ConfigFlags &= ~ImGuiConfigFlags_NavEnableKeyboard; // PageDown would scroll the panels
     ui::Input rest = input;
     std::erase_if(rest.keys, [&](const ui::KeyEvent& event) {
         return event.is_down && workspace.bottom.is_open && handle_presenter_key(workspace, event.chord());
