@@ -15,6 +15,7 @@
 #include "apps/frame/session/transform.h"
 #include "femoop/files/whole_file.h"
 #include "femoop/io/counting/counting_text.h"
+#include "femoop/io/free_body/free_body_text.h"
 #include "femoop/io/model_file.h"
 #include "femoop/io/results/results_table.h"
 #include "femoop/io/truss/truss_sentence.h"
@@ -411,6 +412,24 @@ void Session::set_language(ui::Language language)
 
 namespace {
 
+/// Of the degree of indeterminacy, where it is shown.
+std::string counting_text(const Session& session)
+{
+    if (!session.view.show.contains(Show::Counting)) return {};
+    const auto* const counting = session.counting.of(session.model(), session.generation());
+    return counting ? "\n" + femoop::counting::counting_text(*counting, session.model(), session.tr()) : "";
+}
+
+/// Of the free body, where one is lifted out.
+std::string free_body_text(const Session& session)
+{
+    const femoop::Results* const results = session.shown_results();
+    if (results == nullptr || session.view.is_envelope) return {};
+    const auto* const body = session.free_body.picture(session.model(), *results, session.generation(), session.view);
+    if (body == nullptr) return {};
+    return "\n" + femoop::free_body::free_body_text(body->lifted, session.model(), body->about, session.tr());
+}
+
 /// What its stage draws, and how each bar that is found by then is read; or why there is none.
 std::string diagram_text(const Session& session)
 {
@@ -448,6 +467,7 @@ std::string description(const Session& session)
         words += "\n" + tr("Case {case} has no results.", {{"case", session.model().case_name(one.id)}}) + "\n";
         for (const femoop::Fault& fault : one.faults) words += sentence(fault, tr) + "\n";
     }
+    words += counting_text(session) + free_body_text(session);
     if (session.cremona.is_on()) words += "\n" + diagram_text(session);
     if (shown.is_envelope)
         words += "\n" + envelope_text(session.model(), shown) + "\n" +
