@@ -475,6 +475,7 @@ TEST_CASE("What names no body, and what is not of the model, is refused with wha
     refused({"--free-body", "node=Q"}, "--free-body: there is no \"Q\"");
     refused({"--free-body", "cut=AB@900,beside=A"}, "wanted a place from 0 to ");
     refused({"--free-body", "cut=AB@5x%,beside=A"}, "--free-body");
+    refused({"--free-body", "cut=AB@nan,beside=A"}, "--free-body: \"nan\" does not begin with a number");
     refused({"--free-body", "node=A", "--about", "1"},
             "--about: found 1; wanted the coordinates of a point, 2 of them");
     refused({"--about", "1,2"}, "--about needs --free-body too; add it");
