@@ -115,12 +115,29 @@ private:
                      .radius = 20.0});
     }
 
-    /// Section forces lie outside of the body, before its face; others come to it with their heads.
+    Vector3d outward(const Force& section) const
+    {
+        return (section.is_on_plus_face ? 1.0 : -1.0) * scene_.shape[*section.member].x();
+    }
+
+    /// Does a member that was cut off at that place go this way?
+    bool has_cut_toward(const Vector3d& place, const Vector3d& way) const
+    {
+        constexpr double alike = 0.9;
+        return std::ranges::any_of(picture_.lifted.forces, [&](const Force& other) {
+            return other.kind == ForceKind::SectionForces && (other.at - place).norm() < 1e-6 * scene_.shape.size &&
+                   outward(other).dot(way) > alike;
+        });
+    }
+
+    /// Section forces lie outside of the body, before its face; others come to it with their heads, or where a section
+    /// has its forces there go on beyond it.
     ArrowAt touching_end(const Force& force, const Vector3d& direction) const
     {
-        if (force.kind != ForceKind::SectionForces) return ArrowAt::Head;
-        const Vector3d outward = (force.is_on_plus_face ? 1.0 : -1.0) * scene_.shape[*force.member].x();
-        return direction.dot(outward) < -0.5 ? ArrowAt::Head : ArrowAt::Tail;
+        if (force.kind == ForceKind::SectionForces)
+            return direction.dot(outward(force)) < -0.5 ? ArrowAt::Head : ArrowAt::Tail;
+        const bool goes_beyond = has_cut_toward(force.at, -direction) && !has_cut_toward(force.at, direction);
+        return goes_beyond ? ArrowAt::Tail : ArrowAt::Head;
     }
 
     std::string named(std::optional<MemberComponent> component, const std::string& value) const

@@ -43,22 +43,28 @@ Crossed crossed(const femoop::Discretisation& structure, const AskedBody::CutLin
     return found;
 }
 
-Vector3d middle_of(const std::vector<Vector3d>& places)
+Eigen::AlignedBox3d box_around(const femoop::Discretisation& structure, const Body& body)
 {
-    Vector3d sum = Vector3d::Zero();
-    for (const Vector3d& place : places) sum += place;
-    return places.empty() ? sum : Vector3d(sum / static_cast<double>(places.size()));
+    Eigen::AlignedBox3d box;
+    for (const femoop::NodeId node : body.nodes) box.extend(structure.positions[node.index]);
+    for (const Piece& piece : body.pieces)
+        for (const double x : {piece.from, piece.to}) box.extend(structure.geometry(piece.member).at(x));
+    return box;
 }
 
-Vector3d middle_of(const femoop::Discretisation& structure, const Body& body)
+/// Over the nearest side of the structure's box, of those in the plane that it lies in or is drawn upright in.
+Vector3d way_out(const Eigen::AlignedBox3d& structure, const Eigen::AlignedBox3d& body, int upright, double gap)
 {
-    std::vector<Vector3d> places;
-    for (const femoop::NodeId node : body.nodes) places.push_back(structure.positions[node.index]);
-    for (const Piece& piece : body.pieces) {
-        const femoop::MemberGeometry member = structure.geometry(piece.member);
-        places.push_back(0.5 * (member.at(piece.from) + member.at(piece.to)));
+    Vector3d best = Vector3d::Zero();
+    const auto consider = [&](int axis, double distance) {
+        const Vector3d way = distance * Vector3d::Unit(axis);
+        if (best.isZero(0.0) || way.norm() < best.norm()) best = way;
+    };
+    for (const int axis : {upright, 0}) {
+        consider(axis, structure.max()[axis] - body.min()[axis] + gap);
+        consider(axis, structure.min()[axis] - body.max()[axis] - gap);
     }
-    return middle_of(places);
+    return best;
 }
 
 } // namespace
@@ -128,7 +134,7 @@ Body AskedBody::body(const femoop::Model& model) const
     return body_of(structure, members);
 }
 
-/// Across the cut, else away from the middle of the structure; up from there.
+/// Across the cut, else out of the structure by the shortest way.
 Vector3d AskedBody::aside(const femoop::Model& model, const Body& body) const
 {
     const femoop::Discretisation structure = discretise(model);
@@ -138,9 +144,9 @@ Vector3d AskedBody::aside(const femoop::Model& model, const Body& body) const
         const Vector2d across = Vector2d(-d.y(), d.x()) + 0.35 * d; // and along it, so that no member hides another
         return size * Vector3d(across.x(), across.y(), 0.0);
     }
-    const Vector3d away = middle_of(structure, body) - middle_of(structure.positions);
-    if (away.norm() > 1e-6 * structure.size()) return size * away.normalized();
-    return size * (femoop::is_plane(model.analysis) ? Vector3d::UnitY() : Vector3d::UnitZ());
+    Eigen::AlignedBox3d box;
+    for (const Vector3d& position : structure.positions) box.extend(position);
+    return way_out(box, box_around(structure, body), femoop::is_plane(model.analysis) ? 1 : 2, size);
 }
 
 const drawing::FreeBodyPicture* AskedBody::picture(const femoop::Model& model, const femoop::Results& results,

@@ -103,9 +103,9 @@ std::string motion_text(const Counting& counting, const Translator& tr)
         return tr("It can move without strain in many ways, so that the count does not say what it holds");
     const std::size_t n = *counting.n_motions;
     const int total = counting.degree().total();
-    return fill(n == 1 ? tr("It can move without strain in {0} way, which no count tells: {1} = {2} states of "
+    return fill(n == 1 ? tr("It can move without strain in {0} way: {1} = {2} states of "
                             "self-stress − {0} motion")
-                       : tr("It can move without strain in {0} ways, which no count tells: {1} = {2} states of "
+                       : tr("It can move without strain in {0} ways: {1} = {2} states of "
                             "self-stress − {0} motions"),
                 {std::to_string(n), signed_text(total), std::to_string(total + static_cast<int>(n))});
 }

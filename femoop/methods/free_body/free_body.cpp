@@ -273,8 +273,9 @@ std::vector<Equation> equations(const FreeBody& body, AnalysisKind kind, const V
             const double term = is_rotation(dof) ? force.moment_about(about)[i - 3] : force.force[i];
             equation.terms.push_back(term);
             equation.sum += term;
-            const double arm = is_rotation(dof) ? (force.at - about).norm() : 1.0;
-            equation.size = std::max({equation.size, std::abs(term), arm * force.force.norm()});
+            const double arm = (force.at - about).norm();
+            const double whole = is_rotation(dof) ? force.moment.norm() + arm * force.force.norm() : force.force.norm();
+            equation.size = std::max(equation.size, whole);
         }
         list.push_back(std::move(equation));
     }

@@ -58,7 +58,7 @@ struct Equation {
     Dof dof = Dof::ux;
     std::vector<double> terms; ///< of each of the forces
     double sum = 0.0;          ///< 0 but for rounding
-    double size = 0.0;         ///< of the largest thing that is summed: the terms, and forces by their arms
+    double size = 0.0;         ///< of the largest force, or of the largest moment about the point, in any direction
 };
 
 /// All that a model of this kind has: in the plane along x and y and about the point, of a grillage along z and about x
