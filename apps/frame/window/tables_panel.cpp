@@ -55,7 +55,9 @@ float TablesPanel::height(const Workspace& workspace, float room) const
     if (workspace.bottom.content == BottomContent::Solver) least = least_height_of_solver;
     if (workspace.bottom.content == BottomContent::Derivation) least = least_height_of_derivation;
     const float height = std::max(height_, least);
-    return std::min(height * ImGui::GetFontSize(), 0.7F * room);
+    const bool is_beside_drawing = workspace.bottom.content ==
+                                   BottomContent::Derivation; // which goes on being looked at
+    return std::min(height * ImGui::GetFontSize(), (is_beside_drawing ? 0.5F : 0.7F) * room);
 }
 
 void TablesPanel::follow(const Workspace& workspace)

@@ -120,7 +120,7 @@ private:
     }
     std::vector<std::string> sentence_lines() const
     {
-        return lines(symbol_text(femoop::derivation::sentence(step_, model_, look_.tr), look_.tr), sentence_style());
+        return lines(with_raised_powers(femoop::derivation::sentence(step_, model_, look_.tr)), sentence_style());
     }
     double head_height() const
     {

@@ -5,6 +5,7 @@
 #include <numeric>
 
 #include "femoop/io/results/matrix_table.h"
+#include "ui/text/language_manner.h"
 #include "ui/text/number_format.h"
 
 namespace frame {
@@ -22,6 +23,14 @@ void replace_all(std::string& text, std::string_view what, std::string_view by)
         text.replace(at, what.size(), by);
 }
 
+/// M(BC, 2,25): what stands behind the comma is a number.
+void localize_place(std::string& text, const ui::Catalogue& tr)
+{
+    const std::size_t place = text.rfind(", ");
+    const std::size_t point = place == std::string::npos ? place : text.find('.', place);
+    if (point != std::string::npos && ui::decimal_mark(tr.language()) == ui::DecimalMark::Comma) text[point] = ',';
+}
+
 constexpr std::array words{translatable("data"),       translatable("entries"), translatable("place"),
                            translatable("factors"),    translatable("factor"),  translatable("value"),
                            translatable("extremes"),   translatable("max"),     translatable("min"),
@@ -29,13 +38,19 @@ constexpr std::array words{translatable("data"),       translatable("entries"), 
 
 } // namespace
 
-std::string symbol_text(const std::string& symbol, const ui::Catalogue& tr)
+std::string with_raised_powers(std::string text)
 {
-    if (std::ranges::find(words, symbol) != words.end()) return tr(symbol);
-    std::string text = symbol;
     replace_all(text, "^2", "²");
     replace_all(text, "^3", "³");
     replace_all(text, "^T", "ᵀ");
+    return text;
+}
+
+std::string symbol_text(const std::string& symbol, const ui::Catalogue& tr)
+{
+    if (std::ranges::find(words, symbol) != words.end()) return tr(symbol);
+    std::string text = with_raised_powers(symbol);
+    localize_place(text, tr);
     return ui::with_minus_signs(text);
 }
 
