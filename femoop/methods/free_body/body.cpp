@@ -54,8 +54,11 @@ private:
             for (const NodeId node : nodes) reach(node);
             return;
         }
-        if (nodes[0] == from) body_.pieces.push_back({member, all.from, cut->second.front()});
-        else body_.pieces.push_back({member, cut->second.back(), all.to});
+        if (nodes[0] == from)
+            body_.pieces.push_back(
+                {.member = member, .from = all.from, .to = cut->second.front(), .ends_at_cut = true});
+        else
+            body_.pieces.push_back({.member = member, .from = cut->second.back(), .to = all.to, .begins_at_cut = true});
     }
 
     const Discretisation& structure_;

@@ -19,6 +19,7 @@ struct Cut {
 struct Piece {
     MemberId member;
     double from = 0.0, to = 0.0;
+    bool begins_at_cut = false, ends_at_cut = false; ///< it is not joined to a node there, though it may reach it
 };
 
 /// A part of a structure that is lifted out: nodes, each with the rigid arms of the members that meet it, and pieces of

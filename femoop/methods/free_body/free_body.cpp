@@ -15,6 +15,8 @@ namespace femoop::free_body {
 
 namespace {
 
+constexpr double rounding = 1e-9; // of a member's length: places that are nearer to one another are one
+
 using Eigen::Vector3d;
 
 Vector3d forces_of(const NodeVector& v) { return {v[0], v[1], v[2]}; }
@@ -70,9 +72,10 @@ private:
     NodeId node_at(MemberId member, std::size_t end) const { return structure_.members[member.index].nodes[end]; }
     bool ends_at(const Piece& piece, std::size_t end) const
     {
-        return end == 0 ? piece.from <= 0.0 : piece.to >= structure_.geometry(piece.member).length;
+        if (end == 0) return !piece.begins_at_cut && piece.from <= 0.0;
+        return !piece.ends_at_cut && piece.to >= structure_.geometry(piece.member).length;
     }
-    /// Has the body a piece at that end of a member?
+    /// Is a piece joined to that end of a member, whose node may be in the body or not?
     bool has_piece_at(MemberId member, std::size_t end) const
     {
         return std::ranges::any_of(free_.body.pieces,
@@ -110,19 +113,31 @@ private:
 
     void add_stub(MemberId member, double x)
     {
-        add_point_loads(member, [&](double at) { return at == x; });
+        add_point_loads(member,
+                        [&](double at) { return std::abs(at - x) <= rounding * structure_.geometry(member).length; });
         add_section(member, x, x == 0.0);
     }
 
-    void add_piece(const Piece& piece)
+    /// With cuts that all but meet a load point put on it, so that they are on one side of it for sure.
+    Piece settled(Piece piece) const
     {
+        const double near = rounding * structure_.geometry(piece.member).length;
+        for (const double place : result_.curve(piece.member).breaks())
+            for (double* const end : {&piece.from, &piece.to})
+                if (std::abs(*end - place) <= near) *end = place;
+        return piece;
+    }
+
+    void add_piece(const Piece& asked)
+    {
+        const Piece piece = settled(asked);
         const bool begins_at_node = ends_at(piece, 0) && has(node_at(piece.member, 0));
         const bool ends_at_node = ends_at(piece, 1) && has(node_at(piece.member, 1));
-        const double length = structure_.geometry(piece.member).length;
+        const double length = structure_.geometry(piece.member).length, near = rounding * length;
         add_point_loads(piece.member, [&](double at) {
-            if (at <= 0.0) return begins_at_node;
-            if (at >= length) return ends_at_node;
-            return piece.from < at && at <= piece.to;
+            if (at <= near) return begins_at_node;
+            if (at >= length - near) return ends_at_node;
+            return piece.from + near < at && at <= piece.to + near;
         });
         add_distributed_loads(piece);
         add_foundation(piece);
