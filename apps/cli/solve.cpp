@@ -61,7 +61,7 @@ private:
                             const ui::Catalogue& tr) const;
     void require_one_output(const ui::Catalogue& tr) const;
     std::string trace(const Model& model, const ui::Catalogue& tr) const;
-    CaseId one_case(const Model& model, const ui::Catalogue& tr) const;
+    CaseId followed_case(const Model& model, const ui::Catalogue& tr) const;
     std::string derivation(const Model& model, const Results& results, const ui::Catalogue& tr) const;
     std::string virtual_work(const Model& model, const Results& results, const ui::Catalogue& tr) const;
     void write_csv(const Model& model, const Results& results, const Selection& selection,
@@ -93,6 +93,8 @@ HelpText Solve::help(const ui::Catalogue& tr) const
           tr("How member BC enters the system: its stiffness, its rotation, its fixed-end forces, its places.")},
          {"cremona solve examples/portal.json --why member=BC,at=50%,component=M",
           tr("Where this moment comes from, step by step from the data: matrices, equations, end forces.")},
+         {"cremona solve examples/portal.json --virtual-work node=C,component=ux",
+          tr("The sway as the work of a unit load's forces on the strains: integrals of M m / EI and their sum.")},
          {"cremona solve examples/portal.json --free-body cut=BC@2,beside=A --about 0,4.5",
           tr("The forces on the part left of a cut, and its equations of equilibrium.")},
          {"cremona solve examples/storey_frame.json --trace-solver",
@@ -136,6 +138,11 @@ void Solve::declare(CLI::App& app, const ui::Catalogue& tr)
               "extreme), node=N,component=C for a reaction (fx ..) or a displacement (ux ..); of the first load "
               "case, or that of --case"))
         ->option_text("WHAT");
+    app.add_option("--virtual-work", worked_displacement_,
+                   tr("print one displacement as virtual work, instead of the results: the forces of a unit load times "
+                      "the strains, integrated along each member. node=N,component=ux or member=M,at=X,component=v; of "
+                      "the first load case, or that of --case"))
+        ->option_text("WHAT");
     body_.declare(app, tr);
     solver_trace_.declare(app, tr);
     app.add_flag("--describe", is_described_,
@@ -178,26 +185,25 @@ void Solve::require_one_output(const ui::Catalogue& tr) const
             throw UsageError(tr("{a} and {b} print different things; give one of them",
                                 {{"a", std::string(a)}, {"b", std::string(b)}}));
     };
-    const bool traces_solver = solver_trace_.are_given();
-    refuse(traces_solver && traced_member_, "--trace-solver", "--trace");
-    refuse(traces_solver && is_described_, "--trace-solver", "--describe");
-    refuse(traces_solver && case_ != "all", "--trace-solver", "--case");
-    refuse(traces_solver && csv_folder_, "--trace-solver", "--csv");
-    refuse(traced_member_ && is_described_, "--trace", "--describe");
-    refuse(traced_member_ && case_ != "all", "--trace", "--case");
-    refuse(traced_member_ && csv_folder_, "--trace", "--csv");
-    refuse(is_described_ && case_ == "envelope", "--describe", "--case envelope");
-    refuse(asked_number_ && traces_solver, "--why", "--trace-solver");
-    refuse(asked_number_ && traced_member_, "--why", "--trace");
-    refuse(asked_number_ && is_described_, "--why", "--describe");
-    refuse(asked_number_ && csv_folder_, "--why", "--csv");
-    refuse(asked_number_ && case_ == "envelope", "--why", "--case envelope");
-    refuse(body_.is_asked() && traces_solver, "--free-body", "--trace-solver");
-    refuse(body_.is_asked() && traced_member_, "--free-body", "--trace");
-    refuse(body_.is_asked() && asked_number_, "--free-body", "--why");
-    refuse(body_.is_asked() && is_described_, "--free-body", "--describe");
-    refuse(body_.is_asked() && csv_folder_, "--free-body", "--csv");
-    refuse(body_.is_asked() && case_ == "envelope", "--free-body", "--case envelope");
+    struct Output {
+        bool is_given;
+        std::string_view option;
+        bool is_of_a_case, has_csv;
+    };
+    const std::array outputs{Output{solver_trace_.are_given(), "--trace-solver", false, false},
+                             Output{traced_member_.has_value(), "--trace", false, false},
+                             Output{asked_number_.has_value(), "--why", true, false},
+                             Output{worked_displacement_.has_value(), "--virtual-work", true, false},
+                             Output{body_.is_asked(), "--free-body", true, false},
+                             Output{is_described_, "--describe", true, true}};
+    for (std::size_t i = 0; i < outputs.size(); ++i) {
+        const auto& [is_given, option, is_of_a_case, has_csv] = outputs[i];
+        for (std::size_t j = i + 1; j < outputs.size(); ++j)
+            refuse(is_given && outputs[j].is_given, option, outputs[j].option);
+        refuse(is_given && !is_of_a_case && case_ != "all", option, "--case");
+        refuse(is_given && is_of_a_case && case_ == "envelope", option, "--case envelope");
+        refuse(is_given && !has_csv && csv_folder_, option, "--csv");
+    }
 }
 
 std::string Solve::description(const Model& model, const Results& results, const Selection& selection,
@@ -222,8 +228,8 @@ std::string Solve::trace(const Model& model, const ui::Catalogue& tr) const
     return is_json_ ? femoop::trace_json(trace, model.units) : femoop::trace_text(trace, model.units, tr);
 }
 
-/// The case that was chosen, else the first.
-CaseId Solve::one_case(const Model& model, const ui::Catalogue& tr) const
+/// That of --case, else the first.
+CaseId Solve::followed_case(const Model& model, const ui::Catalogue& tr) const
 {
     if (model.n_cases() == 0) throw UsageError(tr("The model has no load case."));
     return case_ == "all" && !model.find_case("all") ? CaseId(0) : find_case(model, case_, tr);
@@ -239,7 +245,7 @@ std::string Solve::derivation(const Model& model, const Results& results, const 
         throw UsageError(tr("--why: member {member} is inextensible or rigid: a constraint stands where its stiffness "
                             "would, and is not written as steps yet; give it a stiffness to see them",
                             {{"member", model[*member].id}}));
-    const auto derivation = femoop::derivation::derive(model, results, one_case(model, tr), effect);
+    const auto derivation = femoop::derivation::derive(model, results, followed_case(model, tr), effect);
     return is_json_ ? derivation_json(derivation, model, tr) : derivation_text(derivation, model, tr);
 }
 
@@ -263,7 +269,8 @@ std::string Solve::output(const Model& model, const Results& results, const Sele
 {
     if (traced_member_) return trace(model, tr);
     if (asked_number_) return derivation(model, results, tr);
-    if (body_.is_asked()) return body_.output(model, results, one_case(model, tr), is_json_, tr);
+    if (worked_displacement_) return virtual_work(model, results, tr);
+    if (body_.is_asked()) return body_.output(model, results, followed_case(model, tr), is_json_, tr);
     if (is_described_) return description(model, results, selection, tr);
     if (!is_json_) return tables(model, results, selection, tr);
     return selection.is_envelope ? femoop::envelope_json(model, results, selection.cases, selection.n_stations)

@@ -17,6 +17,7 @@ namespace drawing {
 
 class MomentOverlay;
 struct CremonaPicture;
+struct FreeBodyPicture;
 struct InfluencePicture;
 
 /// One of the motions of a structure that cannot be solved.
@@ -49,6 +50,11 @@ struct DrawInput {
     const MomentOverlay* overlay = nullptr;
     std::span<const NodeNumbers> numbers{};      ///< written at nodes where Show::NodeNumbers is
     const InfluencePicture* influence = nullptr; ///< drawn where Show::Influence is; none when null
+    std::vector<std::string> reasons{};          ///< sentences at the foot: why there are no results
+    /// Drawn in place of the results, with the structure behind it; none when null. \pre of the case that is shown
+    const FreeBodyPicture* free_body = nullptr;
+    const femoop::counting::Counting* counting =
+        nullptr; ///< of the model, drawn where Show::Counting is; none when null
     const CremonaPicture* cremona = nullptr;     ///< drawn where Show::Cremona is; none when null
 };
 

@@ -23,6 +23,7 @@ enum class Show : std::uint8_t {
     Mz,
     Deformed,
     Influence,   ///< the influence line that the input has; no word of a list asks for it
+    Cremona,     ///< the truss and its Cremona diagram that the input has; no word asks for it either
     NodeNumbers, ///< those that the input has, likewise
     Values,      ///< numbers beside loads, reactions and diagrams
     StepValues,  ///< numbers along diagrams at equal steps (DrawOptions::steps)

@@ -19,6 +19,7 @@
 #include "apps/drawing/structure/node_numbers.h"
 #include "apps/drawing/structure/supports.h"
 #include "apps/drawing/truss/cremona_picture.h"
+#include "femoop/io/counting/counting_text.h"
 #include "ui/paint/wrapped_lines.h"
 
 #include <algorithm>
@@ -66,6 +67,16 @@ public:
             if (!all.empty()) draw_reaction_ranges(scene_, all);
             else if (solved) draw_reactions(scene_, *solved);
         }
+        finish();
+    }
+
+    void draw_lifted(const FreeBodyPicture& lifted)
+    {
+        draw_highlights(scene_);
+        draw_members(scene_, Presence::Behind);
+        draw_structure();
+        draw_free_body(scene_, lifted);
+        heads_.push_back({.name = scene_.options.tr("Free body"), .note = {}});
         finish();
     }
 
@@ -461,7 +472,8 @@ Subject::Drawn Subject::draw_panel(ui::Painter& painter, const Panel& panel, con
     const Scene scene{input_.model, shape_, projection, options_, state_, units_, sketch, detail, panel.show};
     PanelPicture picture(scene, input_, panel.box.size());
     if (!options_.show.contains(Show::M) && !shows_any(panel.show, diagrams)) picture.draw_overlay_alone();
-    if (shows_cremona()) picture.draw_cremona(*input_.cremona);
+    if (input_.free_body != nullptr) picture.draw_lifted(*input_.free_body);
+    else if (shows_cremona()) picture.draw_cremona(*input_.cremona);
     else if (const auto& motion = input_.motion) picture.draw_mechanism(motion->all[motion->shown]);
     else picture.draw_solved(cases().shown ? &*cases().shown : nullptr, cases().of_envelope);
     Drawn drawn{.bounds = sketch.bounds(), .tight_bounds = sketch.tight_bounds(), .mark_bounds = sketch.mark_bounds()};
@@ -574,6 +586,7 @@ void Subject::draw_left_out(ui::Painter& painter, std::size_t n_left_out) const
     painter.text(chosen.at, words, style_at(chosen));
 }
 
+bool Subject::has_no_results() const { return input_.motion || !input_.reasons.empty(); }
 bool Subject::shows_cremona() const { return input_.cremona != nullptr && options_.show.contains(Show::Cremona); }
 
 bool Subject::has_curve() const { return input_.influence != nullptr && input_.influence->curve; }
@@ -591,8 +604,23 @@ ui::TextStyle Subject::foot_style() const
 // What comes first is the number, or what it all says.
 ui::Weight Subject::weight_in_foot(bool is_first) const
 {
-    return is_first && !input_.motion && !input_.free_body ? ui::Weight::Bold : ui::Weight::Regular;
+    return is_first && !has_no_results() && !input_.free_body ? ui::Weight::Bold : ui::Weight::Regular;
 }
+
+namespace {
+
+// The picture keeps the larger part of the sheet.
+void cut_short(std::vector<std::string>& lines, double line_height, double sheet_height)
+{
+    constexpr double share = 0.4;
+    constexpr std::size_t least = 2;
+    const std::size_t most = std::max(least, static_cast<std::size_t>(share * sheet_height / line_height));
+    if (lines.size() <= most) return;
+    lines.resize(most);
+    lines.back() += " …";
+}
+
+} // namespace
 
 std::vector<std::string> Subject::stage_sentence(std::size_t stage) const
 {
@@ -612,12 +640,22 @@ std::size_t Subject::most_foot_lines(ui::Size sheet, const ui::Fonts& fonts) con
 
 std::vector<std::string> Subject::foot_lines(ui::Size sheet, const ui::Fonts& fonts) const
 {
-    if (input_.motion) return wrapped_foot({input_.motion->sentence}, sheet, fonts);
-    if (shows_cremona()) return wrapped_foot(stage_sentence(input_.cremona->n_stages), sheet, fonts);
-    if (input_.influence) return wrapped_foot(input_.influence->sentences, sheet, fonts);
-    if (has_overlay_text())
-        return wrapped_foot(input_.overlay->foot({input_.model, shape_, units_, options_.tr}), sheet, fonts);
-    return {};
+    return wrapped_foot(foot_sentences(), sheet, fonts);
+}
+
+std::vector<std::string> Subject::foot_sentences() const
+{
+    std::vector<std::string> sentences;
+    if (input_.motion) sentences.push_back(input_.motion->sentence);
+    else if (!input_.reasons.empty()) sentences = input_.reasons;
+    else if (input_.free_body) sentences = input_.free_body->equations;
+    else if (shows_cremona()) sentences = stage_sentence(input_.cremona->n_stages);
+    else if (input_.influence) sentences = input_.influence->sentences;
+    else if (has_overlay_text()) sentences = input_.overlay->foot({input_.model, shape_, units_, options_.tr});
+    if (input_.counting && options_.show.contains(Show::Counting))
+        std::ranges::move(femoop::counting::sum_lines(*input_.counting, input_.model, options_.tr),
+                          std::back_inserter(sentences));
+    return sentences;
 }
 
 std::vector<std::string> Subject::wrapped_foot(const std::vector<std::string>& sentences, ui::Size sheet,

@@ -50,14 +50,14 @@ void AskedLine::ask(const Model& model, const drawing::Cut& cut)
 {
     const bool goes_on = !femoop::is_truss(model.analysis) && has(model, last_component_); // of a bar it is its force
     const MemberComponent component = goes_on ? last_component_ : foremost_component(model);
-    asked_ = Asked{.member = model[cut.member].id, .x = cut.x, .component = component};
+    asked_ = NamedEffect(model, {.member = cut.member, .component = component, .at = femoop::Quantity(cut.x)});
     begin_trace();
 }
 
 void AskedLine::ask(const Model& model, femoop::NodeId node)
 {
     const Dof down = upright(model);
-    asked_ = Asked{.node = model[node].id, .quantity = ExpectedQuantity::Displacement, .dof = down};
+    asked_ = NamedEffect(model, {.quantity = ExpectedQuantity::Displacement, .node = node, .dof = down});
     begin_trace();
     const std::vector<MovingEffect> reactions = femoop::influence::reactions_at(model, node);
     if (reactions.empty()) return;
@@ -70,9 +70,10 @@ void AskedLine::ask(const Model& model, femoop::NodeId node)
 void AskedLine::choose(const MovingEffect& effect)
 {
     begin_trace();
-    asked_->quantity = effect.quantity;
-    asked_->component = effect.component;
-    asked_->dof = effect.dof;
+    MovingEffect& asked = asked_->effect;
+    asked.quantity = effect.quantity;
+    asked.component = effect.component;
+    asked.dof = effect.dof;
     if (effect.component && effect.quantity == ExpectedQuantity::SectionForce) last_component_ = *effect.component;
 }
 

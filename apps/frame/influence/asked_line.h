@@ -11,6 +11,7 @@
 #include "apps/drawing/draw_options.h"
 #include "apps/drawing/results/influence_picture.h"
 #include "apps/drawing/results/train_picture.h"
+#include "apps/frame/document/named_effect.h"
 #include "apps/frame/influence/candidate_position.h"
 #include "femoop/methods/influence/influence_line.h"
 #include "femoop/methods/influence/train/train_analysis.h"
@@ -95,13 +96,6 @@ public:
     double nearest_on_path(const Eigen::Vector3d& place) const;
 
 private:
-    struct Asked {
-        std::string member, node; ///< one of them
-        double x = 0.0;           ///< along the member
-        femoop::ExpectedQuantity quantity = femoop::ExpectedQuantity::SectionForce;
-        std::optional<femoop::MemberComponent> component;
-        std::optional<femoop::Dof> dof;
-    };
     /// As the reader knows it.
     struct UnitLoad {
         std::string name;

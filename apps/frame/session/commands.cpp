@@ -266,6 +266,7 @@ CommandTable command_table()
     add_influence_commands(table);
     add_free_body_commands(table);
     add_train_commands(table);
+    add_truss_commands(table);
     add_derivation_commands(table);
     add_panel_commands(table);
     add_table_commands(table);

@@ -13,6 +13,7 @@
 
 #include "apps/frame/session/bottom_view.h"
 #include "apps/frame/session/derivation_show.h"
+#include "apps/frame/session/design_draft.h"
 #include "apps/frame/session/distribution_check.h"
 #include "apps/frame/session/section_draft.h"
 #include "apps/frame/session/session.h"

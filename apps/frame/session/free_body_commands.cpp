@@ -70,7 +70,7 @@ void add_free_body_commands(CommandTable& table)
     menu.step({"view.free_body.selected", translatable("Free body of what is selected"), {{Key::B, ui::shift}}},
               lift_selected, why_not_lift);
     menu.step(
-        {"view.free_body.turn", translatable("The other side of the cut"), {{Key::U, {}}}},
+        {"view.free_body.turn", translatable("The other side of the cut"), {{Key::V, {}}}},
         [](Workspace& workspace) { workspace.session.free_body.turn_cut(); }, needs_cut);
     menu.step(
         {"view.free_body.close", translatable("Close the free body")},

@@ -60,6 +60,7 @@ void Session::restart(Document document)
     selection.clear();
     prediction.clear();
     influence.clear();
+    free_body.clear();
     cremona.close();
     view.load_case = femoop::CaseId(0);
     draw_state.camera.reset();

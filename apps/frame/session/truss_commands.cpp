@@ -35,7 +35,7 @@ void add_truss_commands(CommandTable& table)
 {
     Menu(table, translatable("View"))
         .toggle(
-            {"view.cremona", translatable("Cremona diagram"), {{Key::B, {}}}},
+            {"view.cremona", translatable("Cremona diagram"), {{Key::O, {}}}},
             [](const Workspace& workspace) { return workspace.session.cremona.is_on(); }, look_at_diagram,
             why_no_diagram);
 }

@@ -57,11 +57,10 @@ std::vector<std::string> why_blank(const Session& session)
     return all;
 }
 
-void draw_why_no_diagram(ui::Painter& painter, const Session& session, const DrawOptions& options)
+std::vector<std::string> why_no_diagram(const Session& session)
 {
-    if (!session.cremona.is_on() || shown_diagram(session) != nullptr || session.cremona.why_none().empty()) return;
-    const std::string reason = options.tr("No Cremona diagram: {reason}.", {{"reason", session.cremona.why_none()}});
-    draw_at_foot(painter, {reason}, ui::Theme(options.theme));
+    if (!session.cremona.is_on() || shown_diagram(session) != nullptr || session.cremona.why_none().empty()) return {};
+    return {session.view.tr("No Cremona diagram: {reason}.", {{"reason", session.cremona.why_none()}})};
 }
 
 void draw_loose_part(ui::Painter& painter, const Session& session, const DrawOptions& options,

@@ -15,7 +15,7 @@ namespace frame {
 std::vector<std::string> why_blank(const Session& session);
 
 /// Likewise why there is no Cremona diagram where one is looked at.
-void draw_why_no_diagram(ui::Painter& painter, const Session& session, const DrawOptions& options);
+std::vector<std::string> why_no_diagram(const Session& session);
 
 /// Where a part of the structure stands and another can move: the members of that one, and why there are no results. It
 /// takes the place of the motion while members are drawn, and moves nothing under the hand.

@@ -61,6 +61,20 @@ DrawOptions with_influence(DrawOptions options, const Session& session, bool has
     return options;
 }
 
+const FreeBodyPicture* lifted_body(const Session& session)
+{
+    const femoop::Results* const results = session.shown_results();
+    if (results == nullptr || session.view.is_envelope) return nullptr;
+    return session.free_body.picture(session.model(), *results, session.generation(), session.view);
+}
+
+// A free body stands alone before the structure, with all that acts on it.
+DrawOptions with_free_body(DrawOptions options)
+{
+    options.show = options.show & ShowSet{Show::Values, Show::MemberNames, Show::LocalAxes, Show::Legend};
+    return options;
+}
+
 // The truss and its diagram say all that there is; names of bars would stand where their forces do.
 DrawOptions with_diagram(DrawOptions options)
 {
@@ -79,6 +93,7 @@ DrawOptions looked_at(const Workspace& workspace)
         const bool has_train = shown_line(session) != nullptr && session.influence.standing() != nullptr;
         return with_influence(std::move(options), session, has_train);
     }
+    if (lifted_body(session) != nullptr) return with_free_body(std::move(options));
     if (shown_diagram(session) != nullptr) return with_diagram(std::move(options));
     if (options.is_envelope) options.show = options.show - ShowSet{Show::Loads, Show::Deformed};
     if (explained_step(workspace) != nullptr) options.show.insert(Show::NodeNumbers);
@@ -117,6 +132,11 @@ DrawInput input_of(const Workspace& workspace, const DrawOptions& options, const
                 .dimensions = session.document().companion.dimensions,
                 .influence = line};
     }
+    if (const auto* const body = lifted_body(session))
+        return {.model = session.model(),
+                .results = session.shown_results(),
+                .dimensions = session.document().companion.dimensions,
+                .free_body = body};
     if (const auto* const diagram = shown_diagram(session))
         return {.model = session.model(), .results = session.shown_results(), .cremona = diagram};
     DrawInput input{.model = session.model(),
@@ -124,12 +144,15 @@ DrawInput input_of(const Workspace& workspace, const DrawOptions& options, const
                     .dimensions = session.document().companion.dimensions,
                     .overlay = guess ? &*guess : nullptr,
                     .numbers = numbers};
-    if (const auto i = shown_mechanism(workspace))
+    if (options.show.contains(Show::Counting))
+        input.counting = session.counting.of(session.model(), session.generation());
+    if (const auto i = shown_mechanism(workspace)) {
         input.motion = motion_choice(session.shown_mechanisms(), *i, options.tr);
         return input;
     }
     input.results = session.shown_results();
     input.reasons = why_blank(session);
+    if (input.reasons.empty()) input.reasons = why_no_diagram(session);
     return input;
 }
 
@@ -515,8 +538,6 @@ Subject::Picture Canvas::draw(const Workspace& workspace, const DrawOptions& opt
     const std::optional<GuessPicture> guess = guess_picture(session, options);
     const std::vector<NodeNumbers> numbers = node_numbers(workspace);
     Subject::Picture picture = Subject(input_of(workspace, options, guess, numbers), options, state).draw(painter);
-    draw_why_blank(painter, session, options);
-    draw_why_no_diagram(painter, session, options);
     if (!shown_mechanism(workspace) && !picture.plan.panels.empty())
         draw_loose_part(painter, session, options, Projection(picture.plan.camera, picture.plan.panels.front().box.min),
                         shape_);
@@ -528,7 +549,9 @@ Subject::Picture Canvas::draw(const Workspace& workspace, const DrawOptions& opt
 void Canvas::draw_cut(const Session& session, const DrawOptions& options, const Subject::Picture& picture,
                       const SeenCut& seen, ui::Painter& painter) const
 {
-    if (session.hidden || session.influence.is_on(session.model()) || shown_diagram(session) != nullptr) return;
+    const bool is_method_shown = session.influence.is_on(session.model()) || session.free_body.is_on(session.model()) ||
+                                 shown_diagram(session) != nullptr;
+    if (session.hidden || is_method_shown) return;
     const ui::Point at = Projection(picture.plan.camera, seen.panel)(shape_[seen.cut.member].at(seen.cut.x));
     draw_reading(painter, {session.model(), session.shown_results()}, options,
                  {.plan = picture.plan, .cut = seen.cut, .beside = at, .top = picture.legend_bottom});
