@@ -27,8 +27,8 @@ struct Words {
 
 UsageError not_understood(const std::string& text, const ui::Catalogue& tr)
 {
-    return UsageError(tr("--free-body: \"{found}\" names no body; write it like node=B, members=AB,BC or "
-                         "cut=BC@2,DE@50%,beside=A",
+    return UsageError(tr("--free-body: \"{found}\" names no body; write it like \"node=B\", \"members=AB,BC\" or "
+                         "\"cut=BC@2,DE@50%,beside=A\"",
                          {{"found", femoop::printable(text)}}));
 }
 

@@ -54,7 +54,7 @@ HelpText Convert::help(const ui::Catalogue& tr) const
         {{"cremona convert examples/portal.json portal_mm.json --units mm,N",
           tr("The same structure in millimetres and newtons.")},
          {"cremona convert examples/portal.json portal.csv", tr("Every result, for a spreadsheet.")},
-         {"cremona convert examples/portal.json ready.json --combinations EN1990 --actions G=permanent,Q=offices,W=wind",
+         {"cremona convert examples/portal.json out.json --combinations EN1990 --actions G=permanent,W=wind",
           tr("The same structure with the combinations of a code.")},
          {"cremona convert examples/cube.eul cube.off", tr("The surface of a solid, for another program.")}}};
 }

@@ -2,7 +2,10 @@
 
 #include <imgui.h>
 
+#include <algorithm>
 #include <span>
+#include <string>
+#include <utility>
 
 namespace ui {
 
@@ -31,24 +34,71 @@ void key_column(std::span<const KeyLine> lines, const char* id)
     ImGui::EndTable();
 }
 
+float column_width(std::span<const KeyLine> lines)
+{
+    float key = 0.0F;
+    float words = 0.0F;
+    for (const KeyLine& line : lines) {
+        key = std::max(key, ImGui::CalcTextSize(line.key.c_str()).x);
+        words = std::max(words, ImGui::CalcTextSize(line.words.c_str()).x);
+    }
+    return key + words + 4.0F * ImGui::GetStyle().CellPadding.x;
+}
+
+float gap() { return 2.0F * ImGui::GetFontSize(); }
+
+using Columns = std::vector<std::span<const KeyLine>>;
+
+/// Columns of like length.
+Columns in_columns(std::span<const KeyLine> lines, std::size_t n_columns)
+{
+    const std::size_t n_rows = (lines.size() + n_columns - 1) / n_columns;
+    Columns columns;
+    while (!lines.empty()) {
+        columns.push_back(next_column(lines, n_rows));
+        lines = lines.subspan(columns.back().size());
+    }
+    return columns;
+}
+
+float width(const Columns& columns)
+{
+    float sum = -gap();
+    for (const auto& column : columns) sum += column_width(column) + gap();
+    return sum;
+}
+
+/// As few as keep the sheet within the room's height, but no more than its width takes: then it scrolls.
+Columns fitted_columns(std::span<const KeyLine> lines, ImVec2 room)
+{
+    const float row = ImGui::GetTextLineHeight() + 2.0F * ImGui::GetStyle().CellPadding.y;
+    Columns columns = in_columns(lines, 1);
+    while (row * static_cast<float>(columns.front().size()) > room.y) {
+        Columns more = in_columns(lines, columns.size() + 1);
+        if (more.size() == columns.size() || width(more) > room.x) break;
+        columns = std::move(more);
+    }
+    return columns;
+}
+
 } // namespace
 
 void shortcut_sheet(const std::vector<KeyLine>& lines, const Catalogue& tr, bool& is_open)
 {
     const ImGuiViewport& viewport = *ImGui::GetMainViewport();
-    ImGui::SetNextWindowPos(viewport.GetCenter(), ImGuiCond_Always, {0.5F, 0.5F});
+    const ImGuiStyle& style = ImGui::GetStyle();
+    ImGui::SetNextWindowPos(viewport.GetWorkCenter(), ImGuiCond_Always, {0.5F, 0.5F});
+    ImGui::SetNextWindowSizeConstraints({}, viewport.WorkSize);
     ImGui::Begin((tr("Keys") + "###shortcuts").c_str(), &is_open,
                  ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoCollapse);
-    const float row = ImGui::GetTextLineHeight() + 2.0F * ImGui::GetStyle().CellPadding.y;
-    const auto n_most = static_cast<std::size_t>(std::max(1.0F, 0.8F * viewport.WorkSize.y / row));
-    const std::size_t n_columns = lines.size() / n_most + 1;
-    const std::size_t n_rows = lines.size() / n_columns + 1; // columns of like length
-    std::size_t n_shown = 0;
-    while (n_shown < lines.size()) {
-        if (n_shown > 0) ImGui::SameLine(0.0F, 2.0F * ImGui::GetFontSize());
-        const auto column = next_column(std::span(lines).subspan(n_shown), n_rows);
-        key_column(column, ("keys" + std::to_string(n_shown)).c_str());
-        n_shown += column.size();
+    const ImVec2 room{viewport.WorkSize.x - 2.0F * style.WindowPadding.x - style.ScrollbarSize,
+                      viewport.WorkSize.y - 2.0F * style.WindowPadding.y - ImGui::GetFrameHeight()};
+    if (!lines.empty()) {
+        int n_shown = 0;
+        for (const auto& column : fitted_columns(lines, room)) {
+            if (n_shown > 0) ImGui::SameLine(0.0F, gap());
+            key_column(column, ("keys" + std::to_string(n_shown++)).c_str());
+        }
     }
     ImGui::End();
 }

@@ -84,6 +84,14 @@ DrawOptions with_diagram(DrawOptions options)
     return options;
 }
 
+// The steps beside the structure say what its head would, in the room that it needs.
+DrawOptions with_node_numbers(DrawOptions options)
+{
+    options.show.insert(Show::NodeNumbers);
+    options.show.erase(Show::Legend);
+    return options;
+}
+
 // An envelope belongs to no case, so it has neither loads nor a deformed shape.
 DrawOptions looked_at(const Workspace& workspace)
 {
@@ -96,7 +104,7 @@ DrawOptions looked_at(const Workspace& workspace)
     if (lifted_body(session) != nullptr) return with_free_body(std::move(options));
     if (shown_diagram(session) != nullptr) return with_diagram(std::move(options));
     if (options.is_envelope) options.show = options.show - ShowSet{Show::Loads, Show::Deformed};
-    if (explained_step(workspace) != nullptr) options.show.insert(Show::NodeNumbers);
+    if (explained_step(workspace) != nullptr) return with_node_numbers(std::move(options));
     return options;
 }
 
@@ -541,7 +549,7 @@ Subject::Picture Canvas::draw(const Workspace& workspace, const DrawOptions& opt
     if (!shown_mechanism(workspace) && !picture.plan.panels.empty())
         draw_loose_part(painter, session, options, Projection(picture.plan.camera, picture.plan.panels.front().box.min),
                         shape_);
-    if (session.pin && !plan_.panels.empty())
+    if (session.pin && explained_step(workspace) == nullptr && !plan_.panels.empty())
         draw_cut(session, options, picture, {*session.pin, plan_.panels.front().box.min}, painter);
     return picture;
 }

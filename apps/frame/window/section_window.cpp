@@ -8,6 +8,7 @@
 #include <cctype>
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 #include "apps/drawing/section_picture.h"
 #include "apps/drawing/sketch/scene.h"
@@ -313,7 +314,8 @@ void SectionWindow::show_profiles(Workspace& workspace)
     for (const femoop::Profile* const profile : listed) {
         const std::string label(profile->name);
         if (ImGui::Selectable(label.c_str(), profile == chosen)) draft.choose_profile(workspace.session, profile->name);
-        if (profile == chosen && ImGui::IsWindowAppearing()) ImGui::SetScrollHereY();
+        const bool was_chosen = profile == chosen && std::exchange(seen_, chosen) != chosen;
+        if (was_chosen && !ImGui::IsItemVisible()) ImGui::SetScrollHereY();
     }
     ImGui::EndChild();
 }

@@ -42,6 +42,7 @@ private:
     std::optional<ui::Message> reason_;           ///< why it is not taken
     std::string filter_;                          ///< of profiles
     std::optional<femoop::ProfileFamily> family_; ///< of profiles; all when absent
+    const femoop::Profile* seen_ = nullptr;       ///< the chosen one that was last brought into sight
     bool begins_filter_ = false;                  ///< a family was chosen: a part of a name is typed next
     bool is_listing_ = false;                     ///< profiles are looked through, though none is chosen
 };

@@ -37,34 +37,30 @@ private:
     std::string frame_total() const { return rings() + releases() + " + " + reactions() + " − " + parts(); }
     std::string truss_total() const { return members() + releases() + " + " + reactions() + " − " + joints(); }
 
-    std::string term(std::size_t n, std::string_view one, std::string_view many) const
-    {
-        return counted(n, tr_(one), tr_(many));
-    }
     std::string rings() const
     {
-        return term(counting_.rings.size(), "{0} ring", "{0} rings") + times(counting_.forces_per_ring());
+        return counted(counting_.rings.size(), tr_("{0} ring"), tr_("{0} rings")) + times(counting_.forces_per_ring());
     }
-    std::string members() const { return term(counting_.n_members, "{0} member", "{0} members"); }
+    std::string members() const { return counted(counting_.n_members, tr_("{0} member"), tr_("{0} members")); }
     std::string joints() const
     {
-        return term(counting_.n_joints, "{0} node", "{0} nodes") + times(counting_.equations_per_joint());
+        return counted(counting_.n_joints, tr_("{0} node"), tr_("{0} nodes")) + times(counting_.equations_per_joint());
     }
     std::string parts() const
     {
-        return term(counting_.n_parts, "{0} part", "{0} parts") + times(counting_.equations_per_part());
+        return counted(counting_.n_parts, tr_("{0} part"), tr_("{0} parts")) + times(counting_.equations_per_part());
     }
     std::string reactions() const
     {
-        return term(static_cast<std::size_t>(counting_.n_reactions()), "{0} reaction", "{0} reactions");
+        return counted(static_cast<std::size_t>(counting_.n_reactions()), tr_("{0} reaction"), tr_("{0} reactions"));
     }
     /// With its sign; nothing where nothing is released.
     std::string releases() const
     {
         const int n = counting_.n_released();
         const auto size = static_cast<std::size_t>(std::abs(n));
-        if (n > 0) return " − " + term(size, "{0} release", "{0} releases");
-        if (n < 0) return " + " + term(size, "{0} free rotation", "{0} free rotations");
+        if (n > 0) return " − " + counted(size, tr_("{0} release"), tr_("{0} releases"));
+        if (n < 0) return " + " + counted(size, tr_("{0} free rotation"), tr_("{0} free rotations"));
         return {};
     }
     static std::string times(int n) { return " × " + std::to_string(n); }
@@ -117,11 +113,11 @@ std::vector<std::string> sum_lines(const Counting& counting, const Model& model,
     const Terms terms(counting, tr);
     const Indeterminacy degree = counting.degree();
     const auto line = [&](std::string_view what, const std::string& sum, int value) {
-        return tr(what) + ": " + sum + " = " + signed_text(value);
+        return std::string(what) + ": " + sum + " = " + signed_text(value);
     };
-    std::vector<std::string> lines{line("Degree of indeterminacy", terms.total(), degree.total()),
-                                   line("External", terms.external(), degree.external),
-                                   line("Internal", terms.internal(), degree.internal)};
+    std::vector<std::string> lines{line(tr("Degree of indeterminacy"), terms.total(), degree.total()),
+                                   line(tr("External"), terms.external(), degree.external),
+                                   line(tr("Internal"), terms.internal(), degree.internal)};
     if (degree.has_foundation)
         lines.push_back(tr("Members stand on a continuous foundation, which adds infinitely many to it"));
     if (counting.n_motions != 0) lines.push_back(motion_text(counting, tr));

@@ -108,7 +108,7 @@ std::string sentence(const Refusal& refusal, const Model& model, const Translato
     case RefusalKind::CutTooSmall: return tr("a section cuts two bars at least; name more");
     case RefusalKind::CutNotThrough:
         return say(
-            tr("without {0} the truss still hangs together; name all bars that a section cuts from edge to edge"),
+            tr("without {0} the truss still hangs together; name all bars that a section cuts from side to side"),
             {bars});
     case RefusalKind::CutAtOneSide: return say(tr("{0} joins two joints on one side of the cut; leave it out"), {bars});
     case RefusalKind::CutConcurrent: break;

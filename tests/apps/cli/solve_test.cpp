@@ -468,7 +468,7 @@ TEST_CASE("What names no body, and what is not of the model, is refused with wha
         CAPTURE(run.err);
         CHECK(has(run.err, sentence));
     };
-    refused({"--free-body", "all"}, "--free-body: \"all\" names no body; write it like node=B");
+    refused({"--free-body", "all"}, "--free-body: \"all\" names no body; write it like \"node=B\"");
     refused({"--free-body", "node=A,members=AB"}, "names no body");
     refused({"--free-body", "cut=AB@50%"}, "names no body");
     refused({"--free-body", "cut=AB,beside=A"}, "names no body");
