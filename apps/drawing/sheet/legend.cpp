@@ -92,6 +92,15 @@ std::string diagram_name(const Scene& scene, MemberComponent component)
     }
 }
 
+/// What the faint dashes behind the diagrams are.
+std::string comparison_text(const DrawInput& input, const DrawOptions& options)
+{
+    const ReferenceResults* const reference = input.reference;
+    if (reference == nullptr || !reference->counterpart(input.model, options.load_case)) return {};
+    return options.tr("dashes: {name}",
+                      {{"name", reference->name.empty() ? options.tr("the results that were kept") : reference->name}});
+}
+
 std::string sign_note(const Scene& scene, MemberComponent component)
 {
     const ui::Catalogue& tr = scene.options.tr;
@@ -146,6 +155,7 @@ SheetHead sheet_head(const DrawInput& input, const DrawOptions& options)
         join(head.line, self_weight_text(model, options));
     }
     if (input.results && !model.members.empty()) join(head.line, indeterminacy_text(*input.results, options.tr));
+    if (input.results) join(head.line, comparison_text(input, options));
     join(head.line, units_text(model, options));
     head.line = capitalized(head.line);
     return head;
