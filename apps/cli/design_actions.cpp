@@ -32,9 +32,7 @@ femoop::CaseId load_case_named(const femoop::Model& model, const std::string& ty
 {
     const auto found = model.find_case(typed);
     if (found && found->index < model.load_cases.size()) return *found;
-    std::vector<std::string> ids;
-    for (const femoop::LoadCase& one : model.load_cases) ids.push_back(one.id);
-    throw unknown_choice("--actions", typed, ids, tr);
+    throw unknown_choice("--actions", typed, ids_of(model.load_cases), tr);
 }
 
 std::vector<CaseAction> actions_of(const femoop::Model& model, DesignCode code, const std::string& typed,
@@ -67,11 +65,10 @@ void add_design_combinations(femoop::Model& model, const DesignActions& typed, C
     const ui::Catalogue& tr = console.tr();
     const DesignCode code = code_named(typed.code, tr);
     const auto combinations = design_combinations(code, actions_of(model, code, typed.actions, tr), limit_states(code));
-    const std::vector<std::string> prefixes{tr("ULS"), tr("SLS rare"), tr("SLS frequent"), tr("SLS quasi-permanent")};
+    const auto prefix = [&](femoop::LimitState state) { return tr(short_name(code, state)); };
     for (const femoop::DesignCombination& one : combinations)
-        console.message(prefixes[static_cast<std::size_t>(one.state)] + ' ' + formula(model, one) + ": " +
-                        meaning(model, code, one, tr));
-    add_combinations(model, combinations, prefixes);
+        console.message(prefix(one.state) + ' ' + formula(model, one) + ": " + meaning(model, code, one, tr));
+    add_combinations(model, combinations, prefix);
 }
 
 } // namespace cli

@@ -3,6 +3,10 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstddef>
+#include <iterator>
+#include <set>
+#include <utility>
 
 #include "femoop/model/quantity/number_text.h"
 
@@ -90,6 +94,9 @@ constexpr std::array all_states{LimitState::Ultimate, LimitState::Rare, LimitSta
                                 LimitState::QuasiPermanent};
 constexpr std::array<std::string_view, all_states.size()> state_ids{"ultimate", "rare", "frequent", "quasi-permanent"};
 
+constexpr std::array<std::string_view, all_states.size()> short_names{"ULS", "SLS rare", "SLS frequent",
+                                                                      "SLS quasi-permanent"};
+
 using Cases = std::vector<CaseId>;
 
 /// Load cases that act as one: all of a kind, or one of its alternatives.
@@ -98,33 +105,48 @@ struct Action {
     Cases cases;
 };
 
-/// The actions of one kind: one that has all its cases, or one for each.
-std::vector<Action> alternatives(const ActionKind& kind, std::span<const CaseAction> cases)
+using Choice = std::vector<Action>; ///< variable actions that act together
+
+/// The actions of one kind, each alone: one that has all its cases, or one for each.
+std::vector<Choice> alternatives(const ActionKind& kind, std::span<const CaseAction> cases)
 {
-    std::vector<Action> all;
+    std::vector<Choice> all;
     for (const CaseAction& one : cases) {
         if (one.kind != &kind) continue;
-        if (all.empty() || kind.several == Several::OneAtATime) all.push_back({&kind, {}});
-        all.back().cases.push_back(one.load_case);
+        if (all.empty() || kind.several == Several::OneAtATime) all.push_back({{&kind, {}}});
+        all.back().front().cases.push_back(one.load_case);
     }
     return all;
 }
 
-/// Every choice of one alternative of each variable kind.
-std::vector<std::vector<Action>> choices(std::span<const ActionKind> kinds, std::span<const CaseAction> cases)
+/// Each choice with each of the options behind it.
+std::vector<Choice> extended(const std::vector<Choice>& choices, const std::vector<Choice>& options)
 {
-    std::vector<std::vector<Action>> all{{}};
+    std::vector<Choice> all;
+    for (const Choice& choice : choices)
+        for (const Choice& option : options) {
+            all.push_back(choice);
+            all.back().insert(all.back().end(), option.begin(), option.end());
+        }
+    return all;
+}
+
+/// Every choice of one alternative of each variable kind.
+std::vector<Choice> full_choices(std::span<const ActionKind> kinds, std::span<const CaseAction> cases)
+{
+    std::vector<Choice> all{{}};
     for (const ActionKind& kind : kinds) {
-        const std::vector<Action> of_kind = kind.is_permanent ? std::vector<Action>{} : alternatives(kind, cases);
-        if (of_kind.empty()) continue;
-        std::vector<std::vector<Action>> longer;
-        for (const std::vector<Action>& choice : all)
-            for (const Action& one : of_kind) {
-                longer.push_back(choice);
-                longer.back().push_back(one);
-            }
-        all = std::move(longer);
+        const std::vector<Choice> of_kind = alternatives(kind, cases);
+        if (!kind.is_permanent && !of_kind.empty()) all = extended(all, of_kind);
     }
+    return all;
+}
+
+/// A choice with any of its actions left out: the whole first, none of them last.
+std::vector<Choice> parts_of(const Choice& whole)
+{
+    std::vector<Choice> all{{}};
+    for (const Action& one : whole) all = extended(all, {{one}, {}});
     return all;
 }
 
@@ -169,21 +191,22 @@ class Collection {
 public:
     void put(DesignCombination one)
     {
-        const bool is_there = std::ranges::any_of(
-            all_, [&](const DesignCombination& other) { return other.state == one.state && other.terms == one.terms; });
-        if (!one.terms.empty() && !is_there) all_.push_back(std::move(one));
+        std::vector<std::pair<std::uint32_t, double>> terms;
+        for (const Combination::Term& term : one.terms) terms.emplace_back(term.of.index, term.factor);
+        if (!terms.empty() && known_.emplace(one.state, std::move(terms)).second) all_.push_back(std::move(one));
     }
     std::vector<DesignCombination> all() { return std::move(all_); }
 
 private:
     std::vector<DesignCombination> all_;
+    std::set<std::pair<LimitState, std::vector<std::pair<std::uint32_t, double>>>> known_;
 };
 
 /// Combinations with a leading variable action: NBR 8681 and EN 1990.
 class LeadingActions {
 public:
     LeadingActions(DesignCode code, std::span<const CaseAction> cases)
-        : code_(code), cases_(cases), choices_(choices(action_kinds(code), cases))
+        : code_(code), cases_(cases), choices_(full_choices(action_kinds(code), cases))
     {
         for (const CaseAction& one : cases)
             if (one.kind != nullptr && one.kind->is_permanent) permanent_ = one.kind;
@@ -195,24 +218,14 @@ public:
         const double most = is_ultimate && permanent_ != nullptr ? permanent_->unfavourable : 1.0;
         const double least = is_ultimate && permanent_ != nullptr ? permanent_->favourable : 1.0;
         if (is_ultimate || choices_.front().empty()) collection.put(begin(state, most).done());
-        for (const std::vector<Action>& choice : choices_)
+        for (const Choice& choice : choices_)
             for (const double dead : {most, least}) {
                 if (state == LimitState::QuasiPermanent) put_quasi_permanent(choice, dead, collection);
-                else
-                    for (const Action& leading : choice)
-                        for (const bool has_others : {true, false})
-                            put(state, {choice, leading, has_others, dead}, collection);
+                else put_with_leading(state, choice, dead, collection);
             }
     }
 
 private:
-    struct Turn {
-        const std::vector<Action>& choice;
-        const Action& leading;
-        bool has_others;
-        double dead;
-    };
-
     std::string_view clause(LimitState state) const
     {
         const bool is_european = code_ == DesignCode::EN1990;
@@ -241,24 +254,36 @@ private:
         if (state == LimitState::Frequent) return kind.psi2;
         return code_ == DesignCode::EN1990 ? kind.psi0 : kind.psi1;
     }
-    void put(LimitState state, const Turn& turn, Collection& collection) const
+    void put_with_leading(LimitState state, const Choice& choice, double dead, Collection& collection) const
     {
-        Builder builder = begin(state, turn.dead);
-        builder.lead(turn.leading).add(turn.leading, leads(state, *turn.leading.kind));
-        for (const Action& other : turn.choice)
-            if (&other != &turn.leading && turn.has_others) builder.add(other, accompanies(state, *other.kind));
-        collection.put(builder.done());
+        for (const Action& leading : choice) {
+            Choice others;
+            std::ranges::copy_if(choice, std::back_inserter(others),
+                                 [&](const Action& other) { return &other != &leading; });
+            for (const Choice& part : parts_of(others)) {
+                Builder builder = begin(state, dead);
+                builder.lead(leading).add(leading, leads(state, *leading.kind));
+                for (const Action& other : part) builder.add(other, accompanies(state, *other.kind));
+                collection.put(builder.done());
+            }
+        }
     }
-    void put_quasi_permanent(const std::vector<Action>& choice, double dead, Collection& collection) const
+    void put_quasi_permanent(const Choice& choice, double dead, Collection& collection) const
     {
-        Builder builder = begin(LimitState::QuasiPermanent, dead);
-        for (const Action& one : choice) builder.add(one, one.kind->psi2);
-        collection.put(builder.done());
+        Choice lasting;
+        std::ranges::copy_if(choice, std::back_inserter(lasting),
+                             [](const Action& one) { return one.kind->psi2 > 0.0; });
+        for (const Choice& part : parts_of(lasting)) {
+            if (part.empty() && !lasting.empty()) continue;
+            Builder builder = begin(LimitState::QuasiPermanent, dead);
+            for (const Action& one : part) builder.add(one, one.kind->psi2);
+            collection.put(builder.done());
+        }
     }
 
     DesignCode code_;
     std::span<const CaseAction> cases_;
-    std::vector<std::vector<Action>> choices_;
+    std::vector<Choice> choices_;
     const ActionKind* permanent_ = nullptr;
 };
 
@@ -286,9 +311,9 @@ constexpr std::array basic_combinations{
 };
 
 /// Without the action of the roof that is not chosen.
-std::vector<Action> under_one_roof(const std::vector<Action>& choice, std::string_view left_out)
+Choice under_one_roof(const Choice& choice, std::string_view left_out)
 {
-    std::vector<Action> all;
+    Choice all;
     for (const Action& one : choice)
         if (one.kind->id != left_out) all.push_back(one);
     return all;
@@ -296,7 +321,7 @@ std::vector<Action> under_one_roof(const std::vector<Action>& choice, std::strin
 
 std::string_view role(std::string_view kind) { return kind == "snow" ? "roof" : kind; }
 
-bool has_principal(const BasicCombination& basic, const std::vector<Action>& actions)
+bool has_principal(const BasicCombination& basic, const Choice& actions)
 {
     return basic.principal.empty() ||
            std::ranges::any_of(actions, [&](const Action& one) { return role(one.kind->id) == basic.principal; });
@@ -312,9 +337,9 @@ void make_american(std::span<const CaseAction> cases, LimitState state, Collecti
 {
     for (const BasicCombination& basic : basic_combinations) {
         if (basic.state != state) continue;
-        for (const std::vector<Action>& choice : choices(asce_actions, cases))
+        for (const Choice& choice : full_choices(asce_actions, cases))
             for (const std::string_view left_out : {"snow", "roof"}) {
-                const std::vector<Action> actions = under_one_roof(choice, left_out);
+                const Choice actions = under_one_roof(choice, left_out);
                 if (!has_principal(basic, actions)) continue;
                 Builder builder(state, basic.clause);
                 builder.add(cases, true, basic.D);
@@ -347,6 +372,14 @@ const ActionKind* find_action(DesignCode code, std::string_view wanted)
 
 std::string_view id(LimitState state) { return state_ids[static_cast<std::size_t>(state)]; }
 
+std::string_view short_name(DesignCode code, LimitState state)
+{
+    const bool is_ultimate = state == LimitState::Ultimate;
+    if (code == DesignCode::ASCE7) return is_ultimate ? "LRFD" : "ASD";
+    if (code == DesignCode::EN1990 && state == LimitState::Rare) return "SLS characteristic";
+    return short_names[static_cast<std::size_t>(state)];
+}
+
 std::span<const LimitState> limit_states(DesignCode code)
 {
     const std::span<const LimitState> all = all_states;
@@ -375,11 +408,11 @@ std::string formula(const Model& model, const DesignCombination& combination)
 }
 
 std::size_t add_combinations(Model& model, std::span<const DesignCombination> combinations,
-                             std::span<const std::string> prefixes)
+                             const std::function<std::string(LimitState)>& prefix)
 {
     std::size_t n = 0;
     for (const DesignCombination& one : combinations) {
-        const std::string name = prefixes[static_cast<std::size_t>(one.state)] + ' ' + formula(model, one);
+        const std::string name = prefix(one.state) + ' ' + formula(model, one);
         const bool is_there = std::ranges::find(model.combinations, name, &Combination::id) != model.combinations.end();
         if (is_there) continue;
         model.combinations.push_back({name, one.terms});

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <span>
 #include <string>
@@ -43,6 +44,8 @@ std::span<const ActionKind> action_kinds(DesignCode code);
 const ActionKind* find_action(DesignCode code, std::string_view id);
 std::string_view id(LimitState state); ///< "ultimate", "rare", "frequent", "quasi-permanent"
 std::span<const LimitState> limit_states(DesignCode code);
+/// As the names of its combinations begin, English: "ULS", "SLS rare"; of ASCE 7 "LRFD", "ASD".
+std::string_view short_name(DesignCode code, LimitState state);
 
 /// A load case as an action; without a kind it is left out.
 struct CaseAction {
@@ -67,12 +70,12 @@ struct DesignCombination {
 ///     frequent          sum G + psi1 Q1 + sum psi2 Q
 ///     quasi-permanent   sum G + sum psi2 Q
 ///
-/// The actions beside the leading one act all, or none of them where they relieve. ASCE 7: the basic combinations of
+/// A variable action that relieves is away: every choice of those that act is made. ASCE 7: the basic combinations of
 /// strength design, and of allowable stress design under service loads (`Rare`), each as the standard lists it.
 ///
 /// Assumes  loads do not depend on each other's direction; alternate spans are load cases of their own, which act
 ///          together here: what is loaded in part is made by hand
-/// Source   [NBR8681] tables 2, 5 and 6; [EN1990] expressions (6.10), (6.14b), (6.15b), (6.16b), tables A1.1 and
+/// Source   [NBR8681] tables 2, 4, 5 and 6; [EN1990] expressions (6.10), (6.14b), (6.15b), (6.16b), tables A1.1 and
 ///          A1.2(B); [ASCE7] sections 2.3.1 and 2.4.1
 std::vector<DesignCombination> design_combinations(DesignCode code, std::span<const CaseAction> actions,
                                                    std::span<const LimitState> states);
@@ -81,9 +84,10 @@ std::vector<DesignCombination> design_combinations(DesignCode code, std::span<co
 std::string formula(const Model& model, const DesignCombination& combination);
 
 /// Behind the others, each under a name of its limit state and its formula, "ULS 1.35 G + 1.5 Q"; one that the model
-/// has under that name stays out. `prefixes` are those of the limit states, in their order.
+/// has under that name stays out.
+/// \param prefix  of the names of a limit state: its short name in the reader's language
 /// \returns how many came
 std::size_t add_combinations(Model& model, std::span<const DesignCombination> combinations,
-                             std::span<const std::string> prefixes);
+                             const std::function<std::string(LimitState)>& prefix);
 
 } // namespace femoop

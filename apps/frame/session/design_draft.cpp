@@ -11,9 +11,6 @@ using ui::translatable;
 
 namespace {
 
-constexpr std::array short_names{translatable("ULS"), translatable("SLS rare"), translatable("SLS frequent"),
-                                 translatable("SLS quasi-permanent")};
-
 /// What the name of a load case suggests, in English and in Portuguese.
 struct Suggestion {
     std::string_view letters; ///< that the name begins with one of
@@ -34,8 +31,6 @@ const ActionKind* suggested(const LoadCase& load_case, DesignCode code)
 }
 
 } // namespace
-
-std::string_view short_name(LimitState state) { return short_names[static_cast<std::size_t>(state)]; }
 
 void DesignDraft::open(Session& session)
 {
@@ -64,10 +59,9 @@ std::vector<DesignCombination> DesignDraft::combinations() const
 void DesignDraft::accept(Session& session)
 {
     is_open_ = false;
-    std::vector<std::string> prefixes;
-    for (const std::string_view word : short_names) prefixes.push_back(session.view.tr(word));
+    const auto prefix = [&](LimitState state) { return session.view.tr(short_name(code_, state)); };
     session.change({{translatable("Combinations of {code}"), {{"code", std::string(name(code_))}}},
-                    [&](Document& document) { add_combinations(document.model, combinations(), prefixes); }});
+                    [&](Document& document) { add_combinations(document.model, combinations(), prefix); }});
 }
 
 std::optional<std::string> DesignDraft::run_command(Session& session, std::string_view verb, std::string_view argument)

@@ -42,7 +42,4 @@ private:
     std::vector<bool> has_{true, true, true, true}; ///< of each limit state
 };
 
-/// "ULS", "SLS rare": as the names of combinations begin.
-std::string_view short_name(femoop::LimitState state);
-
 } // namespace frame

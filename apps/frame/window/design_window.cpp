@@ -85,7 +85,7 @@ void show_states(Workspace& workspace)
     DesignDraft& draft = workspace.design;
     for (const LimitState state : limit_states(draft.code())) {
         bool is_on = draft.has(state);
-        const std::string label = workspace.session.view.tr(short_name(state)) + "###" + std::string(id(state));
+        const std::string label = workspace.session.view.tr(short_name(draft.code(), state)) + "###" + std::string(id(state));
         if (ImGui::Checkbox(label.c_str(), &is_on)) draft.set(state, is_on);
     }
 }
@@ -94,7 +94,7 @@ void show_combination(const Workspace& workspace, const DesignCombination& one)
 {
     const ui::Catalogue& tr = workspace.session.view.tr;
     const femoop::Model& model = workspace.session.model();
-    ui::wrapped_text(tr(short_name(one.state)) + ' ' + formula(model, one));
+    ui::wrapped_text(tr(short_name(workspace.design.code(), one.state)) + ' ' + formula(model, one));
     std::string meaning = std::string(one.clause);
     if (one.leading) meaning += tr(", {case} leads", {{"case", model.case_name(*one.leading)}});
     ImGui::PushStyleColor(ImGuiCol_Text, ImGui::GetColorU32(ImGuiCol_TextDisabled));

@@ -65,6 +65,30 @@ TEST_SUITE("design codes")
         CHECK(written(DesignCode::EN1990, LimitState::QuasiPermanent, office) == Set{"G + 0.3 Q"});
     }
 
+    TEST_CASE("Of three variable actions each may be away, not only all beside the leading one")
+    {
+        const std::vector<Typed> heated{{"G", "permanent"}, {"Q", "offices"}, {"W", "wind"}, {"T", "temperature"}};
+        const Set ultimate = written(DesignCode::EN1990, LimitState::Ultimate, heated);
+        for (const char* const one :
+             {"1.35 G + 1.5 Q + 0.9 W + 0.9 T", "1.35 G + 1.5 Q + 0.9 W", "1.35 G + 1.5 Q + 0.9 T", "1.35 G + 1.5 Q",
+              "G + 0.9 W + 1.5 T", "G + 1.05 Q + 1.5 T"})
+            CHECK_MESSAGE(ultimate.contains(one), one);
+        CHECK(ultimate.size() == 1 + 2 * (3 * 1 + 3 * 2 + 1 * 3)); // alone, in pairs, all three: as many as may lead
+        CHECK(written(DesignCode::EN1990, LimitState::Rare, heated).size() == 3 * 1 + 3 * 2 + 1 * 3);
+        CHECK(written(DesignCode::NBR8681, LimitState::QuasiPermanent,
+                      {{"G", "permanent"}, {"Q", "live"}, {"T", "temperature"}}) ==
+              Set{"G + 0.3 Q + 0.3 T", "G + 0.3 Q", "G + 0.3 T"});
+    }
+
+    TEST_CASE("A limit state is called what the code calls it: characteristic, rare, allowable stress")
+    {
+        CHECK(short_name(DesignCode::EN1990, LimitState::Rare) == "SLS characteristic");
+        CHECK(short_name(DesignCode::NBR8681, LimitState::Rare) == "SLS rare");
+        CHECK(short_name(DesignCode::ASCE7, LimitState::Rare) == "ASD");
+        CHECK(short_name(DesignCode::ASCE7, LimitState::Ultimate) == "LRFD");
+        CHECK(short_name(DesignCode::NBR8681, LimitState::QuasiPermanent) == "SLS quasi-permanent");
+    }
+
     TEST_CASE("NBR 8681: a building has 1.4 G + 1.4 (Q + 0.6 W), and 1.4 G + 1.4 (W + 0.5 Q)")
     {
         const std::vector<Typed> building{{"G", "permanent"}, {"Q", "live"}, {"W", "wind"}};
@@ -134,11 +158,11 @@ TEST_SUITE("design codes")
         model.combinations.push_back({"mine", {{CaseId(std::size_t{0}), 2.0}}});
         const std::vector<DesignCombination> made = design_combinations(
             DesignCode::EN1990, actions_of(DesignCode::EN1990, office), limit_states(DesignCode::EN1990));
-        const std::vector<std::string> prefixes{"ULS", "rare", "frequent", "quasi"};
-        CHECK(add_combinations(model, made, prefixes) == made.size());
+        const auto prefix = [](LimitState state) { return std::string(short_name(DesignCode::EN1990, state)); };
+        CHECK(add_combinations(model, made, prefix) == made.size());
         CHECK(model.combinations.front().id == "mine");
         CHECK(model.combinations[1].id == "ULS 1.35 G");
-        CHECK(model.combinations.back().id == "quasi G + 0.3 Q");
-        CHECK(add_combinations(model, made, prefixes) == 0);
+        CHECK(model.combinations.back().id == "SLS quasi-permanent G + 0.3 Q");
+        CHECK(add_combinations(model, made, prefix) == 0);
     }
 }

@@ -105,11 +105,13 @@ std::set<std::string> sentences_in_sources()
         sentences.emplace(topology::pattern(static_cast<topology::ScriptFault>(fault)));
     for (int fault = 0; fault < topology::n_mesh_faults; ++fault)
         sentences.emplace(topology::pattern(static_cast<topology::MeshFault>(fault)));
-    for (const femoop::DesignCode code : femoop::design_codes())
+    for (const femoop::DesignCode code : femoop::design_codes()) {
+        for (const femoop::LimitState state : limit_states(code)) sentences.emplace(short_name(code, state));
         for (const femoop::ActionKind& kind : action_kinds(code)) {
             sentences.emplace(kind.label);
             sentences.emplace(kind.table);
         }
+    }
     collect_comments(sentences);
     sentences.emplace("line"); // before a line's number
     return sentences;
