@@ -27,6 +27,14 @@ bool is_nothing(const Polynomial& p)
     return true;
 }
 
+/// The polynomial, or nothing where it is round-off beside numbers of this size.
+Polynomial without_round_off(const Polynomial& p, double end, double magnitude)
+{
+    double largest = 0.0, power = 1.0;
+    for (std::size_t i = 0; i < p.n_terms(); ++i, power *= end) largest = std::max(largest, std::abs(p[i]) * power);
+    return without_rounding(largest, magnitude) == 0.0 ? Polynomial{} : p;
+}
+
 double integral_of_product(const Polynomial& p, const Polynomial& q, double end)
 {
     double sum = 0.0;
@@ -48,11 +56,13 @@ public:
         : structure_(discretise(loading.model)),
           loads_(loads_of(loading.model, structure_)),
           terms_(terms_of(loading.model, loading.load_case).terms),
-          result_(loading.results[loading.load_case])
+          result_(loading.results[loading.load_case]),
+          magnitudes_(result_.magnitudes())
     {}
 
     const Discretisation& structure() const { return structure_; }
     const CaseResult& result() const { return result_; }
+    const Magnitudes& magnitudes() const { return magnitudes_; }
 
     SpanLoading span_loading(MemberId member) const
     {
@@ -69,6 +79,7 @@ private:
     std::vector<CaseLoads> loads_;
     std::vector<CaseTerms::Term> terms_;
     CaseResult result_;
+    Magnitudes magnitudes_;
 };
 
 /// The force that works on a displacement of a member's end, and which axis of it.
@@ -106,7 +117,9 @@ public:
           real_(real.result().curve(member)),
           unit_(unit.result().curve(member)),
           real_loading_(real.span_loading(member)),
-          unit_loading_(unit.span_loading(member))
+          unit_loading_(unit.span_loading(member)),
+          real_magnitudes_(real.magnitudes()),
+          unit_magnitudes_(unit.magnitudes())
     {}
 
     void add(AnalysisKind kind)
@@ -157,8 +170,8 @@ private:
                           .force = force,
                           .from = from,
                           .to = to,
-                          .real = about(real_, force, real, from),
-                          .unit = about(unit_, force, unit, from),
+                          .real = about_real(force, real, from),
+                          .unit = about_unit(force, unit, from),
                           .flexibility = flexibility,
                           .strain = strain});
         });
@@ -168,9 +181,8 @@ private:
     void add_pressure()
     {
         const double k = properties_.xy.foundation;
-        const auto pressure = [&](const Curve& curve, const Curve::Piece& piece, double from) {
+        const auto pressure = [&](const Polynomial& v) {
             Polynomial p;
-            const Polynomial v = about(curve, MemberComponent::v, piece, from);
             for (std::size_t i = 0; i < v.n_terms(); ++i) p.append(-k * v[i]);
             return p;
         };
@@ -179,15 +191,25 @@ private:
                           .force = {},
                           .from = from,
                           .to = to,
-                          .real = pressure(real_, real, from),
-                          .unit = pressure(unit_, unit, from),
+                          .real = pressure(about_real(MemberComponent::v, real, from)),
+                          .unit = pressure(about_unit(MemberComponent::v, unit, from)),
                           .flexibility = 1.0 / k});
         });
     }
 
-    static Polynomial about(const Curve& curve, MemberComponent component, const Curve::Piece& piece, double from)
+    static Polynomial about(const Curve& curve, MemberComponent component, const Curve::Piece& piece, double from,
+                            const Magnitudes& magnitudes)
     {
-        return influence::about(curve.polynomial(component, piece), from - piece.load.begin);
+        const Polynomial p = influence::about(curve.polynomial(component, piece), from - piece.load.begin);
+        return without_round_off(p, piece.load.end - from, magnitudes.of(component));
+    }
+    Polynomial about_real(MemberComponent component, const Curve::Piece& piece, double from) const
+    {
+        return about(real_, component, piece, from, real_magnitudes_);
+    }
+    Polynomial about_unit(MemberComponent component, const Curve::Piece& piece, double from) const
+    {
+        return about(unit_, component, piece, from, unit_magnitudes_);
     }
 
     /// Calls visit(real piece, unit piece, from, to) for every stretch that two pieces share.
@@ -217,8 +239,10 @@ private:
     {
         const double stiffness = end_conditions_->joints[end][index(asked.axis)];
         if (!std::isfinite(stiffness) || stiffness == 0.0) return;
-        const double real = force_in_joint(real_, real_loading_, end, asked);
-        const double unit = force_in_joint(unit_, unit_loading_, end, asked);
+        const double real = without_rounding(force_in_joint(real_, real_loading_, end, asked),
+                                             real_magnitudes_.of(asked.force));
+        const double unit = without_rounding(force_in_joint(unit_, unit_loading_, end, asked),
+                                             unit_magnitudes_.of(asked.force));
         if (real == 0.0 || unit == 0.0) return;
         work_.joints.push_back({member_, end, asked.force, real, unit, stiffness, real * unit / stiffness});
     }
@@ -229,6 +253,7 @@ private:
     const MemberEndConditions* end_conditions_;
     Curve real_, unit_;
     SpanLoading real_loading_, unit_loading_;
+    const Magnitudes &real_magnitudes_, &unit_magnitudes_;
 };
 
 /// From global axes to those of a support.
@@ -247,7 +272,8 @@ void add_support(const LoadedStructure& real, const LoadedStructure& unit, const
     const NodeVector moved = in_axes_of(support, real.result().displacement(support.node));
     const NodeVector held = in_axes_of(support, unit.result().reaction(support.node));
     for (const Dof dof : all_dofs) {
-        const double c = moved[index(dof)], r = held[index(dof)];
+        const double c = without_rounding(moved[index(dof)], real.magnitudes().displacement_of(dof));
+        const double r = without_rounding(held[index(dof)], unit.magnitudes().force_of(dof));
         const bool moves = support.springs[index(dof)] > 0.0 || support.blocked.contains(dof);
         if (moves && c != 0.0 && r != 0.0) work.supports.push_back({support.node, dof, c, r, -r * c});
     }
