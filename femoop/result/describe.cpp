@@ -38,9 +38,9 @@ public:
 
     std::string point(const Node& node) const
     {
-        std::vector<std::string> coordinates;
-        for (std::size_t i = 0; i < n_coordinates(model_.analysis); ++i) coordinates.push_back(number(node.at[i]));
-        return "(" + join(coordinates, decimal_mark(tr_) == ',' ? "; " : ", ") + ")";
+        std::vector<double> coordinates;
+        for (std::size_t i = 0; i < n_coordinates(model_.analysis); ++i) coordinates.push_back(node.at[i]);
+        return place_text(coordinates, tr_);
     }
 
     std::string unit(Dimension dimension) const { return with_product_dots(unit_text(dimension, model_.units)); }

@@ -30,13 +30,7 @@ std::string length_text(double value, const Model& model, const Translator& tr)
 
 std::string point_text(const Eigen::Vector3d& point, const Model& model, const Translator& tr)
 {
-    std::string text;
-    for (std::size_t i = 0; i < n_coordinates(model.analysis); ++i)
-        text += (text.empty()              ? ""
-                 : decimal_mark(tr) == ',' ? "; "
-                                           : ", ") +
-                six_digits(point[static_cast<Eigen::Index>(i)], tr);
-    return "(" + text + ")";
+    return place_text({point.data(), n_coordinates(model.analysis)}, tr);
 }
 
 double without_rounding(double term, const Equation& equation)
@@ -102,9 +96,9 @@ std::string body_text(const Body& body, const Model& model, const Translator& tr
     std::string nodes, pieces;
     for (const NodeId node : body.nodes) nodes += (nodes.empty() ? "" : ", ") + model[node].id;
     for (const Piece& piece : body.pieces) pieces += (pieces.empty() ? "" : ", ") + piece_text(piece, model, tr);
-    if (body.pieces.empty()) return fill(tr("Free body: nodes {0}"), {nodes});
-    if (body.nodes.empty()) return fill(tr("Free body: members {0}"), {pieces});
-    return fill(tr("Free body: nodes {0}; members {1}"), {nodes, pieces});
+    if (!nodes.empty()) nodes = fill(body.nodes.size() == 1 ? tr("node {0}") : tr("nodes {0}"), {nodes});
+    if (!pieces.empty()) pieces = fill(body.pieces.size() == 1 ? tr("member {0}") : tr("members {0}"), {pieces});
+    return fill(tr("Free body: {0}"), {nodes + (nodes.empty() || pieces.empty() ? "" : "; ") + pieces});
 }
 
 } // namespace

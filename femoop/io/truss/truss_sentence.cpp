@@ -20,11 +20,6 @@ template <class Ids> std::string list_of(const Ids& ids, const Model& model)
     return listed(names);
 }
 
-std::string place_text(const Eigen::Vector2d& at, const Translator& tr)
-{
-    return "(" + six_digits(at.x(), tr) + "; " + six_digits(at.y(), tr) + ")";
-}
-
 std::string force_text(double force, const Model& model, const Translator& tr)
 {
     return six_digits(force, tr) + " " + std::string(name(model.units.force));
@@ -93,7 +88,7 @@ std::string sentence(const Refusal& refusal, const Model& model, const Translato
     case RefusalKind::BarsCross:
         return say(tr("bars {0} and {1} cross at {2} without a joint: the truss is not planar, and its spaces have no "
                       "diagram; join them there, or go joint by joint"),
-                   {first_bar(), model[refusal.bars.back()].id, place_text(*refusal.at, tr)});
+                   {first_bar(), model[refusal.bars.back()].id, place_text({refusal.at->data(), 2}, tr)});
     case RefusalKind::BarPassesJoint:
         return say(tr("bar {0} runs over joint {1} without being joined there: the truss is not planar, and its spaces "
                       "have no diagram; split it at the joint, or go joint by joint"),

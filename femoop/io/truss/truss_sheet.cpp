@@ -244,8 +244,7 @@ private:
         const std::string& bar = model_[found.bar].id;
         if (!found.ritter_point)
             return femoop::fill(tr_("{0}: the other bars are parallel, and forces across them leave it alone."), {bar});
-        const std::string at = "(" + six_digits(found.ritter_point->x(), tr_) + "; " +
-                               six_digits(found.ritter_point->y(), tr_) + ")";
+        const std::string at = place_text({found.ritter_point->data(), 2}, tr_);
         const std::string arm = six_digits(std::abs(found.factor), tr_);
         if (const auto joint = joint_at(*found.ritter_point))
             return femoop::fill(

@@ -14,8 +14,8 @@ enum class RefusalKind : std::uint8_t {
     NotPlaneTruss,
     NoCase,
     Indeterminate, ///< `degree`
-    NoForce,       ///< nothing acts on it
     // of the reciprocal diagram
+    NoForce,        ///< nothing acts on the truss
     BarsCross,      ///< two of `bars`, `at` a place without a joint
     BarPassesJoint, ///< one of `bars`, one of `joints`
     FallsApart,     ///< `joints` of a part that no bar joins to the rest

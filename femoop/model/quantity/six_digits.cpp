@@ -14,4 +14,14 @@ std::string six_digits(double value, const Translator& tr)
     return localized(text.data(), tr);
 }
 
+std::string place_text(std::span<const double> coordinates, const Translator& tr)
+{
+    std::string text;
+    for (const double one : coordinates) {
+        if (!text.empty()) text += decimal_mark(tr) == ',' ? "; " : ", ";
+        text += six_digits(one, tr);
+    }
+    return "(" + text + ")";
+}
+
 } // namespace femoop

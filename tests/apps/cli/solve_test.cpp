@@ -442,10 +442,10 @@ TEST_CASE("A free body is told by its forces and equations, of a node, of member
         CHECK(run.status == 0);
         return run.out;
     };
-    CHECK(has(said("node=A"), "Free body: nodes A\n"));
-    CHECK(has(said("members=AB"), "Free body: members AB\n"));
+    CHECK(has(said("node=A"), "Free body: node A\n"));
+    CHECK(has(said("members=AB"), "Free body: member AB\n"));
     const std::string side = said("cut=AB@50%,beside=B");
-    CHECK(has(side, "Free body: nodes B; members AB from x = "));
+    CHECK(has(side, "Free body: node B; member AB from x = "));
     CHECK(has(side, "ΣFx = 0  [kN]"));
 }
 
