@@ -75,6 +75,10 @@ Magnitudes CaseResult::magnitudes() const
         const NodeVector u = displacement(NodeId(i));
         for (const Dof dof : all_dofs) see(is_rotation(dof) ? most.rotation : most.displacement, u[index(dof)]);
     }
+    for (const Discretisation::SupportRow& support : structure.supports) { // what stands on one passes no member
+        const NodeVector r = reaction(support.node);
+        for (const Dof dof : all_dofs) see(is_rotation(dof) ? most.moment : most.force, r[index(dof)]);
+    }
     for (const CaseTerms::Term& term : solution_->cases[index_].terms) {
         see_nodes(most, solution_->loads[term.load_case], term.factor);
         see_strains(most, structure, solution_->loads[term.load_case], term.factor);

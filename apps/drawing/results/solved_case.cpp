@@ -36,6 +36,9 @@ std::optional<SolvedCase> solved_case(const femoop::Results& results, femoop::Ca
     solved.curves.reserve(results.n_members());
     for (std::size_t i = 0; i < results.n_members(); ++i)
         solved.curves.push_back(solved.result.curve(femoop::MemberId{i}));
+    for (std::size_t i = 0; i < results.n_nodes(); ++i)
+        if (solved.result.is_supported(femoop::NodeId{i}))
+            solved.reactions.push_back(solved.result.reaction(femoop::NodeId{i}));
     return solved;
 }
 
@@ -66,6 +69,9 @@ double largest_value(const SolvedCase& solved, MemberComponent component, double
         force = std::max(force, solved.largest(c));
     for (const MemberComponent c : {MemberComponent::T, MemberComponent::My, MemberComponent::Mz})
         force = std::max(force, solved.largest(c) / size);
+    for (const femoop::NodeVector& reaction : solved.reactions)
+        for (const femoop::Dof dof : femoop::all_dofs)
+            force = std::max(force, std::abs(reaction[femoop::index(dof)]) / (is_rotation(dof) ? size : 1.0));
     const bool is_force = component <= MemberComponent::Vz;
     return own > rounding * force * (is_force ? 1.0 : size) ? own : 0.0;
 }

@@ -62,8 +62,11 @@ public:
         for (const NodeId node : body.nodes) add_node(node);
         for (const Piece& piece : body.pieces) add_piece(piece);
         for (std::size_t i = 0; i < structure_.members.size(); ++i) add_ends_at_nodes(MemberId(i));
-        std::erase_if(free_.forces,
-                      [](const Force& force) { return force.force.isZero(0.0) && force.moment.isZero(0.0); });
+        const Magnitudes most = result_.magnitudes();
+        std::erase_if(free_.forces, [&](const Force& force) {
+            return femoop::without_rounding(force.force.norm(), most.force) == 0.0 &&
+                   femoop::without_rounding(force.moment.norm(), most.moment) == 0.0;
+        });
         return std::move(free_);
     }
 

@@ -42,7 +42,7 @@ struct Force {
 /// A body with all that acts on it in a load case or combination.
 struct FreeBody {
     Body body;
-    std::vector<Force> forces; ///< without those that are nothing
+    std::vector<Force> forces; ///< without those that are nothing but round-off
 };
 
 /// What acts on a part of a structure. \pre the results are those of the model

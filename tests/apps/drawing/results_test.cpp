@@ -142,6 +142,20 @@ TEST_CASE("A diagram that is rounding beside the other forces counts as zero")
     CHECK(largest_value(*solved, MemberComponent::N, 24.0) > 100.0);
 }
 
+TEST_CASE("A diagram that is rounding beside what stands on a support counts as zero")
+{
+    femoop::Model bridge = view_test::example("influence");
+    bridge.load_cases.push_back(
+        {.id = "P",
+         .members = {{femoop::MemberId(0),
+                      femoop::PointLoad{.at = femoop::Quantity(0.0), .components = {{femoop::Dof::uy, -1.0}}}}}});
+    const auto results = femoop::analyse(bridge);
+    const auto solved = solved_case(results, femoop::CaseId{});
+    REQUIRE(solved);
+    CHECK(solved->largest(MemberComponent::Mz) > 0.0); // 4e-16
+    CHECK(largest_value(*solved, MemberComponent::Mz, 32.5) == 0.0);
+}
+
 TEST_CASE("Round scales are 1, 2 or 5 times a power of ten")
 {
     CHECK(round_below(73.0) == doctest::Approx(50.0));

@@ -27,6 +27,14 @@ Model held_beam(const std::string& load)
 
 } // namespace
 
+TEST_CASE("What stands on a support passes no member, and is as large as the reaction")
+{
+    Model model = held_beam(R"("kind": "point", "at": 0, "fy": -17)");
+    const Magnitudes most = analyse(model)[CaseId(0)].magnitudes();
+    CHECK(most.force == doctest::Approx(17.0));
+    CHECK(most.moment >= most.force * 6.3 * (1.0 - 1e-12)); // by the structure's size
+}
+
 TEST_CASE("A held beam that only strains of its own load moves nowhere but for round-off")
 {
     for (const std::string load :
