@@ -1,5 +1,6 @@
 #include "apps/cli/argument.h"
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 
@@ -73,6 +74,24 @@ femoop::CaseId find_case(const femoop::Model& model, const std::string& name, co
     if (names.empty())
         throw UsageError(tr("--case: there is no {found}: the model has no load case", {{"found", quoted(name)}}));
     throw unknown_choice("--case", name, names, tr);
+}
+
+femoop::MemberId member_named(std::string_view option, const std::string& name, const femoop::Model& model,
+                              const ui::Catalogue& tr)
+{
+    if (const auto member = model.find_member(name)) return *member;
+    throw unknown_choice(option, name, ids_of(model.members), tr);
+}
+
+std::vector<femoop::MemberId> members_named(std::string_view option, const std::vector<std::string>& names,
+                                            const femoop::Model& model, const ui::Catalogue& tr)
+{
+    std::vector<femoop::MemberId> members;
+    for (const std::string& name : names) {
+        const femoop::MemberId member = member_named(option, name, model, tr);
+        if (std::ranges::find(members, member) == members.end()) members.push_back(member);
+    }
+    return members;
 }
 
 std::vector<femoop::CaseId> all_cases(const femoop::Model& model)

@@ -29,6 +29,12 @@ UsageError unknown_choice(std::string_view option, const std::string& found, con
 femoop::CaseId find_case(const femoop::Model& model, const std::string& name, const ui::Catalogue& tr);
 std::vector<femoop::CaseId> all_cases(const femoop::Model& model);
 
+/// The members of these names, each once. \throws UsageError naming the option
+femoop::MemberId member_named(std::string_view option, const std::string& name, const femoop::Model& model,
+                              const ui::Catalogue& tr);
+std::vector<femoop::MemberId> members_named(std::string_view option, const std::vector<std::string>& names,
+                                            const femoop::Model& model, const ui::Catalogue& tr);
+
 /// Of nodes, members, paths.
 template <class Parts> std::vector<std::string> ids_of(const Parts& parts)
 {

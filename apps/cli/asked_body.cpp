@@ -57,18 +57,12 @@ femoop::NodeId node_named(const Model& model, const std::string& name, const ui:
     throw unknown_choice("--free-body", name, ids_of(model.nodes), tr);
 }
 
-femoop::MemberId member_named(const Model& model, const std::string& name, const ui::Catalogue& tr)
-{
-    if (const auto member = model.find_member(name)) return *member;
-    throw unknown_choice("--free-body", name, ids_of(model.members), tr);
-}
-
 /// "BC@2", "BC@50%"
 Cut cut_named(const Model& model, const std::string& text, const ui::Catalogue& tr)
 {
     const std::size_t at = text.rfind('@');
     if (at == std::string::npos) throw not_understood(text, tr);
-    const femoop::MemberId member = member_named(model, text.substr(0, at), tr);
+    const femoop::MemberId member = member_named("--free-body", text.substr(0, at), model, tr);
     const double length = femoop::geometry_of(model, model[member]).length;
     const double x = place_named("--free-body", text.substr(at + 1), length, model);
     if (x < 0.0 || x > length)
@@ -113,11 +107,7 @@ Body AskedBody::body(const Model& model, const ui::Catalogue& tr) const
     }
     if (words.members.empty() || !words.node.empty() || !words.cut.empty() || !words.beside.empty())
         throw not_understood(*what_, tr);
-    std::vector<femoop::MemberId> members;
-    for (const std::string& name : words.members)
-        if (const auto member = member_named(model, name, tr); std::ranges::find(members, member) == members.end())
-            members.push_back(member);
-    return body_of(structure, members);
+    return body_of(structure, members_named("--free-body", words.members, model, tr));
 }
 
 Eigen::Vector3d AskedBody::about(const Model& model, const FreeBody& body, const ui::Catalogue& tr) const

@@ -218,13 +218,7 @@ std::string Solve::description(const Model& model, const Results& results, const
 
 std::string Solve::trace(const Model& model, const ui::Catalogue& tr) const
 {
-    const auto member = model.find_member(*traced_member_);
-    if (!member) {
-        std::vector<std::string> names;
-        for (const femoop::Member& one : model.members) names.push_back(one.id);
-        throw unknown_choice("--trace", *traced_member_, names, tr);
-    }
-    const femoop::MemberTrace trace = femoop::trace(model, *member);
+    const femoop::MemberTrace trace = femoop::trace(model, member_named("--trace", *traced_member_, model, tr));
     return is_json_ ? femoop::trace_json(trace, model.units) : femoop::trace_text(trace, model.units, tr);
 }
 

@@ -32,7 +32,6 @@ private:
     {
         return method_ == method || (!method_ && cut_ && method == "sections");
     }
-    std::vector<femoop::MemberId> cut_bars(const Model& model, const ui::Catalogue& tr) const;
     std::variant<std::string, Refusal> output(const Model& model, const femoop::Results& results,
                                               const ui::Catalogue& tr) const;
 
@@ -86,21 +85,6 @@ void Truss::require_sensible(const ui::Catalogue& tr) const
         throw UsageError(tr("{a} needs {b} too; add it", {{"a", "--method sections"}, {"b", "--cut"}}));
 }
 
-std::vector<femoop::MemberId> Truss::cut_bars(const Model& model, const ui::Catalogue& tr) const
-{
-    std::vector<femoop::MemberId> bars;
-    for (const std::string& name : comma_list(*cut_)) {
-        const auto bar = model.find_member(name);
-        if (!bar) {
-            std::vector<std::string> names;
-            for (const femoop::Member& member : model.members) names.push_back(member.id);
-            throw unknown_choice("--cut", name, names, tr);
-        }
-        bars.push_back(*bar);
-    }
-    return bars;
-}
-
 std::variant<std::string, Refusal> Truss::output(const Model& model, const femoop::Results& results,
                                                  const ui::Catalogue& tr) const
 {
@@ -110,7 +94,7 @@ std::variant<std::string, Refusal> Truss::output(const Model& model, const femoo
     const femoop::truss::Truss truss = truss_of(model, results, load_case);
     const auto written = [&](const Sheet& sheet) { return is_latex_ ? latex(sheet) : plain_text(sheet, tr); };
     if (is_by("sections")) {
-        const std::vector<femoop::MemberId> bars = cut_bars(model, tr);
+        const std::vector<femoop::MemberId> bars = members_named("--cut", comma_list(*cut_), model, tr);
         if (const auto refusal = why_no_cut(truss, bars)) return *refusal;
         return is_json_ ? cut_json(model, truss, load_case, bars, tr)
                         : written(cut_sheet(model, truss, load_case, bars, tr));

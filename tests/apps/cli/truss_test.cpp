@@ -32,6 +32,7 @@ TEST_CASE("What is no determinate plane truss is refused with the reason")
     check_refused({"truss", "tests/cases/members/TR-002.json"}, "statically indeterminate to degree 1");
     check_refused({"truss", "tests/cases/members/TR-002.json", "--method", "cremona"}, "statically indeterminate");
     check_refused({"truss", king_post, "--cut", "AC,CD"}, "without AC and CD the truss still hangs together");
+    check_refused({"truss", king_post, "--cut", "AC,AC"}, "a section cuts two bars at least");
     check_refused({"truss", king_post, "--cut", "AC,CX"}, "there is no \"CX\"");
     check_refused({"truss", king_post, "--method", "sections"}, "--method sections needs --cut too");
     check_refused({"truss", king_post, "--method", "joints", "--cut", "AC,CD"}, "contradict one another");
