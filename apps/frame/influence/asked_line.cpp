@@ -194,8 +194,9 @@ const drawing::InfluencePicture* AskedLine::picture(const Model& model, std::uin
             found_ = {.generation = generation, .model = std::make_shared<const Model>(model)};
             found_.analysis = std::make_shared<femoop::influence::InfluenceAnalysis>(model);
         }
-        const UnitLoad unit_load{options.tr("unit load"),
-                                 1.0 / display_units(model, options).unit(ui::Measure::Force).factor};
+        const ui::DisplayUnits units = display_units(model, options);
+        const double force = 1.0 / units.unit(ui::Measure::Force).factor;
+        const UnitLoad unit_load{units.text(force, ui::Measure::Force), force};
         const bool is_here = found_.effect == wanted && found_.train == train_ && found_.unit_load == unit_load;
         found_.unit_load = unit_load;
         if (found_.analysis && !is_here) find(*wanted);
