@@ -20,6 +20,18 @@ double largest_of(const std::vector<femoop::Curve>& curves, MemberComponent comp
     return largest;
 }
 
+void read_reactions(SolvedCase& solved, std::size_t n_nodes)
+{
+    for (std::size_t i = 0; i < n_nodes; ++i) {
+        if (!solved.result.is_supported(femoop::NodeId(i))) continue;
+        const femoop::NodeVector reaction = solved.result.reaction(femoop::NodeId(i));
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+            solved.largest_reaction = std::max(solved.largest_reaction, std::abs(reaction[axis]));
+            solved.largest_reaction_moment = std::max(solved.largest_reaction_moment, std::abs(reaction[axis + 3]));
+        }
+    }
+}
+
 } // namespace
 
 double SolvedCase::largest(MemberComponent component) const
@@ -36,6 +48,7 @@ std::optional<SolvedCase> solved_case(const femoop::Results& results, femoop::Ca
     solved.curves.reserve(results.n_members());
     for (std::size_t i = 0; i < results.n_members(); ++i)
         solved.curves.push_back(solved.result.curve(femoop::MemberId{i}));
+    read_reactions(solved, results.n_nodes());
     return solved;
 }
 
@@ -61,7 +74,7 @@ double largest_value(const SolvedCase& solved, MemberComponent component, double
 {
     constexpr double rounding = 1e-10;
     const double own = solved.largest(component);
-    double force = 0.0;
+    double force = std::max(solved.largest_reaction, solved.largest_reaction_moment / size);
     for (const MemberComponent c : {MemberComponent::N, MemberComponent::Vy, MemberComponent::Vz})
         force = std::max(force, solved.largest(c));
     for (const MemberComponent c : {MemberComponent::T, MemberComponent::My, MemberComponent::Mz})

@@ -17,6 +17,7 @@ public:
 
     femoop::CaseResult result;
     std::vector<femoop::Curve> curves; ///< of the members
+    double largest_reaction = 0.0, largest_reaction_moment = 0.0;
 
     const femoop::Curve& operator[](femoop::MemberId member) const { return curves[member.index]; }
     /// The largest absolute value of a section force in the whole structure, rounding included.
@@ -34,7 +35,7 @@ std::optional<SolvedCase> solved_case(const femoop::Results& results, femoop::Ca
 std::vector<femoop::MemberComponent> components(Show item, femoop::AnalysisKind kind);
 
 /// The largest absolute value of a section force in the whole structure; 0 where it is nothing but rounding beside the
-/// other forces, moments being compared with forces times `size`, the structure's.
+/// other forces and the reactions, moments being compared with forces times `size`, the structure's.
 double largest_value(const SolvedCase& solved, femoop::MemberComponent component, double size);
 
 /// 1, 2 or 5 times a power of ten, not above the value. \pre value > 0 and finite.

@@ -142,6 +142,21 @@ TEST_CASE("A diagram that is rounding beside the other forces counts as zero")
     CHECK(largest_value(*solved, MemberComponent::N, 24.0) > 100.0);
 }
 
+TEST_CASE("Under a load over a support alone every section force is zero beside the reaction")
+{
+    femoop::Model bridge = view_test::example("bridge");
+    femoop::PointLoad load{.at = femoop::Quantity(0.0)};
+    load.components.push_back({.dof = femoop::Dof::uy, .value = -1.0});
+    bridge.load_cases.resize(1);
+    bridge.load_cases[0].members.assign(1, {.member = femoop::MemberId{}, .load = load});
+    const auto results = femoop::analyse(bridge);
+    const auto solved = solved_case(results, femoop::CaseId{});
+    REQUIRE(solved);
+    CHECK(solved->largest_reaction == doctest::Approx(1.0));
+    for (const MemberComponent component : {MemberComponent::N, MemberComponent::Vy, MemberComponent::Mz})
+        CHECK(largest_value(*solved, component, 200.0) == 0.0);
+}
+
 TEST_CASE("Round scales are 1, 2 or 5 times a power of ten")
 {
     CHECK(round_below(73.0) == doctest::Approx(50.0));
