@@ -32,7 +32,7 @@ std::string number(double value)
 std::string point(const Eigen::Vector3d& at, AnalysisKind kind)
 {
     std::string text = "(" + number(at.x()) + ", " + number(at.y());
-    return text + (is_3d(kind) ? ", " + number(at.z()) + ")" : ")");
+    return text + (is_plane(kind) ? ")" : ", " + number(at.z()) + ")");
 }
 
 /// The point that all moving nodes of a plane model turn about, if they do.
@@ -119,9 +119,10 @@ Fault words(const Model& model, const Discretisation& structure, const std::vect
     });
     if (is_common) return along(model, moving, first);
     if (is_plane(model.analysis))
-        if (const auto about = pivot(structure, motion, moving))
-            return {.kind = FaultKind::MechanismTurn,
-                    .arguments = {names_of(model, moving), point(*about, model.analysis)}};
+        if (const auto about = pivot(structure, motion, moving)) {
+            const std::string place = point(*about, model.analysis) + " " + std::string(name(model.units.length));
+            return {.kind = FaultKind::MechanismTurn, .arguments = {names_of(model, moving), place}};
+        }
     return each_its_way(model, motion, moving);
 }
 

@@ -98,6 +98,10 @@ protected:
     virtual void show_beside_words() {} ///< more buttons
     virtual void show_own_dialogs() {}
     virtual void handle_own_requests() {}
+    virtual float covered_width() const
+    {
+        return 0.0F;
+    }                     ///< at the right, by a window that the picture lies beside [px]
     virtual void fit() {} ///< the picture shows everything
     virtual void zoom(double factor) { (void)factor; }
     virtual std::optional<Message> write(const std::filesystem::path& path); ///< \returns why it cannot
@@ -308,7 +312,11 @@ template <class Workspace> void DocumentApp<Workspace>::answer_offer(Request req
 
 template <class Workspace> void DocumentApp<Workspace>::show_panels_and_canvas()
 {
-    if (!workspace_.has_panels) return show_picture(ImGui::GetContentRegionAvail(), [this] { show_canvas(); });
+    const float covered = covered_width();
+    if (!workspace_.has_panels) {
+        const ImVec2 room = ImGui::GetContentRegionAvail();
+        return show_picture({room.x - covered, room.y}, [this] { show_canvas(); });
+    }
     const auto panel = [](const char* id, float width, const auto& show) {
         begin_panel(id, width);
         show();
@@ -316,7 +324,7 @@ template <class Workspace> void DocumentApp<Workspace>::show_panels_and_canvas()
     };
     face_.sides.show([&](float width) { panel("###left", width, [this] { show_left(); }); },
                      [&](float width) { panel("###right", width, [this] { show_right(); }); },
-                     [this] { show_canvas(); });
+                     [this] { show_canvas(); }, covered);
 }
 
 template <class Workspace>

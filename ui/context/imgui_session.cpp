@@ -15,7 +15,8 @@ namespace ui {
 
 namespace {
 
-constexpr float line_of_em = 1.164F; // Dear ImGui gives type by the height of a line, ascender to descender
+constexpr float double_click_time = 0.5F; // s between two presses, as desktops have it
+constexpr float line_of_em = 1.164F;      // Dear ImGui gives type by the height of a line, ascender to descender
 
 /// Characters that widgets can show: European letters, Greek, punctuation, arrows, mathematics and shapes, and the sign
 /// for all others.
@@ -101,6 +102,7 @@ ImGuiSession::ImGuiSession(Context& context, const Fonts& fonts, const Theme& th
     io.IniFilename = nullptr;
     io.LogFilename = nullptr;
     io.BackendFlags |= ImGuiBackendFlags_RendererHasVtxOffset | ImGuiBackendFlags_HasMouseCursors;
+    io.MouseDoubleClickTime = double_click_time;
     io.ConfigFlags |= ImGuiConfigFlags_NavEnableKeyboard;
     for (const auto& [theirs, ours] : key_map) io.KeyMap[theirs] = static_cast<int>(ours);
     io.ClipboardUserData = this;
@@ -174,6 +176,9 @@ void ImGuiSession::feed(const Input& input)
     io.MousePos = {-FLT_MAX, -FLT_MAX};
     if (input.pointer)
         io.MousePos = {static_cast<float>(scale_ * input.pointer->x), static_cast<float>(scale_ * input.pointer->y)};
+    for (std::size_t i = 0; i < n_pointer_buttons; ++i)
+        if (input.since_press && input.is_button_down[i] && !io.MouseDown[i])
+            io.MouseClickedTime[i] = imgui_->Time + static_cast<double>(io.DeltaTime) - *input.since_press;
     std::copy(input.is_button_down.begin(), input.is_button_down.end(), io.MouseDown);
     io.MouseWheel += static_cast<float>(input.wheel.y);
     io.MouseWheelH += static_cast<float>(input.wheel.x);

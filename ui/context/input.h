@@ -27,6 +27,8 @@ struct Input {
     /// Logical pixels, y down; nothing while the pointer is elsewhere.
     std::optional<Point> pointer{};
     std::array<bool, n_pointer_buttons> is_button_down{};
+    /// The hand's seconds, at the least, since the button that goes down now did so before; nothing: the frames' time.
+    std::optional<double> since_press{};
     Point wheel{};                ///< notches; positive y is away from the hand
     Modifiers modifiers{};        ///< at the end of the frame
     std::vector<KeyEvent> keys{}; ///< in order

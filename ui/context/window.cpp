@@ -1,5 +1,6 @@
 #include "ui/context/window.h"
 
+#include "ui/context/button_events.h"
 #include "ui/context/room_to_draw.h"
 #include "ui/paint/text_measure.h"
 
@@ -115,9 +116,9 @@ struct Window::Parts {
     std::array<GLFWcursor*, cursor_shapes.size()> cursors{};
     Input input;
     Typing typing;
-    std::array<bool, n_pointer_buttons> was_pressed{}; ///< also by a click shorter than a frame
-    std::optional<Point> pressed_at;                   ///< in this frame; a quick hand is elsewhere by its end
-    double time = 0.0;
+    ButtonEvents buttons;
+    double time = 0.0;          ///< of the last frame's input [s]
+    double listens_since = 0.0; ///< [s]
 
     explicit Parts(const Setup& setup) { open(setup); }
     ~Parts()
@@ -134,6 +135,8 @@ struct Window::Parts {
     double content_scale() const;
     /// Physical pixels of a unit of GLFW's window coordinates.
     double pixels_per_unit() const;
+    Point pointer() const; ///< [logical pixels]
+    double earliest_time() const;
 
     static Parts& of(GLFWwindow* window) { return *static_cast<Parts*>(glfwGetWindowUserPointer(window)); }
 };
@@ -184,14 +187,9 @@ void Window::Parts::listen()
     glfwSetMouseButtonCallback(window, [](GLFWwindow* w, int button, int action, int mods) {
         if (button < 0 || button >= static_cast<int>(n_pointer_buttons)) return;
         Parts& parts = of(w);
-        const auto i = static_cast<std::size_t>(button);
-        parts.input.is_button_down[i] = action == GLFW_PRESS;
-        if (action == GLFW_PRESS) {
-            parts.was_pressed[i] = true;
-            Point& at = parts.pressed_at.emplace();
-            glfwGetCursorPos(w, &at.x, &at.y);
-        }
         parts.input.modifiers = modifiers_of(mods);
+        parts.buttons.add({static_cast<PointerButton>(button), action == GLFW_PRESS, parts.pointer(),
+                           modifiers_of(mods), parts.earliest_time(), glfwGetTime()});
     });
     glfwSetKeyCallback(window, [](GLFWwindow* w, int key, int scancode, int action, int mods) {
         Parts& parts = of(w);
@@ -222,6 +220,21 @@ double Window::Parts::pixels_per_unit() const
     glfwGetWindowSize(window, &width, &height);
     glfwGetFramebufferSize(window, &pixels_wide, &pixels_high);
     return width > 0 ? static_cast<double>(pixels_wide) / width : 1.0;
+}
+
+Point Window::Parts::pointer() const
+{
+    Point place;
+    glfwGetCursorPos(window, &place.x, &place.y);
+    return (pixels_per_unit() / content_scale()) * place;
+}
+
+// Of what is heard now: it has just come where it was waited for, else at any time since the frame before.
+double Window::Parts::earliest_time() const
+{
+    constexpr double at_once = 0.005;
+    const double now = glfwGetTime();
+    return now - listens_since > at_once ? now : time;
 }
 
 Window::Window(const Setup& setup) : parts_(std::make_unique<Parts>(setup)) {}
@@ -268,21 +281,15 @@ void Window::set_clipboard(const std::string& text) { glfwSetClipboardString(par
 
 Input Window::input(double patience)
 {
+    parts_->listens_since = glfwGetTime();
     if (patience > 0.0) glfwWaitEventsTimeout(patience);
     else glfwPollEvents();
     Input now = parts_->input;
     const double time = glfwGetTime();
     now.seconds = time - std::exchange(parts_->time, time);
-    for (std::size_t i = 0; i < n_pointer_buttons; ++i)
-        now.is_button_down[i] = now.is_button_down[i] || std::exchange(parts_->was_pressed[i], false);
-    if (glfwGetWindowAttrib(parts_->window, GLFW_HOVERED) || now.is_button_down[0] || now.is_button_down[1] ||
-        now.is_button_down[2]) {
-        Point place;
-        glfwGetCursorPos(parts_->window, &place.x, &place.y);
-        if (parts_->pressed_at) place = *parts_->pressed_at;
-        now.pointer = (parts_->pixels_per_unit() / parts_->content_scale()) * place;
-    }
-    parts_->pressed_at.reset();
+    parts_->buttons.deliver_next(now);
+    const bool is_held = std::ranges::any_of(now.is_button_down, [](bool is_down) { return is_down; });
+    if (!now.pointer && (is_held || glfwGetWindowAttrib(parts_->window, GLFW_HOVERED))) now.pointer = parts_->pointer();
     Input& next = parts_->input;
     next.wheel = {};
     next.dropped_files.clear();

@@ -65,12 +65,13 @@ void splitter(const char* id, float& width, float shown, float sign, float heigh
 } // namespace
 
 void SidePanels::show(const std::function<void(float)>& left, const std::function<void(float)>& right,
-                      const std::function<void()>& picture)
+                      const std::function<void()>& picture, float covered)
 {
     const ImVec2 room = ImGui::GetContentRegionAvail();
     const float em = ImGui::GetFontSize();
     const float bar = splitter_ems * em;
-    const Sides shown{std::min(ems_.left * em, most_.left * room.x), std::min(ems_.right * em, most_.right * room.x)};
+    const Sides shown{std::min(ems_.left * em, most_.left * room.x),
+                      std::max(covered, std::min(ems_.right * em, most_.right * room.x))};
     left(shown.left);
     ImGui::SameLine();
     splitter("###left splitter", ems_.left, shown.left, 1.0F, room.y);

@@ -39,9 +39,9 @@ public:
     SidePanels(Sides ems, Sides most) : ems_(ems), most_(most) {}
 
     /// `left` and `right` show a panel of a width [px]. Both are laid out before the picture, so that it shows what
-    /// they changed.
+    /// they changed. What lies over the right one, `covered` pixels wide, does not reach the picture.
     void show(const std::function<void(float)>& left, const std::function<void(float)>& right,
-              const std::function<void()>& picture);
+              const std::function<void()>& picture, float covered = 0.0F);
 
 private:
     Sides ems_, most_;

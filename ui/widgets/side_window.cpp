@@ -16,10 +16,9 @@ bool SideWindow::begin(bool is_open, const char* id, const std::string& title)
     if (!has_turn(id)) return false;
     if (!ImGui::IsPopupOpen(id)) ImGui::OpenPopup(id);
     const ImGuiViewport& viewport = *ImGui::GetMainViewport();
-    const float width = std::min(24.0F * ImGui::GetFontSize(), 0.3F * viewport.WorkSize.x);
     const float status = ImGui::GetFrameHeight();
-    ImGui::SetNextWindowPos({viewport.WorkPos.x + viewport.WorkSize.x - width, viewport.WorkPos.y});
-    ImGui::SetNextWindowSize({width, viewport.WorkSize.y - status});
+    ImGui::SetNextWindowPos({viewport.WorkPos.x + viewport.WorkSize.x - width(), viewport.WorkPos.y});
+    ImGui::SetNextWindowSize({width(), viewport.WorkSize.y - status});
     constexpr ImGuiWindowFlags flags = ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove |
                                        ImGuiWindowFlags_NoCollapse;
     return ImGui::BeginPopupModal((title + id).c_str(), nullptr, flags);
@@ -41,6 +40,11 @@ void SideWindow::end(bool is_open)
 {
     if (!is_open) ImGui::CloseCurrentPopup();
     ImGui::EndPopup();
+}
+
+float SideWindow::width()
+{
+    return std::min(24.0F * ImGui::GetFontSize(), 0.3F * ImGui::GetMainViewport()->WorkSize.x);
 }
 
 // Dear ImGui dims at the frame's end, out of a pushed colour's reach; a new theme brings the dimming back.

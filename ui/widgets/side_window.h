@@ -15,6 +15,7 @@ public:
     static void end_content();
     /// Closes it where it is open no longer.
     void end(bool is_open);
+    static float width(); ///< [px]
 
 private:
     void light_up(bool is_open);

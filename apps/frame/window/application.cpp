@@ -217,6 +217,13 @@ void Application::show_tabs()
     }
 }
 
+float Application::covered_width() const
+{
+    const Workspace& drafts = workspace();
+    const bool is_covered = drafts.typical.is_open() || drafts.section.is_open() || drafts.design.is_open();
+    return is_covered ? ui::SideWindow::width() : 0.0F;
+}
+
 void Application::show_canvas()
 {
     const float row = ImGui::GetFrameHeight(), gap = 0.6F * ImGui::GetFontSize();

@@ -44,6 +44,7 @@ private:
     void show_left() override;
     void show_right() override;
     void show_tabs();
+    float covered_width() const override;
     void show_canvas() override;
     std::string words() const override; ///< with the derivation that is open
     void show_beside_words() override;

@@ -208,6 +208,16 @@ Canvas::FittedFor Canvas::wanted_fit(const Session& session, const DrawOptions& 
             {options.diagram_factor, options.load_factor, options.symbol_factor}};
 }
 
+// Below the legend a low sheet, as over a table on the projector, would leave the structure no room.
+DrawOptions Canvas::seen_options(const Workspace& workspace) const
+{
+    constexpr double least_lines = 18.0;
+    DrawOptions options = looked_at(workspace);
+    const double n_lines = whole_sheet().height / ui::Theme(options.theme).type().normal;
+    if (n_lines < least_lines) options.show = options.show - ShowSet{Show::Legend};
+    return options;
+}
+
 void Canvas::follow_structure(Workspace& workspace)
 {
     Session& session = workspace.session;
@@ -216,7 +226,7 @@ void Canvas::follow_structure(Workspace& workspace)
     session_ = session.number();
     generation_ = session.generation();
     follow_derivation(workspace);
-    const DrawOptions options = looked_at(workspace);
+    const DrawOptions options = seen_options(workspace);
     const std::vector<NodeNumbers> numbers = node_numbers(workspace);
     DrawState state = session.draw_state;
     state.phase = 1.0; // room for the whole motion
@@ -569,13 +579,13 @@ ui::Picture Canvas::picture_of(const Workspace& workspace) const
 {
     DrawState plain = state(workspace);
     plain.hover = plain.selection = {};
-    return painted([&](ui::Painter& painter) { draw(workspace, looked_at(workspace), plain, painter); });
+    return painted([&](ui::Painter& painter) { draw(workspace, seen_options(workspace), plain, painter); });
 }
 
 void Canvas::paint_all(const Workspace& workspace, ui::Painter& painter)
 {
     const Session& session = workspace.session;
-    const DrawOptions shown = looked_at(workspace);
+    const DrawOptions shown = seen_options(workspace);
     const DrawState now = state(workspace);
     drawn_ = draw(workspace, shown, now, painter);
     if (std::exchange(is_just_fitted_, false)) was_whole_ = drawn_.is_whole;

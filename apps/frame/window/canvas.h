@@ -57,6 +57,7 @@ private:
     Subject::Picture draw(const Workspace& workspace, const DrawOptions& options, const DrawState& state,
                           ui::Painter& painter) const;
     DrawState state(const Workspace& workspace) const;
+    DrawOptions seen_options(const Workspace& workspace) const;
     struct SeenCut {
         Cut cut;
         ui::Point panel; ///< corner of the panel that it is seen in

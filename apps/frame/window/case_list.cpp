@@ -8,7 +8,6 @@
 
 #include "apps/frame/session/case_commands.h"
 #include "ui/widgets/command_menu.h"
-#include "ui/widgets/item_label.h"
 #include "ui/widgets/wrapped_text.h"
 
 namespace frame {
@@ -83,7 +82,7 @@ void CaseList::show_entry(Workspace& workspace, femoop::CaseId id)
     const femoop::Model& model = session.model();
     const std::string& name = model.case_name(id);
     const bool is_combination = id.index >= model.load_cases.size();
-    const std::string label = ui::item_label(
+    const std::string label = ui::label_beside_box(
         is_combination ? session.view.tr("{case} (combination)", {{"case", name}}) : name, std::to_string(id.index));
     const bool is_shown = !session.view.is_envelope && session.view.load_case == id;
     if (ImGui::RadioButton(label.c_str(), is_shown)) show_case(session, id);

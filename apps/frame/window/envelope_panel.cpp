@@ -12,7 +12,6 @@
 #include "apps/frame/window/result_list.h"
 #include "femoop/result/components.h"
 #include "femoop/result/envelope.h"
-#include "ui/widgets/item_label.h"
 #include "ui/widgets/wrapped_text.h"
 
 namespace frame {
@@ -32,7 +31,7 @@ void choose_cases(Session& session)
         bool takes_part = !is_blank && (n_chosen == model.n_cases() || !session.view.left_out.contains(name));
         const bool is_last = takes_part && n_chosen == 1;
         ImGui::BeginDisabled(is_last || is_blank);
-        if (ImGui::Checkbox(ui::item_label(name, "part " + std::to_string(i)).c_str(), &takes_part)) {
+        if (ImGui::Checkbox(ui::label_beside_box(name, "part " + std::to_string(i)).c_str(), &takes_part)) {
             if (takes_part) session.view.left_out.erase(name);
             else session.view.left_out.insert(name);
         }

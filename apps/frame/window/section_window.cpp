@@ -18,7 +18,6 @@
 #include "femoop/section/section_properties.h"
 #include "ui/paint/painter.h"
 #include "ui/text/number_format.h"
-#include "ui/widgets/item_label.h"
 #include "ui/widgets/wrapped_text.h"
 
 namespace frame {
@@ -102,9 +101,10 @@ void show_target(Workspace& workspace)
     const std::string make = tr("A new one (selected members: {count})",
                                 {{"count", std::to_string(draft.n_members())}});
     const bool is_new = draft.target() == SectionTarget::New;
-    if (ImGui::RadioButton(ui::item_label(change, "this").c_str(), !is_new))
+    if (ImGui::RadioButton(ui::label_beside_box(change, "this").c_str(), !is_new))
         draft.set_target(workspace.session, SectionTarget::This);
-    if (ImGui::RadioButton((make + "###new").c_str(), is_new)) draft.set_target(workspace.session, SectionTarget::New);
+    if (ImGui::RadioButton(ui::label_beside_box(make, "new").c_str(), is_new))
+        draft.set_target(workspace.session, SectionTarget::New);
 }
 
 /// A cell of the table of properties: the symbol, its value and unit.

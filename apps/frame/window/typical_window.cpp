@@ -12,6 +12,7 @@
 #include "apps/frame/window/number_row.h"
 #include "femoop/model/quantity/quantity_parser.h"
 #include "ui/paint/painter.h"
+#include "ui/widgets/wrapped_text.h"
 
 namespace frame {
 
@@ -43,7 +44,9 @@ std::optional<double> number_field(Workspace& workspace, ui::NumberFields& field
 std::optional<double> slider(const TypicalNumber& number, double value)
 {
     auto position = static_cast<float>(value);
-    ImGui::SetNextItemWidth(0.56F * ImGui::GetContentRegionAvail().x);
+    const float room = ImGui::GetContentRegionAvail().x;
+    const float field = 4.2F * ImGui::GetFontSize() + ImGui::GetStyle().ItemSpacing.x; // for "16.404"
+    ImGui::SetNextItemWidth(std::max(std::min(0.56F * room, room - field), 1.0F));
     const std::string id = "###slider " + std::string(number.id);
     const bool is_moved = ImGui::SliderFloat(id.c_str(), &position, static_cast<float>(number.least),
                                              static_cast<float>(number.most), "", ImGuiSliderFlags_NoInput);
@@ -64,7 +67,7 @@ std::optional<double> options(const TypicalNumber& number, double value, const u
         const float width = style.ItemSpacing.x + ImGui::GetFrameHeight() + style.ItemInnerSpacing.x + words;
         if (i > 0 && ImGui::GetItemRectMax().x + width <= end) ImGui::SameLine(); // else in a line of its own
         const bool is_on = value == static_cast<double>(i);
-        const std::string id = tr(option) + "###" + std::string(number.id) + std::string(option);
+        const std::string id = ui::label_beside_box(tr(option), std::string(number.id) + std::string(option));
         if (ImGui::RadioButton(id.c_str(), is_on)) chosen = static_cast<double>(i);
     }
     return chosen;
@@ -99,9 +102,9 @@ void show_setting(Workspace& workspace)
         return;
     }
     const bool is_beside = draft.setting() == Setting::Beside;
-    if (ImGui::RadioButton((tr("Right of what is there") + "###beside").c_str(), is_beside))
+    if (ImGui::RadioButton(ui::label_beside_box(tr("Right of what is there"), "beside").c_str(), is_beside))
         draft.set_setting(workspace.session, Setting::Beside);
-    if (ImGui::RadioButton((tr("In place of what is there") + "###in place").c_str(), !is_beside))
+    if (ImGui::RadioButton(ui::label_beside_box(tr("In place of what is there"), "in place").c_str(), !is_beside))
         draft.set_setting(workspace.session, Setting::InPlace);
 }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <string_view>
 
 #include "femoop/analysis/linear_static.h"
 
@@ -132,6 +133,22 @@ TEST_SUITE("mechanisms")
         REQUIRE(sentences.size() == 2);
         CHECK(sentences[0].find("A, B and C sway to the right together") != std::string::npos);
         CHECK(sentences[1].find("turn together about (0, ") != std::string::npos);
+        CHECK(sentences[1].find(") m; add") != std::string::npos);
+    }
+
+    TEST_CASE("Nodes of a grillage move up and down, never in its plane")
+    {
+        Model model = frame({{0, 0}, {4.2, 0.3}, {3.1, 2.7}}, {{0, 1}, {1, 2}});
+        model.analysis = AnalysisKind::Grillage;
+        model.sections[0].Iy = 0.7e-4;
+        model.sections[0].J = 0.3e-4;
+        const std::vector<std::string> sentences = mechanisms(model);
+        REQUIRE(sentences.size() == 3);
+        const auto n_with = [&](std::string_view words) {
+            return std::ranges::count_if(sentences, [&](const std::string& s) { return s.find(words) != s.npos; });
+        };
+        CHECK(n_with("along (0, 0)") == 0);
+        CHECK(n_with("along (0, 0, 1)") + n_with("along z") == 3);
     }
 
     TEST_CASE("A beam on one pin is no structure that holds, however short a member in it and however far off it lies")

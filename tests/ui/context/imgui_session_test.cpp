@@ -36,6 +36,27 @@ TEST_CASE("A press and a release over a button click it, at every scale")
     }
 }
 
+TEST_CASE("Two presses are a double click by the hand's time, however late the frames are")
+{
+    if (!has_renderer()) return;
+    const auto is_double = [](double frame, std::optional<double> since_press) {
+        Stage stage(1.0);
+        bool is_seen = false;
+        const auto look = [&] { is_seen = is_seen || ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left); };
+        const ui::Input rest{.pointer = ui::Point{31.0, 17.0}, .seconds = frame};
+        ui::Input press = rest, second = rest;
+        press.is_button_down[0] = second.is_button_down[0] = true;
+        second.since_press = since_press;
+        for (const ui::Input& input : {rest, press, rest, second, rest}) stage.frame(input, look);
+        return is_seen;
+    };
+    CHECK(is_double(0.2, std::nullopt));
+    CHECK_FALSE(is_double(0.3, std::nullopt));
+    CHECK(is_double(0.3, 0.45));
+    CHECK(is_double(2.0, 0.1));
+    CHECK_FALSE(is_double(0.01, 0.55));
+}
+
 TEST_CASE("A sign that the font lacks is no question mark in a panel")
 {
     if (!has_renderer()) return;
