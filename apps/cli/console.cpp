@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cstdio>
 #include <map>
-#include <system_error>
 #include <utility>
 
 #include "ui/text/printable.h"
@@ -48,9 +47,7 @@ std::string Console::sentence(const femoop::Fault& fault) const { return femoop:
 
 void Console::flush()
 {
-    const std::error_code fault = ui::print(std::exchange(results_, {}));
-    if (!fault) return;
-    throw UsageError(tr_("cannot write the results to standard output: {reason}", {{"reason", tr_(fault.message())}}));
+    if (const auto fault = ui::print(std::exchange(results_, {}))) throw UsageError(tr_(*fault));
 }
 
 } // namespace cli

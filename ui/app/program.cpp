@@ -3,10 +3,11 @@
 #include <cstdlib>
 #include <exception>
 #include <iostream>
+#include <optional>
 #include <string>
-#include <system_error>
 
 #include "ui/app/app_options.h"
+#include "ui/text/catalogue.h"
 #include "ui/text/printable.h"
 #include "ui/text/standard_output.h"
 
@@ -22,9 +23,9 @@ void report(std::string_view text) { std::cerr << printable(std::string(text)) <
 /// What the options ask for, on stdout.
 int answer(std::string_view name, const std::string& text)
 {
-    const std::error_code fault = print(text + "\n");
+    const std::optional<Message> fault = print(text + "\n");
     if (!fault) return done;
-    report(std::string(name) + ": cannot write to standard output: " + fault.message());
+    report(std::string(name) + ": " + Catalogue()(*fault));
     return failed;
 }
 

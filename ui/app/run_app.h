@@ -7,7 +7,6 @@
 #include <optional>
 #include <string>
 #include <string_view>
-#include <system_error>
 #include <utility>
 #include <vector>
 
@@ -87,12 +86,9 @@ int run_app(const AppOptions& options, std::string_view program, Session& sessio
             std::cerr << printable(refusal->words);
             return refusal->status;
         }
-        const std::error_code fault = print(description(session));
+        const std::optional<Message> fault = print(description(session));
         if (!fault) return done;
-        std::cerr << program << ": "
-                  << session.tr()("cannot write the results to standard output: {reason}",
-                                  {{"reason", session.tr()(fault.message())}})
-                  << '\n';
+        std::cerr << program << ": " << session.tr()(*fault) << '\n';
         return bad_input;
     }
     if (options.play) return play_through<Application, AppStage>(options, program, session, session.tr());

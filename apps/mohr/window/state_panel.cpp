@@ -17,6 +17,7 @@
 #include "ui/text/arithmetic.h"
 #include "ui/text/language_manner.h"
 #include "ui/widgets/command_menu.h"
+#include "ui/widgets/field_row.h"
 #include "ui/widgets/wrapped_text.h"
 
 namespace mohr {
@@ -27,7 +28,7 @@ using ui::translatable;
 
 namespace {
 
-/// A value of which the document keeps no text: how it is shown, and what a new one does.
+// A value of which the document keeps no text: how it is shown, and what a new one does.
 struct ValueRow {
     std::string label, id;
     double value = 0.0;
@@ -39,24 +40,16 @@ void heading(const std::string& words)
 {
     ImGui::Spacing();
     ImGui::Separator();
-    ImGui::TextUnformatted(words.c_str());
-}
-
-/// The row's name; the field follows in the same line.
-void begin_row(const std::string& label)
-{
-    ImGui::AlignTextToFramePadding();
-    ImGui::TextUnformatted(label.c_str());
-    ImGui::SameLine(6.5F * ImGui::GetFontSize());
+    ui::wrapped_text(words);
 }
 
 void value_row(Workspace& workspace, ui::NumberFields& fields, const ValueRow& row)
 {
     Session& session = workspace.session;
-    begin_row(row.label);
+    const std::string shown = session.look.number(row.value);
+    ui::begin_field_row(row.label, shown);
     const ui::NumberFormat exact{15, session.look.format().mark};
-    const auto event = fields.show(row.id,
-                                   {session.look.number(row.value), ui::number_text(row.value, exact), row.value});
+    const auto event = fields.show(row.id, {shown, ui::number_text(row.value, exact), row.value});
     if (event.kind == Kind::Dragged) session.drag(row.edit(event.value), row.step);
     if (event.kind == Kind::Settled) session.settle();
     if (event.kind != Kind::Typed) return;
@@ -66,8 +59,7 @@ void value_row(Workspace& workspace, ui::NumberFields& fields, const ValueRow& r
         fields.reject(event, session.tr()(*reason));
 }
 
-/// "(0.8; 0.6; 0)", "0.8 0.6 0"; nothing for what are no three numbers.
-/// A number of more digits than anyone types, rounded, with its unit; nothing for others.
+// A number of more digits than anyone types, rounded, with its unit; nothing for others.
 std::optional<std::string> short_enough(const std::string& text, const std::optional<ui::LeadingNumber>& number,
                                         const Look& look)
 {
@@ -78,6 +70,7 @@ std::optional<std::string> short_enough(const std::string& text, const std::opti
     return ui::with_minus_signs(rounded) + printed_unit(text.substr(number->length));
 }
 
+// "(0.8; 0.6; 0)", "0.8 0.6 0"; nothing for what are no three numbers.
 std::optional<std::array<double, 3>> vector_typed(std::string text)
 {
     std::ranges::replace_if(
@@ -121,16 +114,15 @@ void StatePanel::show_kind(Workspace& workspace, const CommandTable& commands)
 void StatePanel::number_row(Workspace& workspace, const std::string& label, NumberId number)
 {
     Session& session = workspace.session;
-    begin_row(label);
     const std::string& text = text_of(session.document(), number);
     const auto leading = number.group == Group::Section ? std::nullopt : ui::leading_number(text);
     const std::string id = "###" + std::to_string(static_cast<int>(number.group)) + "." + std::to_string(number.place);
-    std::string shown = number.group == Group::Section ? text : printed_unit(text);
+    std::string exact = number.group == Group::Section ? text : printed_unit(text);
     if (ui::decimal_mark(session.tr().language()) == ui::DecimalMark::Comma && number.group != Group::Section)
-        for (char& c : shown) c = c == '.' ? ',' : c;
-    const auto event = fields_.show(id,
-                                    {short_enough(text, leading, session.look).value_or(ui::with_minus_signs(shown)),
-                                     shown, leading ? std::optional(leading->value) : std::nullopt});
+        for (char& c : exact) c = c == '.' ? ',' : c;
+    const std::string shown = short_enough(text, leading, session.look).value_or(ui::with_minus_signs(exact));
+    ui::begin_field_row(label, shown);
+    const auto event = fields_.show(id, {shown, exact, leading ? std::optional(leading->value) : std::nullopt});
     if (event.kind == Kind::Dragged && leading)
         session.drag(with_number(session.document(), number, femoop::number_text(event.value)),
                      translatable("Change a number"));
@@ -192,7 +184,6 @@ void StatePanel::show_direction(Workspace& workspace, int direction)
 {
     Session& session = workspace.session;
     const std::string n = std::to_string(direction + 1);
-    begin_row(session.tr()("direction {n}", {{"n", n}}));
     const Eigen::Vector3d d = session.solution().space_principal.directions.col(direction);
     const auto text = [&](int digits) {
         std::string all;
@@ -200,7 +191,9 @@ void StatePanel::show_direction(Workspace& workspace, int direction)
             all += (all.empty() ? "" : "; ") + ui::number_text(part, {digits, session.look.format().mark});
         return all;
     };
-    const auto event = fields_.show("###along" + n, {ui::with_minus_signs(text(3)), text(12), std::nullopt});
+    const std::string shown = ui::with_minus_signs(text(3));
+    ui::begin_field_row(session.tr()("direction {n}", {{"n", n}}), shown);
+    const auto event = fields_.show("###along" + n, {shown, text(12), std::nullopt});
     if (event.kind != Kind::Typed) return;
     const auto along = vector_typed(event.text);
     if (!along) fields_.reject(event, session.tr()("write three numbers, such as 1; 0; 0"));

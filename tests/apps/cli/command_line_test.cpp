@@ -127,7 +127,7 @@ TEST_CASE("A full disk behind stdout is told, with status 2")
     const Folder folder;
     const Run run = cli_test::shell("cremona solve " + folder.write("c.json", cli_test::cantilever()) + " >/dev/full");
     CHECK(run.status == 2);
-    CHECK(has(run.err, "cannot write the results to standard output"));
+    CHECK(has(run.err, "cannot write to standard output"));
 }
 
 TEST_SUITE_END();
