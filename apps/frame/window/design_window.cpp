@@ -85,7 +85,8 @@ void show_states(Workspace& workspace)
     DesignDraft& draft = workspace.design;
     for (const LimitState state : limit_states(draft.code())) {
         bool is_on = draft.has(state);
-        const std::string label = workspace.session.view.tr(short_name(draft.code(), state)) + "###" + std::string(id(state));
+        const std::string label = workspace.session.view.tr(short_name(draft.code(), state)) + "###" +
+                                  std::string(id(state));
         if (ImGui::Checkbox(label.c_str(), &is_on)) draft.set(state, is_on);
     }
 }
