@@ -78,7 +78,7 @@ public:
     void read(MemberId member)
     {
         member_ = member;
-        geometry_ = structure_.geometry(member);
+        place(member);
         if (is_like_last(member)) return;
         end_conditions_ = structure_.end_conditions_of(member);
         properties_ = &structure_.properties_of(member);
@@ -135,10 +135,24 @@ public:
 private:
     bool is_plain() const { return end_conditions_ == nullptr && !is_precise_; }
 
-    /// But for its place and direction: most structures repeat themselves.
+    bool has_no_end_conditions_like_last(MemberId member) const
+    {
+        return structure_.end_conditions_of(member) == nullptr && end_conditions_ == nullptr;
+    }
+
+    /// Members that are parallel and equally long share their axes: most structures repeat themselves.
+    void place(MemberId member)
+    {
+        const auto [start, end] = structure_.members[member.index].nodes;
+        const Eigen::Vector3d chord = structure_.positions[end.index] - structure_.positions[start.index];
+        if (!has_no_end_conditions_like_last(member) || chord != chord_) geometry_ = structure_.geometry(member);
+        chord_ = chord;
+    }
+
+    /// But for its place and direction.
     bool is_like_last(MemberId member) const
     {
-        if (structure_.end_conditions_of(member) != nullptr || end_conditions_ != nullptr) return false;
+        if (!has_no_end_conditions_like_last(member)) return false;
         if (properties_ != &structure_.properties_of(member) || loading_.length() != geometry_.length) return false;
         for (std::size_t i = 0; i < terms_.size(); ++i)
             if (!std::ranges::equal(scaled_[i].loads, solution_.loads[terms_[i].load_case].of(member))) return false;
@@ -156,7 +170,7 @@ private:
     {
         MemberState s;
         s.d = ends(Part::Elastic);
-        unpack(stiffness_ * pack(s.d) + fixed_end_forces_, s.p);
+        unpack(stiffness_.lazyProduct(pack(s.d)) + fixed_end_forces_, s.p);
         return s;
     }
 
@@ -193,10 +207,7 @@ private:
     /// The member's own ends as they follow its nodes, and where it has ends of its own, those.
     std::array<Vector6, 2> ends(Part part) const
     {
-        std::array<Vector6, 2> d{Vector6::Zero(), Vector6::Zero()};
-        for (std::size_t end = 0; end < 2; ++end)
-            for (std::size_t i = 0; i < n; ++i)
-                follow(AnalysisModel<kind>::global[i], node_displacement<double>(end, i, part), end, d[end]);
+        std::array<Vector6, 2> d{following_node(0, part), following_node(1, part)};
         visit_member_ends<double>(part, [&](std::size_t end, int i, double value) {
             d[end][static_cast<int>(index(local[static_cast<std::size_t>(i)]))] = value;
         });
@@ -212,18 +223,20 @@ private:
         return sum;
     }
 
-    /// Adds what a node's displacement moves an end by: along its own axes, and by a rotation through the rigid arm.
-    void follow(Dof dof, double value, std::size_t end, Vector6& d) const
+    /// How an end moves with its node: along its own axes, and by a rotation through the rigid arm.
+    Vector6 following_node(std::size_t end, Part part) const
     {
-        const auto axis = static_cast<int>(index(dof));
-        if (axis < 3) {
-            d.head<3>() += value * geometry_.axes.col(axis);
-            return;
-        }
-        d.tail<3>() += value * geometry_.axes.col(axis - 3);
+        Vector6 u = Vector6::Zero(); // of the node, global axes
+        for (std::size_t i = 0; i < n; ++i)
+            u[static_cast<int>(index(AnalysisModel<kind>::global[i]))] = node_displacement<double>(end, i, part);
+        Eigen::Vector3d moved = u.head<3>();
+        const Eigen::Vector3d turned = u.tail<3>();
         if (end_conditions_ != nullptr && end_conditions_->has_offset)
-            d.head<3>() += geometry_.axes *
-                           (value * Eigen::Vector3d::Unit(axis - 3)).cross(end_conditions_->offsets[end]);
+            moved += turned.cross(end_conditions_->offsets[end]);
+        Vector6 d;
+        d.head<3>() = geometry_.axes.lazyProduct(moved);
+        d.tail<3>() = geometry_.axes.lazyProduct(turned);
+        return d;
     }
 
     template <class Scalar, class Visit> void visit_member_ends(Part part, Visit&& visit) const
@@ -341,6 +354,7 @@ private:
     const MemberEndConditions* end_conditions_ = nullptr;
     const MemberProperties* properties_ = nullptr;
     MemberGeometry geometry_;
+    Eigen::Vector3d chord_ = Eigen::Vector3d::Constant(std::numeric_limits<double>::quiet_NaN()); ///< of the last one
     SpanLoading loading_;
     std::vector<SpanLoading::Scaled> scaled_;
     bool is_precise_ = false;
