@@ -1,6 +1,7 @@
 #include "ui/paint/color.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <string_view>
 
@@ -13,10 +14,20 @@ std::uint8_t blend(std::uint8_t a, std::uint8_t b, double t)
     return static_cast<std::uint8_t>(std::lround(a + (b - a) * t));
 }
 
+std::array<double, 256> linear_values()
+{
+    std::array<double, 256> values;
+    for (std::size_t i = 0; i < values.size(); ++i) {
+        const double c = static_cast<double>(i) / 255.0;
+        values[i] = c <= 0.03928 ? c / 12.92 : std::pow((c + 0.055) / 1.055, 2.4);
+    }
+    return values;
+}
+
 double linear(std::uint8_t channel)
 {
-    const double c = channel / 255.0;
-    return c <= 0.03928 ? c / 12.92 : std::pow((c + 0.055) / 1.055, 2.4);
+    static const std::array<double, 256> values = linear_values(); // a theme asks for hundreds
+    return values[channel];
 }
 
 double luminance(Color color) { return 0.2126 * linear(color.r) + 0.7152 * linear(color.g) + 0.0722 * linear(color.b); }

@@ -25,6 +25,23 @@ std::string written(double value, std::chars_format format, int precision)
     return {buffer.data(), end};
 }
 
+double value_of(std::string_view digits)
+{
+    double value = 0.0;
+    std::from_chars(digits.data(), digits.data() + digits.size(), value);
+    return value;
+}
+
+/// Of a number in scientific form.
+int exponent_of(std::string_view digits)
+{
+    digits.remove_prefix(digits.find('e') + 1);
+    if (digits.front() == '+') digits.remove_prefix(1);
+    int exponent = 0;
+    std::from_chars(digits.data(), digits.data() + digits.size(), exponent);
+    return exponent;
+}
+
 // "1.20e-05" becomes "1.2e-5".
 std::string with_exponent(double value, int digits)
 {
@@ -44,13 +61,13 @@ std::string number_text(double value, const NumberFormat& format)
     if (value == 0.0) return "0";
     const int digits = std::clamp(format.digits, 1, 15);
     const std::string rounded = written(value, std::chars_format::scientific, digits - 1);
-    const int exponent = std::stoi(rounded.substr(rounded.find('e') + 1));
+    const int exponent = exponent_of(rounded);
     std::string text;
     if (exponent < -4 || exponent >= 7) {
         text = with_exponent(value, digits);
     } else {
         // Rounded first, so that 1234567 with three digits is 1230000.
-        text = written(std::stod(rounded), std::chars_format::fixed, std::max(0, digits - 1 - exponent));
+        text = written(value_of(rounded), std::chars_format::fixed, std::max(0, digits - 1 - exponent));
         drop_trailing_zeros(text);
     }
     if (format.mark == DecimalMark::Comma) std::replace(text.begin(), text.end(), '.', ',');

@@ -77,10 +77,10 @@ std::optional<Meeting> first_touch(const std::vector<Point>& loop)
     const std::size_t n = loop.size();
     for (std::size_t i = 0; i < n; ++i) {
         const Point a = loop[i], b = loop[(i + 1) % n];
-        const auto [x0, x1] = std::minmax(a.x, b.x);
+        const Box near = united({a, a}, {b, b}).grown(same_place);
         for (std::size_t k = 0; k < n; ++k) {
             const Point p = loop[k];
-            if (p.x < x0 - same_place || p.x > x1 + same_place || k == i || k == (i + 1) % n) continue;
+            if (!near.contains(p) || k == i || k == (i + 1) % n) continue;
             if (distance_to_edge(p, a, b) <= same_place) return k > i ? Meeting{i, k - 1, p} : Meeting{k, i, p};
         }
     }
@@ -92,10 +92,10 @@ std::optional<Meeting> first_crossing(const std::vector<Point>& loop)
     const std::size_t n = loop.size();
     for (std::size_t i = 0; i + 2 < n; ++i) {
         const Point a = loop[i], b = loop[i + 1];
-        const auto [x0, x1] = std::minmax(a.x, b.x);
+        const Box reach = united({a, a}, {b, b});
         for (std::size_t j = i + 2; j < n; ++j) {
             const Point c = loop[j], d = loop[(j + 1) % n];
-            if (std::max(c.x, d.x) < x0 || std::min(c.x, d.x) > x1 || (i == 0 && j == n - 1)) continue;
+            if (intersection(reach, united({c, c}, {d, d})).is_empty() || (i == 0 && j == n - 1)) continue;
             if (const auto at = crossing(a, b, c, d)) return Meeting{i, j, *at};
         }
     }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace ui {
 
@@ -24,22 +25,29 @@ public:
             axis_ = d / l;
             has_axis_ = true;
         }
-        if (dot(axis_, d) <= 0.0) return false;
-        const double angle = std::atan2(cross(axis_, d), dot(axis_, d)), half = std::asin(tolerance_ / l);
-        if (angle < low_ || angle > high_) return false;
-        low_ = std::max(low_, angle - half);
-        high_ = std::min(high_, angle + half);
+        const double along = dot(axis_, d), across = cross(axis_, d);
+        if (along <= 0.0 || across < low_ * along || across > high_ * along) return false;
+        narrow(along, across, l);
         return true;
     }
 
 private:
+    /// To the tangents of the circle about a point, as far as they lie ahead.
+    void narrow(double along, double across, double l)
+    {
+        const double ahead = std::sqrt(l * l - tolerance_ * tolerance_);
+        const double left = along * ahead + across * tolerance_, right = along * ahead - across * tolerance_;
+        if (left > 0.0) low_ = std::max(low_, (across * ahead - along * tolerance_) / left);
+        if (right > 0.0) high_ = std::min(high_, (across * ahead + along * tolerance_) / right);
+    }
+
     Point apex_;
     double tolerance_;
     Point axis_{};
     bool has_axis_ = false;
     double farthest_ = 0.0;
-    double low_ = -2.0; // [rad] from the axis; wider than any angle that is let through
-    double high_ = 2.0;
+    double low_ = -std::numeric_limits<double>::infinity(); // slopes against the axis
+    double high_ = std::numeric_limits<double>::infinity();
 };
 
 } // namespace
