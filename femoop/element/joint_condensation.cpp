@@ -11,9 +11,11 @@ namespace {
 
 constexpr double negligible = 1e-12; // of a column of B: below it only rounding is left
 
+// Symmetric to the last digit: where mirrored entries differ, rigid motions strain, and a long chain is lost.
 Eigen::MatrixXd inverse(const Eigen::MatrixXd& A)
 {
-    return A.llt().solve(Eigen::MatrixXd::Identity(A.rows(), A.cols()));
+    const Eigen::MatrixXd rounded = A.llt().solve(Eigen::MatrixXd::Identity(A.rows(), A.cols()));
+    return rounded.selfadjointView<Eigen::Lower>();
 }
 
 /// Gauss-Jordan elimination of the columns of a few releases: W A = 1 in each one's own row.

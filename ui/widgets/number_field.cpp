@@ -65,7 +65,7 @@ NumberFieldEvent NumberFields::show_value(unsigned id, const Look& look, float w
     const ImVec2 size(width, ImGui::GetFrameHeight());
     ImGui::InvisibleButton("value", size);
     const bool is_hot = ImGui::IsItemHovered() || ImGui::IsItemActive();
-    if (is_hot) ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeEW);
+    if (is_hot) ImGui::SetMouseCursor(look.is_typed_only ? ImGuiMouseCursor_TextInput : ImGuiMouseCursor_ResizeEW);
     ImDrawList& list = *ImGui::GetWindowDrawList();
     const ImVec2 end(corner.x + size.x, corner.y + size.y);
     list.AddRectFilled(corner, end, ImGui::GetColorU32(is_hot ? ImGuiCol_FrameBgHovered : ImGuiCol_FrameBg),
@@ -73,7 +73,8 @@ NumberFieldEvent NumberFields::show_value(unsigned id, const Look& look, float w
     const ImVec2 text_at(corner.x + style.FramePadding.x, corner.y + style.FramePadding.y);
     const std::string text = fitting(look.text, width - 2.0F * style.FramePadding.x);
     list.PushClipRect(corner, end, true);
-    list.AddText(text_at, ImGui::GetColorU32(look.value ? ImGuiCol_Text : ImGuiCol_TextDisabled), text.c_str());
+    const bool is_given = look.is_typed_only || look.value;
+    list.AddText(text_at, ImGui::GetColorU32(is_given ? ImGuiCol_Text : ImGuiCol_TextDisabled), text.c_str());
     list.PopClipRect();
     if (is_hot && text != look.text) ImGui::SetTooltip("%s", look.text.c_str());
 
@@ -81,7 +82,7 @@ NumberFieldEvent NumberFields::show_value(unsigned id, const Look& look, float w
         const NumberFieldEvent event = drag(drag_start_);
         if (event.kind != NumberFieldEvent::Kind::None || dragging_ == id) return event;
     }
-    if (ImGui::IsItemActive() && ImGui::IsMouseDragging(ImGuiMouseButton_Left, click_distance)) {
+    if (!look.is_typed_only && ImGui::IsItemActive() && ImGui::IsMouseDragging(ImGuiMouseButton_Left, click_distance)) {
         dragging_ = id;
         drag_start_ = drag_value_ = look.value.value_or(0.0);
         drag_path_ = 0.0;

@@ -34,6 +34,7 @@ public:
         std::string text;            ///< the value as shown, rounded
         std::string exact_text;      ///< the value as it is edited: nothing is lost if it is confirmed as it stands
         std::optional<double> value; ///< nothing: the number is not given, and dragging begins at zero
+        bool is_typed_only = false;  ///< such as a name: dragging does not change it
         float width = 0.0F;          ///< physical pixels; 0: all that is left
         bool begins = false;         ///< it gets the keyboard now, as by a click
         bool stays = false;          ///< a click beside the fields confirms nothing half typed: the keyboard comes back

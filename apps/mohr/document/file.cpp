@@ -22,6 +22,7 @@ using ui::translatable;
 
 namespace {
 
+constexpr int format = 1;
 constexpr std::array<std::string_view, n_subjects> subject_words{"plane_stress", "plane_strain", "strain", "rosette",
                                                                  "inertia",      "space_stress", "section"};
 const auto criterion_words = [] {
@@ -53,6 +54,7 @@ public:
                                      {{"example", "\"cremona\": 1"}}));
             return std::nullopt;
         }
+        read_format(member(root, "cremona"));
         document_ = textbook_state();
         const auto subject = choice(member(root, "mohr"), "mohr", subject_words);
         if (subject) document_.subject = static_cast<Subject>(*subject);
@@ -71,6 +73,11 @@ private:
     void refuse_key(std::string_view key)
     {
         faults.push_back(Message(translatable("there is no key \"{key}\""), {{"key", std::string(key)}}));
+    }
+
+    void read_format(JsonValue value)
+    {
+        if (value.number() != format) faults.push_back(sentence({femoop::FaultKind::UnknownFormat, {compact(value)}}));
     }
 
     template <std::size_t N>
@@ -175,7 +182,9 @@ void write(femoop::JsonWriter& json, const std::vector<std::string>& texts)
 std::string file_text(const Document& document)
 {
     femoop::JsonWriter json;
-    json.begin_object(femoop::JsonWriter::Layout::Block).member("cremona", 1).member("mohr", word(document.subject));
+    json.begin_object(femoop::JsonWriter::Layout::Block)
+        .member("cremona", format)
+        .member("mohr", word(document.subject));
     json.key("state");
     write(json, document.state());
     json.member("angle", document.angle);

@@ -87,9 +87,12 @@ void ExercisesPanel::show_question(Workspace& workspace, std::size_t place)
     const std::string text = answer ? session.look.number(*answer) : "";
     const bool begins = workspace.is_asking_next && practice.first_open() == place;
     if (begins) workspace.is_asking_next = false;
-    const auto event = fields_.show(
-        "###answer" + std::to_string(place),
-        {.text = text, .exact_text = text, .value = std::nullopt, .begins = begins, .stays = true});
+    const auto event = fields_.show("###answer" + std::to_string(place), {.text = text,
+                                                                          .exact_text = text,
+                                                                          .value = std::nullopt,
+                                                                          .is_typed_only = true,
+                                                                          .begins = begins,
+                                                                          .stays = true});
     if (event.kind == Kind::Typed) {
         const auto reason = session.answer(place, event.text);
         if (reason) fields_.reject(event, session.tr()(*reason));

@@ -7,31 +7,23 @@
 
 #include "apps/mohr/session/report.h"
 #include "apps/mohr/view/axis.h"
+#include "ui/widgets/number_grid.h"
 #include "ui/widgets/wrapped_text.h"
 
 namespace mohr {
 
 namespace {
 
-/// Numbers in rows and columns between tall brackets.
 template <class Matrix>
 void show_matrix(const Session& session, const char* id, const std::string& title, const Matrix& matrix)
 {
-    ImGui::TextUnformatted(title.c_str());
-    if (!ImGui::BeginTable(id, static_cast<int>(matrix.cols()),
-                           ImGuiTableFlags_SizingStretchSame | ImGuiTableFlags_BordersInnerV))
-        return;
-    for (Eigen::Index i = 0; i < matrix.rows(); ++i) {
-        ImGui::TableNextRow();
-        for (Eigen::Index j = 0; j < matrix.cols(); ++j) {
-            ImGui::TableNextColumn();
-            const std::string text = session.look.number(matrix(i, j));
-            const float shift = ImGui::GetContentRegionAvail().x - ImGui::CalcTextSize(text.c_str()).x;
-            if (shift > 0.0F) ImGui::SetCursorPosX(ImGui::GetCursorPosX() + shift);
-            ImGui::TextUnformatted(text.c_str());
-        }
+    ui::NumberRows rows;
+    for (const auto& row : matrix.rowwise()) {
+        rows.emplace_back();
+        for (const double value : row) rows.back().push_back(session.look.number(value));
     }
-    ImGui::EndTable();
+    ImGui::TextUnformatted(title.c_str());
+    ui::number_grid(id, rows);
 }
 
 void show_tensor(const Session& session, ui::ImGuiSession& gui)

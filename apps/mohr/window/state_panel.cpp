@@ -122,7 +122,10 @@ void StatePanel::number_row(Workspace& workspace, const std::string& label, Numb
         for (char& c : exact) c = c == '.' ? ',' : c;
     const std::string shown = short_enough(text, leading, session.look).value_or(ui::with_minus_signs(exact));
     ui::begin_field_row(label, shown);
-    const auto event = fields_.show(id, {shown, exact, leading ? std::optional(leading->value) : std::nullopt});
+    const auto event = fields_.show(id, {.text = shown,
+                                         .exact_text = exact,
+                                         .value = leading ? std::optional(leading->value) : std::nullopt,
+                                         .is_typed_only = number.group == Group::Section && number.place == 0});
     if (event.kind == Kind::Dragged && leading)
         session.drag(with_number(session.document(), number, femoop::number_text(event.value)),
                      translatable("Change a number"));
@@ -193,7 +196,8 @@ void StatePanel::show_direction(Workspace& workspace, int direction)
     };
     const std::string shown = ui::with_minus_signs(text(3));
     ui::begin_field_row(session.tr()("direction {n}", {{"n", n}}), shown);
-    const auto event = fields_.show("###along" + n, {shown, text(12), std::nullopt});
+    const auto event = fields_.show(
+        "###along" + n, {.text = shown, .exact_text = text(12), .value = std::nullopt, .is_typed_only = true});
     if (event.kind != Kind::Typed) return;
     const auto along = vector_typed(event.text);
     if (!along) fields_.reject(event, session.tr()("write three numbers, such as 1; 0; 0"));

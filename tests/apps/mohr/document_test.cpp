@@ -232,6 +232,7 @@ TEST_CASE("A file that is none of Mohr's circle is refused with the place")
     };
     CHECK(refusal("{").find("line 1") != std::string::npos);
     CHECK(refusal("[]").find("it is no file of Mohr's circle") == 0);
+    CHECK(refusal(R"({"cremona": 2, "mohr": "strain"})").find("cremona: found format 2, wanted 1") == 0);
     CHECK(refusal(R"({"cremona": 1, "mohr": "plane"})").find("\"mohr\": found \"plane\", wanted one of plane_stress") ==
           0);
     CHECK(refusal(R"({"cremona": 1, "mohr": "strain", "state": [1, 2]})")

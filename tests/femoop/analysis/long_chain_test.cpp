@@ -214,6 +214,27 @@ TEST_SUITE("long chains")
         CHECK(result.reaction(NodeId(0))[5] == close_to(-P * L));
     }
 
+    TEST_CASE("A chain of n members with a spring c at the end of each sags P (L^3 / 3 E I + sum (L - x)^2 / c)")
+    {
+        constexpr double P = -0.9, L = 100.0, c = 5.0e4;
+        for (const std::size_t n : {1000, 10000}) {
+            CAPTURE(n);
+            Member sprung;
+            sprung.end.springs = {{.dof = Dof::rz, .stiffness = c}};
+            Model model = row(AnalysisKind::Frame2d, n, L, sprung);
+            pull(model, last(model), Dof::uy, P);
+            double turns = 0.0; // of the springs, each at L - x = i L / n
+            for (std::size_t i = 1; i < n; ++i)
+                turns += std::pow(static_cast<double>(i) * L / static_cast<double>(n), 2.0) / c;
+            const Results results = analyse(model);
+            const CaseResult result = results.at("P");
+            CHECK(result.displacement(last(model))[1] == close_to(P * (L * L * L / (3.0 * EI) + turns)));
+            CHECK(result.reaction(NodeId(0))[1] == close_to(-P));
+            CHECK(result.reaction(NodeId(0))[5] == close_to(-P * L));
+            CHECK(results.warnings().empty());
+        }
+    }
+
     TEST_CASE("Inextensible members in a row are no more of a mechanism than elastic ones: nothing is warned of")
     {
         for (const std::size_t n : {100, 300, 3000}) {

@@ -75,6 +75,17 @@ TEST_SUITE("joint condensation")
         CHECK(joined.end_forces(nodes, Eigen::Vector2d::Zero())[1] == doctest::Approx(0.03 * expected).epsilon(1e-14));
     }
 
+    TEST_CASE("What joints leave of a stiffness is symmetric to the last digit")
+    {
+        for (const double c : {0.31, 4100.0, 7.7e6})
+            for (const double v : {rigid_joint, 53.0}) {
+                CAPTURE(c);
+                CAPTURE(v);
+                const Eigen::MatrixXd S = JointCondensation(beam(), joints(v, c, rigid_joint, 0.3 * c)).strain_form().S;
+                CHECK(S == S.transpose());
+            }
+    }
+
     TEST_CASE("A stiff beam between two soft springs sways with 2 c / L^2")
     {
         const double c = 3.1e-9; // E I / c L = 5e11: what the beam itself bends is lost beside 1

@@ -5,6 +5,7 @@
 #include <doctest/doctest.h>
 
 #include <cmath>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -103,6 +104,30 @@ TEST_CASE("Dragging passes through values that a person would type, and settles 
     }
     CHECK(field.events.back().kind == Kind::Settled);
     CHECK(field.events.back().value > 12.0);
+}
+
+TEST_CASE("A name is typed, and not dragged")
+{
+    if (!ui_test::has_renderer()) return;
+    ui_test::WidgetStage stage{1.0};
+    ui::NumberFields fields;
+    bool is_quiet = true;
+    const auto frame = [&](const ui::Input& input) {
+        stage.frame(input, [&] {
+            const ui::NumberFields::Look look{
+                .text = "IPE 300", .exact_text = "IPE 300", .value = std::nullopt, .is_typed_only = true};
+            is_quiet = is_quiet && fields.show("section", look).kind == Kind::None;
+        });
+    };
+    ui::Input input{.pointer = ui::Point{60.0, 15.0}};
+    frame({});
+    frame(input);
+    input.is_button_down[0] = true;
+    for (int i = 0; i < 5; ++i) {
+        input.pointer->x += 6.0;
+        frame(input);
+    }
+    CHECK(is_quiet);
 }
 
 TEST_CASE("Tab takes what was typed and goes on to the next field, after the last to the first; Shift+Tab goes back")
