@@ -17,6 +17,7 @@ namespace drawing {
 
 class MomentOverlay;
 struct CremonaPicture;
+struct EnvelopePicture;
 struct FreeBodyPicture;
 struct InfluencePicture;
 
@@ -48,14 +49,17 @@ struct DrawInput {
     /// What an app draws over the moments, or in their place. While moments are not shown a fitted picture keeps room
     /// for it. None when null.
     const MomentOverlay* overlay = nullptr;
-    std::span<const NodeNumbers> numbers{};      ///< written at nodes where Show::NodeNumbers is
-    const InfluencePicture* influence = nullptr; ///< drawn where Show::Influence is; none when null
-    std::vector<std::string> reasons{};          ///< sentences at the foot: why there are no results
+    std::span<const NodeNumbers> numbers{};            ///< written at nodes where Show::NodeNumbers is
+    const InfluencePicture* influence = nullptr;       ///< drawn where Show::Influence is; none when null
+    std::vector<const InfluencePicture*> kept_lines{}; ///< each in a panel of its own above that one
+    std::vector<std::string> reasons{};                ///< sentences at the foot: why there are no results
     /// Drawn in place of the results, with the structure behind it; none when null. \pre of the case that is shown
     const FreeBodyPicture* free_body = nullptr;
     const femoop::counting::Counting* counting =
         nullptr; ///< of the model, drawn where Show::Counting is; none when null
-    const CremonaPicture* cremona = nullptr;     ///< drawn where Show::Cremona is; none when null
+    /// Of trains, drawn in place of that of the cases where the options ask for an envelope; none when null.
+    const EnvelopePicture* envelope = nullptr;
+    const CremonaPicture* cremona = nullptr; ///< drawn where Show::Cremona is; none when null
 };
 
 } // namespace drawing

@@ -339,17 +339,26 @@ std::vector<ReadingLine> reading(const femoop::Model& model, const femoop::Resul
                                : lines_of_case(model, results[options.load_case], options, read);
 }
 
+void draw_reading(ui::Painter& painter, const femoop::Model& model, const DrawOptions& options, const ReadingCard& card,
+                  const std::vector<ReadingLine>& lines)
+{
+    const ui::LayerScope layer(painter, ui::Layer::Overlay);
+    const ui::Theme theme(options.theme);
+    mark_section(painter, model, theme, card);
+    const std::string title = options.tr("member {member}", {{"member", model[card.cut.member].id}});
+    ReadingBox(painter, theme, title, lines, ReadingBox::Side::Free, card.top).draw(card.beside, std::nullopt);
+}
+
 void draw_reading(ui::Painter& painter, const DrawInput& input, const DrawOptions& options, const ReadingCard& card)
 {
     if (!input.results || !has(input.model, *input.results, options, card.cut)) return;
+    const std::vector<ReadingLine> lines = reading(input.model, *input.results, options, card.cut);
+    if (options.is_envelope) return draw_reading(painter, input.model, options, card, lines);
     const ui::LayerScope layer(painter, ui::Layer::Overlay);
     const ui::Theme theme(options.theme);
     mark_section(painter, input.model, theme, card);
     const std::string title = options.tr("member {member}", {{"member", input.model[card.cut.member].id}});
-    const auto left = options.is_envelope ? ReadingBox::Side::Free : ReadingBox::Side::Sketch;
-    const ReadingBox box(painter, theme, title, reading(input.model, *input.results, options, card.cut), left,
-                         card.top);
-    if (options.is_envelope) return box.draw(card.beside, std::nullopt);
+    const ReadingBox box(painter, theme, title, lines, ReadingBox::Side::Sketch, card.top);
     const Cut read = within(*input.results, card.cut);
     box.draw(card.beside, (*input.results)[options.load_case].curve(read.member).forces(read.x));
 }

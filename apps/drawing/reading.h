@@ -44,5 +44,8 @@ struct ReadingCard {
 ///
 /// Nothing where the input has no results of the case.
 void draw_reading(ui::Painter& painter, const DrawInput& input, const DrawOptions& options, const ReadingCard& card);
+/// The same with the lines of an envelope that is not of the input's cases.
+void draw_reading(ui::Painter& painter, const femoop::Model& model, const DrawOptions& options, const ReadingCard& card,
+                  const std::vector<ReadingLine>& lines);
 
 } // namespace drawing

@@ -194,7 +194,12 @@ ui::Measure measure_of(MemberComponent component)
 
 Diagram make_diagram(const Scene& scene, const SolvedCase& solved, MemberComponent component, ui::Size panel)
 {
-    Diagram diagram{.component = component, .largest = largest_value(solved, component, scene.shape.size)};
+    return make_diagram(scene, component, largest_value(solved, component, scene.shape.size), panel);
+}
+
+Diagram make_diagram(const Scene& scene, MemberComponent component, double largest, ui::Size panel)
+{
+    Diagram diagram{.component = component, .largest = largest};
     if (!(diagram.largest > 0.0)) return diagram;
     const double share = drawing::is_moment(component) ? 0.17 : 0.125;
     const LockedScale* const locked = scene.locked_scale();

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "apps/drawing/cut.h"
+#include "apps/drawing/results/envelope_band.h"
 #include "apps/drawing/results/ordinates.h"
 #include "apps/drawing/results/solved_case.h"
 #include "apps/drawing/sketch/scene.h"
@@ -30,6 +31,8 @@ femoop::MovingEffect number_on_diagram(femoop::MemberId id, const femoop::Curve&
 /// The diagram at a height that suits the members and the panel; where the scale is locked the largest value of then
 /// would get it, unless the diagram would become many times as high.
 Diagram make_diagram(const Scene& scene, const SolvedCase& solved, femoop::MemberComponent component, ui::Size panel);
+/// \param largest  absolute value in the structure
+Diagram make_diagram(const Scene& scene, femoop::MemberComponent component, double largest, ui::Size panel);
 
 /// Filled and hatched ordinates along all members with values at ends, jumps and extremes, signs where the side alone
 /// does not tell them. In trusses N is a band as broad as the force is large.
@@ -42,11 +45,8 @@ void draw_diagram(const Scene& scene, const SolvedCase& solved, const Diagram& d
 /// that of the former structure.
 void draw_reference(const Scene& scene, const SolvedCase& solved, const Diagram& diagram);
 
-/// The largest and the smallest value of all cases along every member, as a band, with the extremes of each member.
-/// `diagram` has its scale from `envelope_diagram`.
-void draw_envelope(const Scene& scene, const std::vector<SolvedCase>& cases, const Diagram& diagram);
-Diagram envelope_diagram(const Scene& scene, const std::vector<SolvedCase>& cases, femoop::MemberComponent component,
-                         ui::Size panel);
+/// The largest and the least value along every member, as a band, with the extremes of each member.
+void draw_envelope(const Scene& scene, const EnvelopePicture& envelope, const Diagram& diagram);
 
 /// How high the largest ordinate is drawn, as a share of the room that the panel has [logical pixels].
 double ordinate_height(const Scene& scene, double share, ui::Size panel);

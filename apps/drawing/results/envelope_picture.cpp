@@ -1,6 +1,6 @@
-// The band between the largest and the smallest value of all cases.
+// The band between the largest and the least value of an envelope.
 #include "apps/drawing/results/diagram.h"
-#include "apps/drawing/results/envelope_cases.h"
+#include "apps/drawing/results/envelope_band.h"
 
 #include <algorithm>
 #include <cmath>
@@ -10,84 +10,21 @@ namespace drawing {
 
 namespace {
 
-using femoop::Curve;
 using femoop::MemberComponent;
-using femoop::Side;
-
-/// A value, and the place among the cases of the one that makes it; of equal ones the first.
-struct Bound {
-    double value = 0.0;
-    std::size_t made_by = 0;
-    friend bool operator==(const Bound&, const Bound&) = default;
-};
-
-struct Range {
-    double x = 0.0;
-    Bound least, most;
-    friend bool operator==(const Range&, const Range&) = default;
-};
-
-Range range_at(const std::vector<SolvedCase>& cases, femoop::MemberId member, MemberComponent component, double x,
-               Side side)
-{
-    Range range{.x = x};
-    for (std::size_t i = 0; i < cases.size(); ++i) {
-        const double value = cases[i][member].value(component, x, side);
-        if (i == 0 || value < range.least.value) range.least = {value, i};
-        if (i == 0 || value > range.most.value) range.most = {value, i};
-    }
-    return range;
-}
-
-/// Places along a member at which the band has its corners: the load points, the extremes and the points between.
-std::vector<double> places(const std::vector<SolvedCase>& cases, femoop::MemberId member, MemberComponent component)
-{
-    constexpr int n_between = 40;
-    const double length = cases.front()[member].length();
-    std::vector<double> all;
-    for (int i = 0; i <= n_between; ++i) all.push_back(length * i / n_between);
-    for (const SolvedCase& solved : cases) {
-        const Curve& curve = solved[member];
-        for (const double x : curve.breaks()) all.push_back(x);
-        const femoop::Extremes extremes = curve.extremes(component);
-        all.insert(all.end(), {extremes.max.x, extremes.min.x});
-    }
-    std::ranges::sort(all);
-    all.erase(std::unique(all.begin(), all.end()), all.end());
-    return all;
-}
-
-/// Both sides of each place, so that jumps stand upright.
-std::vector<Range> band(const std::vector<SolvedCase>& cases, femoop::MemberId member, MemberComponent component)
-{
-    std::vector<Range> ranges;
-    for (const double x : places(cases, member, component)) {
-        for (const Side side : {Side::Before, Side::After}) {
-            const Range range = range_at(cases, member, component, x, side);
-            const bool is_told = !ranges.empty() && ranges.back() == range;
-            if (!is_told) ranges.push_back(range);
-        }
-    }
-    return ranges;
-}
 
 class BandPicture {
 public:
-    BandPicture(const Scene& scene, const std::vector<SolvedCase>& cases, femoop::MemberId member,
-                const Diagram& diagram)
-        : scene_(scene),
-          cases_(cases),
-          diagram_(diagram),
-          frame_(diagram_frame(scene, scene.shape[member], diagram.component)),
-          band_(band(cases, member, diagram.component))
+    BandPicture(const Scene& scene, const std::vector<BandSection>& band, const std::vector<std::string>& names,
+                const SymbolFrame& frame, const Diagram& diagram)
+        : scene_(scene), band_(band), names_(names), frame_(frame), diagram_(diagram)
     {}
 
     void draw() const
     {
         std::vector<ui::Point> most, least;
-        for (const Range& range : band_) {
-            most.push_back(at(range.x, range.most.value));
-            least.push_back(at(range.x, range.least.value));
+        for (const BandSection& section : band_) {
+            most.push_back(at(section.x, section.most.value));
+            least.push_back(at(section.x, section.least.value));
         }
         std::vector<ui::Point> area = most;
         area.insert(area.end(), least.rbegin(), least.rend());
@@ -99,14 +36,14 @@ public:
         }
         sketch.polyline(area, sketch.stroke(role), Clearance::Hard, ui::PathEnds::Closed);
         if (!scene_.shows(Show::Values)) return;
-        write_marks({&Range::most, 1.0});
-        write_marks({&Range::least, -1.0});
+        write_marks({&BandSection::most, 1.0});
+        write_marks({&BandSection::least, -1.0});
     }
 
 private:
     /// One of the two lines of the band; the sign is that of the way out of it.
     struct Line {
-        Bound Range::*bound;
+        Bound BandSection::*bound;
         double sign;
     };
 
@@ -154,36 +91,26 @@ private:
     std::string words(const Bound& bound) const
     {
         const double shown = has_signs(scene_, diagram_.component) ? bound.value : std::abs(bound.value);
-        const std::string number = scene_.number(shown, measure_of(diagram_.component));
-        return cases_.size() == 1 ? number : governed(number, cases_[bound.made_by].result.name());
+        return governed(scene_.number(shown, measure_of(diagram_.component)), bound, names_);
     }
 
     const Scene& scene_;
-    const std::vector<SolvedCase>& cases_;
+    const std::vector<BandSection>& band_;
+    const std::vector<std::string>& names_;
+    const SymbolFrame& frame_;
     const Diagram& diagram_;
-    SymbolFrame frame_;
-    std::vector<Range> band_;
 };
 
 } // namespace
 
-Diagram envelope_diagram(const Scene& scene, const std::vector<SolvedCase>& cases, MemberComponent component,
-                         ui::Size panel)
+void draw_envelope(const Scene& scene, const EnvelopePicture& envelope, const Diagram& diagram)
 {
-    Diagram widest;
-    for (const SolvedCase& solved : cases) {
-        const Diagram diagram = make_diagram(scene, solved, component, panel);
-        if (diagram.largest >= widest.largest) widest = diagram;
+    const EnvelopeBands* const bands = envelope.find(diagram.component);
+    if (diagram.is_zero() || bands == nullptr) return;
+    for (std::size_t i = 0; i < bands->members.size(); ++i) {
+        const SymbolFrame frame = diagram_frame(scene, scene.shape[femoop::MemberId(i)], diagram.component);
+        BandPicture(scene, bands->members[i], envelope.names, frame, diagram).draw();
     }
-    widest.component = component;
-    return widest;
-}
-
-void draw_envelope(const Scene& scene, const std::vector<SolvedCase>& cases, const Diagram& diagram)
-{
-    if (diagram.is_zero() || cases.empty()) return;
-    for (std::size_t i = 0; i < scene.shape.members.size(); ++i)
-        BandPicture(scene, cases, femoop::MemberId(i), diagram).draw();
 }
 
 } // namespace drawing

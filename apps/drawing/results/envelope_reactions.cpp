@@ -1,7 +1,6 @@
 #include "apps/drawing/results/envelope_reactions.h"
 
 #include "apps/drawing/measures.h"
-#include "apps/drawing/results/envelope_cases.h"
 #include "apps/drawing/structure/supports.h"
 
 #include <algorithm>
@@ -18,41 +17,26 @@ using femoop::Dof;
 
 class ReactionRanges {
 public:
-    ReactionRanges(const Scene& scene, const std::vector<SolvedCase>& cases) : scene_(scene), cases_(cases)
-    {
-        for (const SolvedCase& solved : cases) {
-            const femoop::Magnitudes most = solved.result.magnitudes();
-            force_ = std::max(force_, most.force);
-            moment_ = std::max(moment_, most.moment);
-        }
-    }
+    ReactionRanges(const Scene& scene, const EnvelopePicture& envelope) : scene_(scene), envelope_(envelope) {}
 
     void draw()
     {
-        for (std::size_t i = 0; i < scene_.model.nodes.size(); ++i) {
-            const femoop::NodeId node{i};
-            if (!cases_.front().result.is_supported(node)) continue;
+        const std::vector<ReactionBand>& all = envelope_.reactions;
+        for (auto begin = all.begin(); begin != all.end();) {
+            const auto end = std::find_if(begin, all.end(), [&](const auto& one) { return one.node != begin->node; });
             std::vector<std::string> lines;
-            for (const Dof dof : femoop::all_dofs)
-                if (std::string words = range_of(node, dof); !words.empty()) lines.push_back(std::move(words));
-            if (!lines.empty()) write(node, lines);
+            for (auto band = begin; band != end; ++band)
+                if (std::string words = range_of(*band); !words.empty()) lines.push_back(std::move(words));
+            if (!lines.empty()) write(begin->node, lines);
+            begin = end;
         }
     }
 
 private:
-    struct Bound {
-        double value;
-        const SolvedCase* made_by;
-    };
-
     // "fy 42 (G) … 56.7 (U) kN"; nothing where there is no reaction.
-    std::string range_of(femoop::NodeId node, Dof dof) const
+    std::string range_of(const ReactionBand& band) const
     {
-        const auto less = [](const Bound& a, const Bound& b) { return a.value < b.value; };
-        std::vector<Bound> all;
-        for (const SolvedCase& solved : cases_)
-            all.push_back({without_rounding(solved.result.reaction(node)[femoop::index(dof)], dof), &solved});
-        const Bound least = *std::ranges::min_element(all, less), most = *std::ranges::max_element(all, less);
+        const auto& [node, dof, least, most] = band;
         if (least.value == 0.0 && most.value == 0.0) return {};
         const std::string range = least.value == most.value ? words(least, dof)
                                                             : words(least, dof) + " … " + words(most, dof);
@@ -89,29 +73,21 @@ private:
         }
     }
 
-    double without_rounding(double value, Dof dof) const
-    {
-        constexpr double noise = 1e-9;
-        return std::abs(value) > noise * (femoop::is_rotation(dof) ? moment_ : force_) ? value : 0.0;
-    }
-
     std::string words(const Bound& bound, Dof dof) const
     {
-        const std::string number = scene_.number(bound.value, force_measures.of(dof));
-        return cases_.size() == 1 ? number : governed(number, bound.made_by->result.name());
+        return governed(scene_.number(bound.value, force_measures.of(dof)), bound, envelope_.names);
     }
 
     const Scene& scene_;
-    const std::vector<SolvedCase>& cases_;
-    double force_ = 0.0, moment_ = 0.0;
+    const EnvelopePicture& envelope_;
     std::vector<ui::Box> written_; ///< of the supports so far
 };
 
 } // namespace
 
-void draw_reaction_ranges(const Scene& scene, const std::vector<SolvedCase>& cases)
+void draw_reaction_ranges(const Scene& scene, const EnvelopePicture& envelope)
 {
-    if (!cases.empty()) ReactionRanges(scene, cases).draw();
+    ReactionRanges(scene, envelope).draw();
 }
 
 } // namespace drawing

@@ -60,6 +60,17 @@ std::vector<MemberComponent> components(Show item, femoop::AnalysisKind kind)
     return wanted;
 }
 
+std::vector<MemberComponent> shown_components(const ShowSet& show, femoop::AnalysisKind kind)
+{
+    std::vector<MemberComponent> shown;
+    for (const Show item : {Show::N, Show::V, Show::Vy, Show::Vz, Show::M, Show::T, Show::My, Show::Mz}) {
+        if (!show.contains(item)) continue;
+        for (const MemberComponent component : components(item, kind))
+            if (std::ranges::find(shown, component) == shown.end()) shown.push_back(component);
+    }
+    return shown;
+}
+
 double largest_value(const SolvedCase& solved, MemberComponent component, double size)
 {
     constexpr double rounding = 1e-10;

@@ -34,6 +34,9 @@ std::optional<SolvedCase> solved_case(const femoop::Results& results, femoop::Ca
 /// the model lacks are left out.
 std::vector<femoop::MemberComponent> components(Show item, femoop::AnalysisKind kind);
 
+/// The section forces whose diagrams are asked for, each once, in the order in which they are drawn.
+std::vector<femoop::MemberComponent> shown_components(const ShowSet& show, femoop::AnalysisKind kind);
+
 /// The largest absolute value of a section force in the whole structure; 0 where it is nothing but rounding beside the
 /// other forces and the reactions, moments being compared with forces times `size`, the structure's.
 double largest_value(const SolvedCase& solved, femoop::MemberComponent component, double size);

@@ -1,5 +1,6 @@
 #include "apps/drawing/sheet/legend.h"
 
+#include "apps/drawing/results/envelope_band.h"
 #include "apps/drawing/results/envelope_cases.h"
 #include "apps/drawing/results/line_diagram.h"
 #include "apps/drawing/sketch/scene.h"
@@ -151,7 +152,8 @@ SheetHead sheet_head(const DrawInput& input, const DrawOptions& options)
     const femoop::Model& model = input.model;
     SheetHead head{.title = ui::shortened(model.title, longest_title), .line = {}};
     if (input.influence == nullptr || input.results != nullptr) {
-        join(head.line, case_text(model, options));
+        const bool is_of_trains = options.is_envelope && input.envelope != nullptr;
+        join(head.line, is_of_trains ? input.envelope->title : case_text(model, options));
         join(head.line, self_weight_text(model, options));
     }
     if (input.results && !model.members.empty()) join(head.line, indeterminacy_text(*input.results, options.tr));

@@ -8,10 +8,13 @@
 
 namespace drawing {
 
+struct InfluencePicture;
+
 /// A part of the sheet with a picture of the structure.
 struct Panel {
     ui::Box box;
-    ShowSet show; ///< what this one shows
+    ShowSet show;                           ///< what this one shows
+    const InfluencePicture* line = nullptr; ///< that it shows in place of the input's; null: none of its own
 };
 
 /// How a sheet is divided: one picture with everything, or the loads first (alone, or with the first of the results) and

@@ -45,26 +45,28 @@ bool shows_any(const ShowSet& show, std::span<const Show> items)
 /// Draws what one panel shows, part by part, and collects the heads that stand over it.
 class PanelPicture {
 public:
-    PanelPicture(const Scene& scene, const DrawInput& input, ui::Size size) : scene_(scene), input_(input), size_(size)
+    /// \param line  the influence line that it shows, if it shows one; null: none
+    PanelPicture(const Scene& scene, const DrawInput& input, ui::Size size, const InfluencePicture* line)
+        : scene_(scene), input_(input), size_(size), line_(line)
     {}
 
     /// The overlay goes with the moments; where they are not shown at all it stands by itself.
     void draw_overlay_alone() { is_overlay_alone_ = true; }
 
-    /// `all` has the solved cases where an envelope is drawn, else none.
-    void draw_solved(const SolvedCase* solved, const std::vector<SolvedCase>& all)
+    /// \param envelope  drawn in place of the case; none where it is null
+    void draw_solved(const SolvedCase* solved, const EnvelopePicture* envelope)
     {
         const bool is_behind = solved && scene_.shows(Show::Deformed) && !shows_any(scene_.show, diagrams);
         draw_highlights(scene_);
         draw_members(scene_, is_behind ? Presence::Behind : Presence::Subject);
-        if (scene_.shows(Show::Influence) && input_.influence != nullptr) draw_influence_line(*input_.influence);
-        if (!all.empty()) draw_bands(all);
+        if (scene_.shows(Show::Influence) && line_ != nullptr) draw_influence_line(*line_);
+        if (envelope != nullptr) draw_bands(*envelope);
         else if (solved) draw_results(*solved);
-        if (is_overlay_alone_ && all.empty() && has_overlay()) draw_overlay();
+        if (is_overlay_alone_ && envelope == nullptr && has_overlay()) draw_overlay();
         draw_structure();
         if (scene_.shows(Show::Loads)) draw_loads(scene_);
         if (scene_.shows(Show::Reactions)) {
-            if (!all.empty()) draw_reaction_ranges(scene_, all);
+            if (envelope != nullptr) draw_reaction_ranges(scene_, *envelope);
             else if (solved) draw_reactions(scene_, *solved);
         }
         finish();
@@ -109,16 +111,17 @@ public:
 private:
     bool shows_forces() const { return scene_.shows(Show::Loads) || scene_.shows(Show::Reactions); }
 
-    void draw_bands(const std::vector<SolvedCase>& all)
+    void draw_bands(const EnvelopePicture& envelope)
     {
         for (const Show item : diagrams) {
             if (!scene_.shows(item)) continue;
             std::vector<Diagram> drawn;
             for (const femoop::MemberComponent component : components(item, scene_.model.analysis))
-                drawn.push_back(envelope_diagram(scene_, all, component, size_));
+                if (const EnvelopeBands* const bands = envelope.find(component))
+                    drawn.push_back(make_diagram(scene_, component, bands->largest(), size_));
             if (drawn.empty()) continue;
             use_one_scale(drawn);
-            for (const Diagram& diagram : drawn) draw_envelope(scene_, all, diagram);
+            for (const Diagram& diagram : drawn) draw_envelope(scene_, envelope, diagram);
             heads_.push_back(diagram_head(scene_, drawn));
             if (item == Show::M && has_overlay()) heads_.push_back(input_.overlay->head(scene_));
         }
@@ -217,6 +220,7 @@ private:
     const Scene& scene_;
     const DrawInput& input_;
     ui::Size size_;
+    const InfluencePicture* line_;
     std::vector<PanelHead> heads_;
     bool is_overlay_alone_ = false;
 };
@@ -271,10 +275,31 @@ const Subject::Cases& Subject::cases() const
     if (cases_) return *cases_;
     Cases& read = cases_.emplace();
     if (is_solved_) read.shown = solved_case(*input_.results, options_.load_case);
-    if (!options_.is_envelope || !has_results_of_its_own(input_)) return read;
-    for (const femoop::CaseId id : envelope_cases(input_.model, options_))
-        read.of_envelope.push_back(*solved_case(*input_.results, id));
+    if (options_.is_envelope && input_.envelope == nullptr && has_results_of_its_own(input_))
+        read.envelope = envelope_of_cases();
     return read;
+}
+
+EnvelopePicture Subject::envelope_of_cases() const
+{
+    std::vector<SolvedCase> all;
+    for (const femoop::CaseId id : envelope_cases(input_.model, options_))
+        all.push_back(*solved_case(*input_.results, id));
+    EnvelopePicture envelope{.title = envelope_text(input_.model, options_), .names = names_of(all)};
+    for (const femoop::MemberComponent component : shown_components(options_.show, input_.model.analysis)) {
+        envelope.bands.push_back(bands_of(all, component));
+        const bool is_zero = std::ranges::none_of(
+            all, [&](const SolvedCase& solved) { return largest_value(solved, component, shape_.size) > 0.0; });
+        if (is_zero) envelope.bands.back().members.clear();
+    }
+    if (options_.show.contains(Show::Reactions)) envelope.reactions = reaction_bands_of(all, input_.model.nodes.size());
+    return envelope;
+}
+
+const EnvelopePicture* Subject::envelope() const
+{
+    if (input_.envelope != nullptr && options_.is_envelope) return input_.envelope;
+    return cases().envelope ? &*cases().envelope : nullptr;
 }
 
 Camera Subject::starting_camera() const { return state_.camera ? *state_.camera : usual_camera(); }
@@ -307,24 +332,45 @@ ui::Box Subject::area(ui::Size sheet, const ui::Fonts& fonts) const
     return area;
 }
 
-// Panels beside one another only where the structure becomes clearly larger by it.
+// Lines that are kept stand first, each for itself.
+std::vector<ShowSet> Subject::contents() const
+{
+    const ShowSet of_line = (options_.show & ShowSet{Show::Values, Show::NodeNames, Show::Legend}) |
+                            ShowSet{Show::Influence};
+    std::vector<ShowSet> all(input_.kept_lines.size(), of_line);
+    const std::vector<ShowSet> own = panel_contents({.show = without_absent(options_.show, input_.model.analysis),
+                                                     .layout = options_.layout,
+                                                     .has_results = is_solved_ || envelope() != nullptr});
+    all.insert(all.end(), own.begin(), own.end());
+    return all;
+}
+
+std::vector<Panel> Subject::panels_of(const std::vector<ShowSet>& contents, const ui::Box& room,
+                                      std::size_t columns) const
+{
+    std::vector<Panel> list = panels(contents, room, columns);
+    for (std::size_t i = 0; i < input_.kept_lines.size(); ++i) list[i].line = input_.kept_lines[i];
+    return list;
+}
+
+// Panels beside one another only where the structure becomes clearly larger by it; lines that are kept are compared
+// place by place, one below the other.
 Subject::Plan Subject::plan(ui::Size sheet, const ui::Fonts& fonts) const
 {
     constexpr double clearly = 1.02;
-    const std::vector<ShowSet> contents = panel_contents({.show = without_absent(options_.show, input_.model.analysis),
-                                                          .layout = options_.layout,
-                                                          .has_results = is_solved_});
+    const std::vector<ShowSet> contents = this->contents();
     const ui::Box room = area(sheet, fonts);
     if (shows_cremona()) { // beside one another, as a class compares them
         std::vector<Panel> both = panels(contents, room, room.width() > room.height() ? 2 : 1);
         Camera camera = state_.camera ? *state_.camera : fitted(both, fonts);
         return {std::move(both), std::move(camera)};
     }
-    std::vector<Panel> list = panels(contents, room, 1);
+    std::vector<Panel> list = panels_of(contents, room, 1);
     if (contents.size() == 1 && state_.camera) return {std::move(list), *state_.camera};
     Camera camera = fitted(list, fonts);
-    for (std::size_t columns = 2; columns <= contents.size(); ++columns) {
-        std::vector<Panel> others = panels(contents, room, columns);
+    const std::size_t most_columns = input_.kept_lines.empty() ? contents.size() : 1;
+    for (std::size_t columns = 2; columns <= most_columns; ++columns) {
+        std::vector<Panel> others = panels_of(contents, room, columns);
         Camera other = fitted(others, fonts);
         if (Projection(other).scale() <= clearly * Projection(camera).scale()) continue;
         list = std::move(others);
@@ -370,7 +416,7 @@ ui::Margins Subject::needed_margins(const std::vector<Panel>& panels, const Came
     for (const Panel& panel : panels) {
         if (panel.show.contains(Show::Cremona)) continue; // which fits itself
         ui::Painter scratch(size, fonts);
-        const Panel at_origin{ui::box_at({}, size), panel.show};
+        const Panel at_origin{ui::box_at({}, size), panel.show, panel.line};
         const Drawn drawn = draw_panel(scratch, at_origin, camera, Pass::Measure);
         const auto& marks = fit == Fit::Roomy ? drawn.bounds : drawn.tight_bounds;
         if (!marks) continue;
@@ -470,12 +516,12 @@ Subject::Drawn Subject::draw_panel(ui::Painter& painter, const Panel& panel, con
                    .is_reduced = detail.is_reduced(),
                    .is_measured = pass == Pass::Measure});
     const Scene scene{input_.model, shape_, projection, options_, state_, units_, sketch, detail, panel.show};
-    PanelPicture picture(scene, input_, panel.box.size());
+    PanelPicture picture(scene, input_, panel.box.size(), panel.line ? panel.line : input_.influence);
     if (!options_.show.contains(Show::M) && !shows_any(panel.show, diagrams)) picture.draw_overlay_alone();
     if (input_.free_body != nullptr) picture.draw_lifted(*input_.free_body);
     else if (shows_cremona()) picture.draw_cremona(*input_.cremona);
     else if (const auto& motion = input_.motion) picture.draw_mechanism(motion->all[motion->shown]);
-    else picture.draw_solved(cases().shown ? &*cases().shown : nullptr, cases().of_envelope);
+    else picture.draw_solved(cases().shown ? &*cases().shown : nullptr, envelope());
     Drawn drawn{.bounds = sketch.bounds(), .tight_bounds = sketch.tight_bounds(), .mark_bounds = sketch.mark_bounds()};
     const std::vector<ui::Box> rows = head_rows(picture.heads(), theme, painter.fonts(), panel);
     if (!rows.empty()) drawn.heads_height = rows.back().max.y - panel.box.min.y;

@@ -4,6 +4,7 @@
 #include "apps/drawing/draw_options.h"
 #include "apps/drawing/draw_state.h"
 #include "apps/drawing/geometry/structure_shape.h"
+#include "apps/drawing/results/envelope_band.h"
 #include "apps/drawing/results/solved_case.h"
 #include "apps/drawing/sheet/panel_head.h"
 #include "apps/drawing/sheet/panels.h"
@@ -41,10 +42,14 @@ private:
     /// What the results say along the members.
     struct Cases {
         std::optional<SolvedCase> shown;
-        std::vector<SolvedCase> of_envelope;
+        std::optional<EnvelopePicture> envelope; ///< of several cases
     };
     const Cases& cases() const;
+    EnvelopePicture envelope_of_cases() const;
+    const EnvelopePicture* envelope() const; ///< that is drawn in place of a case; null where none is
 
+    std::vector<ShowSet> contents() const;
+    std::vector<Panel> panels_of(const std::vector<ShowSet>& contents, const ui::Box& room, std::size_t columns) const;
     ui::Box area(ui::Size sheet, const ui::Fonts& fonts) const;
     Camera starting_camera() const;
     Camera usual_camera() const;

@@ -54,6 +54,13 @@ void AskedLine::ask(const Model& model, const drawing::Cut& cut)
     begin_trace();
 }
 
+void AskedLine::ask(const Model& model, const drawing::Cut& cut, MemberComponent component, const AskedTrain& train)
+{
+    asked_ = NamedEffect(model, {.member = cut.member, .component = component, .at = femoop::Quantity(cut.x)});
+    last_component_ = component;
+    train_ = train;
+}
+
 void AskedLine::ask(const Model& model, femoop::NodeId node)
 {
     const Dof down = upright(model);
@@ -107,14 +114,35 @@ std::vector<MovingEffect> AskedLine::choices(const Model& model) const
 void AskedLine::clear()
 {
     asked_.reset();
+    kept_.clear();
     train_.place.reset();
+    train_.beside.reset();
 }
 
-void AskedLine::choose_train(const std::string& name) { train_ = {.name = name}; }
+void AskedLine::keep(const Model& model)
+{
+    const std::vector<MovingEffect> all = kept(model);
+    if (std::ranges::find(all, *effect(model)) == all.end()) kept_.push_back(*asked_);
+}
+
+std::vector<MovingEffect> AskedLine::kept(const Model& model) const
+{
+    std::vector<MovingEffect> all;
+    for (const NamedEffect& named : kept_)
+        if (const auto effect = effect_in(model, named)) all.push_back(*effect);
+    return all;
+}
+
+void AskedLine::drop(const Model& model, const MovingEffect& effect)
+{
+    std::erase_if(kept_, [&](const NamedEffect& named) { return effect_in(model, named) == effect; });
+}
+
+void AskedLine::choose_train(const std::string& name) { train_ = {.name = name, .beside = train_.beside}; }
 
 void AskedLine::trace()
 {
-    train_ = {.is_unit_load = true};
+    train_ = {.is_unit_load = true, .beside = train_.beside};
     begin_trace();
 }
 
@@ -174,7 +202,9 @@ double AskedLine::nearest_on_path(const Eigen::Vector3d& place) const
 std::string AskedLine::words(const drawing::DrawOptions& options) const
 {
     std::string words;
-    if (!found_.picture->traced) words = influence_words(*found_.model, options, *found_.picture);
+    for (const drawing::InfluencePicture& kept : found_.kept_pictures)
+        words += influence_words(*found_.model, options, kept) + "\n";
+    if (!found_.picture->traced) words += influence_words(*found_.model, options, *found_.picture);
     if (found_.standing && !train_.is_unit_load)
         return words + "\n" + train_words(*found_.model, options, *found_.picture, *found_.standing, found_.worst);
     for (const std::string& sentence : sentences(options)) words += "  " + sentence + "\n";
@@ -207,13 +237,15 @@ const drawing::InfluencePicture* AskedLine::picture(const Model& model, std::uin
         found_.standing.reset();
     }
     if (!found_.picture) return nullptr;
+    find_kept();
     found_.picture->sentences = sentences(options);
     return &*found_.picture;
 }
 
 void AskedLine::find(const MovingEffect& effect) const
 {
-    const bool is_same_train = found_.train.name == train_.name && found_.train.is_unit_load == train_.is_unit_load;
+    const bool is_same_train = found_.train.name == train_.name && found_.train.is_unit_load == train_.is_unit_load &&
+                               found_.train.beside == train_.beside;
     const bool is_same_line = found_.picture && found_.effect == effect && is_same_train;
     found_.effect = effect;
     found_.train = train_;
@@ -241,11 +273,33 @@ void AskedLine::find(const MovingEffect& effect) const
 
 void AskedLine::find_line(const MovingEffect& effect) const
 {
+    found_.picture = line_alone(effect);
+    found_.picture->motion = found_.analysis->motion(effect);
+}
+
+drawing::InfluencePicture AskedLine::line_alone(const MovingEffect& effect) const
+{
     const femoop::NodeVector load = femoop::influence::unit_load(found_.model->analysis, {});
     const auto path = femoop::influence::lay_out(*found_.model,
                                                  femoop::influence::usual_path(*found_.model, effect, load));
-    found_.picture = {.path = path, .load = load, .line = found_.analysis->line(path, load, effect)};
-    found_.picture->motion = found_.analysis->motion(effect);
+    return {.path = path, .load = load, .line = found_.analysis->line(path, load, effect)};
+}
+
+// Without those whose load would drive a mechanism.
+void AskedLine::find_kept() const
+{
+    std::vector<MovingEffect> wanted = kept(*found_.model);
+    std::erase(wanted, *found_.effect);
+    if (found_.kept == wanted) return;
+    found_.kept = wanted;
+    found_.kept_pictures.clear();
+    for (const MovingEffect& effect : wanted) {
+        try {
+            found_.kept_pictures.push_back(line_alone(effect));
+        } catch (const femoop::ModelError&) {
+            continue;
+        }
+    }
 }
 
 void AskedLine::find_line_of_train(const femoop::Train& train, const MovingEffect& effect) const
@@ -256,6 +310,9 @@ void AskedLine::find_line_of_train(const femoop::Train& train, const MovingEffec
                       .line = found_.trains->line(train, effect)};
     found_.picture->motion = found_.analysis->motion(effect);
     found_.standing = {.name = train.id, .train = femoop::influence::moving_train(train, effect)};
+    if (train_.beside)
+        found_.permanent = found_.trains->permanent({.with = found_.model->find_case(train_.beside->load_case)},
+                                                    effect);
     search_line();
 }
 
@@ -358,10 +415,30 @@ drawing::PositionCurve AskedLine::curve() const
 std::vector<std::string> AskedLine::sentences(const drawing::DrawOptions& options) const
 {
     if (found_.standing && train_.is_unit_load) return trace_sentences(*found_.model, options, *found_.picture);
-    if (found_.standing) return train_sentences(*found_.model, options, *found_.picture, *found_.standing);
+    if (found_.standing) {
+        std::vector<std::string> said = train_sentences(*found_.model, options, *found_.picture, *found_.standing);
+        if (train_.beside) said.push_back(sum_with_permanent(options));
+        return said;
+    }
     std::vector<std::string> sentences{drawing::principle(found_.picture->line.effect, options.tr)};
     for (const femoop::Fault& fault : found_.faults) sentences.push_back(sentence(fault, options.tr));
     return sentences;
+}
+
+// "with G: −707.8 + 1.35 × 712.7 = 254.4 kip·ft"
+std::string AskedLine::sum_with_permanent(const drawing::DrawOptions& options) const
+{
+    const ui::DisplayUnits units = display_units(*found_.model, options);
+    const ui::Measure measure = drawing::measure_of(found_.picture->line.effect);
+    const auto [load_case, factor] = *train_.beside;
+    const double value = found_.standing->placing.value, sum = found_.permanent + factor * value;
+    const std::string of_train = drawing::with_minus(units.number(value, measure));
+    std::string term = value < 0.0 ? "(" + of_train + ")" : of_train;
+    if (factor != 1.0) term = drawing::with_minus(ui::number_text(factor, options.numbers)) + " × " + term;
+    return options.tr("with {case}: {sum}",
+                      {{"case", load_case},
+                       {"sum", drawing::with_minus(units.number(found_.permanent, measure)) + " + " + term + " = " +
+                                   drawing::with_minus(units.text(sum, measure))}});
 }
 
 } // namespace frame

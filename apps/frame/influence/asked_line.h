@@ -30,10 +30,18 @@ struct AskedTrain {
 
         friend bool operator==(const Place&, const Place&) = default;
     };
+    /// The envelope that it was asked in: what stays, and the train's factor.
+    struct Beside {
+        std::string load_case;
+        double factor = 1.0;
+
+        friend bool operator==(const Beside&, const Beside&) = default;
+    };
     std::string name;                        ///< of the model's trains; empty: none
     bool is_unit_load = false;               ///< a unit load in place of a train, which traces the line as it moves
     std::optional<femoop::ExtremeKind> kind; ///< that it is placed for; nothing: the one of the greater magnitude
     std::optional<Place> place;              ///< where it was put; nothing: where it is worst
+    std::optional<Beside> beside{};
 
     friend bool operator==(const AskedTrain&, const AskedTrain&) = default;
 };
@@ -52,6 +60,9 @@ public:
     void ask(const femoop::Model& model, const drawing::Cut& cut);
     /// Of a support its foremost reaction, upright where it can be; of a node without one its displacement down.
     void ask(const femoop::Model& model, femoop::NodeId node);
+    /// Of a section force in an envelope: with the train that governs, where it is worst.
+    void ask(const femoop::Model& model, const drawing::Cut& cut, femoop::MemberComponent component,
+             const AskedTrain& train);
     /// Of the same place. \pre one of `choices`
     void choose(const femoop::MovingEffect& effect);
 
@@ -59,6 +70,15 @@ public:
     std::optional<femoop::MovingEffect> effect(const femoop::Model& model) const;
     /// Everything that can be asked for at the same place.
     std::vector<femoop::MovingEffect> choices(const femoop::Model& model) const;
+
+    /// Keeps the line on the sheet, above those that are asked for next. \pre one is asked for
+    void keep(const femoop::Model& model);
+    /// What is kept, as far as the model has it.
+    std::vector<femoop::MovingEffect> kept(const femoop::Model& model) const;
+    void drop(const femoop::Model& model, const femoop::MovingEffect& effect); ///< it is kept no longer
+    /// Their pictures, but for that of the line itself, each on the path that is meant without a train.
+    /// \pre there is a picture
+    const std::vector<drawing::InfluencePicture>& kept_pictures() const { return found_.kept_pictures; }
 
     /// The line of the model as it is; null where nothing is asked, or the model has no such line.
     /// \param generation  grows whenever the model changes
@@ -116,14 +136,19 @@ private:
         femoop::influence::WorstPlacings worst;    ///< of that train
         std::optional<femoop::ExtremeKind> sought; ///< that the candidates are for
         std::vector<CandidatePosition> candidates;
+        double permanent = 0.0; ///< what stays beside that train does to the effect
         std::optional<femoop::Model> loaded;
         std::optional<femoop::Results> results; ///< of the unit load
         UnitLoad unit_load;
+        std::vector<femoop::MovingEffect> kept;
+        std::vector<drawing::InfluencePicture> kept_pictures;
         std::vector<femoop::Fault> faults; ///< why the train cannot stand
     };
     void find(const femoop::MovingEffect& effect) const;
     void find_unit_load() const;
     void find_line(const femoop::MovingEffect& effect) const;
+    void find_kept() const;
+    drawing::InfluencePicture line_alone(const femoop::MovingEffect& effect) const;
     void find_line_of_train(const femoop::Train& train, const femoop::MovingEffect& effect) const;
     const femoop::influence::Placing& worst_placing() const;
     void stand_train() const;
@@ -135,8 +160,10 @@ private:
     void load_train() const;
     drawing::PositionCurve curve() const;
     std::vector<std::string> sentences(const drawing::DrawOptions& options) const;
+    std::string sum_with_permanent(const drawing::DrawOptions& options) const;
 
     std::optional<NamedEffect> asked_;
+    std::vector<NamedEffect> kept_;
     AskedTrain train_;
     mutable double traced_to_ = 0.0; ///< by the unit load, as it was seen
     femoop::MemberComponent last_component_ = femoop::MemberComponent::Mz;

@@ -154,7 +154,8 @@ Reason why_not_compare(const Workspace& workspace)
 
 Reason why_no_envelope(const Workspace& workspace)
 {
-    if (workspace.session.view.is_envelope || workspace.session.model().n_cases() > 1) return std::nullopt;
+    const bool is_shown = workspace.session.view.is_envelope && !workspace.session.shows_train_envelope();
+    if (is_shown || workspace.session.model().n_cases() > 1) return std::nullopt;
     return translatable("the model has no other load case");
 }
 
@@ -178,7 +179,14 @@ void add_camera_commands(CommandTable& table)
         [](const Workspace& workspace) { return workspace.session.is_animated; }, animate, why_not_animate);
     menu.toggle(
         {"view.envelope", translatable("Envelope"), {{Key::E, {}}}},
-        [](auto& workspace) -> auto& { return workspace.session.view.is_envelope; }, why_no_envelope);
+        [](const Workspace& workspace) {
+            return workspace.session.view.is_envelope && !workspace.session.shows_train_envelope();
+        },
+        [](Workspace& workspace, bool is_on) {
+            workspace.session.train_envelope.turn(false);
+            workspace.session.view.is_envelope = is_on;
+        },
+        why_no_envelope);
     menu.toggle(
         {"view.compare", translatable("Compare with the present results"), {{Key::G, {}}}},
         [](const Workspace& workspace) { return workspace.session.reference != nullptr; }, keep_reference,

@@ -18,6 +18,7 @@
 #include "apps/frame/session/section_draft.h"
 #include "apps/frame/session/session.h"
 #include "apps/frame/session/solver_show.h"
+#include "apps/frame/session/train_draft.h"
 #include "apps/frame/session/transform.h"
 #include "apps/frame/session/typical_draft.h"
 #include "apps/frame/tools/kept_settings.h"
@@ -80,6 +81,7 @@ struct Workspace : ui::Workspace {
     TypicalDraft typical{};
     SectionDraft section{};
     DesignDraft design{};
+    TrainDraft trains{};
     std::vector<Request> requests{};
     std::optional<Cut> menu_cut{};                        ///< where the context menu was asked for, on a member
     std::optional<femoop::MovingEffect> menu_number{};    ///< on which number of the results it was asked for

@@ -213,13 +213,18 @@ void take(Workspace& workspace, ToolKind tool)
     else workspace.tool_controller.select(tool);
 }
 
-// What a scenario sets of a typical structure, of a section and of combinations that are being made.
+// What a scenario sets of a typical structure, a section, combinations and trains that are being made.
 constexpr std::array typical_verbs{"template.choose", "template.set", "template.replace", "template.insert",
                                    "template.cancel"};
 constexpr std::array section_verbs{"section.shape", "section.profile", "section.turned", "section.name",
                                    "section.set",   "section.new",     "section.accept", "section.cancel"};
 
 constexpr std::array design_verbs{"design.code", "design.action", "design.state", "design.accept", "design.cancel"};
+
+constexpr std::array train_verbs{"trains.choose",   "trains.take",        "trains.new",    "trains.copy",
+                                 "trains.delete",   "trains.name",        "trains.axle",   "trains.distance",
+                                 "trains.longest",  "trains.uniform",     "trains.impact", "trains.both",
+                                 "trains.add_axle", "trains.delete_axle", "trains.accept", "trains.cancel"};
 
 template <class Draft> CommandTable::RunWith run_command(Draft Workspace::*draft)
 {
@@ -261,6 +266,7 @@ void add_edit_commands(CommandTable& table)
     for (const std::string_view id : typical_verbs) table.with_argument(id, run_command(&Workspace::typical));
     for (const std::string_view id : section_verbs) table.with_argument(id, run_command(&Workspace::section));
     for (const std::string_view id : design_verbs) table.with_argument(id, run_command(&Workspace::design));
+    for (const std::string_view id : train_verbs) table.with_argument(id, run_command(&Workspace::trains));
 }
 
 std::span<const ToolEntry> tools() { return tool_entries; }

@@ -20,6 +20,22 @@ void choose_next(Workspace& workspace)
     if (!choices.empty()) line.choose(has_next ? *(now + 1) : choices.front());
 }
 
+Reason needs_kept_line(const Workspace& workspace)
+{
+    if (Reason reason = needs_influence_line(workspace)) return reason;
+    if (!workspace.session.influence.kept(workspace.session.model()).empty()) return std::nullopt;
+    return translatable("no influence line is kept; Ctrl+Shift+I keeps the one that is shown");
+}
+
+// Panels would become too low for their numbers.
+Reason why_not_keep_line(const Workspace& workspace)
+{
+    constexpr std::size_t most = 5;
+    if (Reason reason = needs_influence_line(workspace)) return reason;
+    if (workspace.session.influence.kept(workspace.session.model()).size() < most) return std::nullopt;
+    return translatable("the sheet has five kept lines; take one off first");
+}
+
 } // namespace
 
 Reason needs_influence_line(const Workspace& workspace)
@@ -47,6 +63,16 @@ void add_influence_commands(CommandTable& table)
             else line.trace();
         },
         needs_influence_line);
+    menu.step(
+        {"view.influence.keep", translatable("Keep this influence line on the sheet"), {{Key::I, ui::ctrl_shift}}},
+        [](Workspace& workspace) { workspace.session.influence.keep(workspace.session.model()); }, why_not_keep_line);
+    menu.step(
+        {"view.influence.drop", translatable("Take the last kept influence line off"), {{Key::X, ui::ctrl_shift}}},
+        [](Workspace& workspace) {
+            AskedLine& line = workspace.session.influence;
+            line.drop(workspace.session.model(), line.kept(workspace.session.model()).back());
+        },
+        needs_kept_line);
     menu.step(
         {"view.influence.close", translatable("Close the influence line")},
         [](Workspace& workspace) { workspace.session.influence.clear(); }, needs_influence_line);

@@ -431,6 +431,17 @@ std::string free_body_text(const Session& session)
     return "\n" + femoop::free_body::free_body_text(body->lifted, session.model(), body->about, session.tr());
 }
 
+/// Of trains, or why there is none.
+std::string train_envelope_text(const Session& session)
+{
+    const DrawOptions shown = session.results_view();
+    const AskedEnvelope& envelope = session.train_envelope;
+    if (envelope.picture(session.model(), session.generation(), shown) != nullptr) return envelope.words(shown);
+    std::string reasons;
+    for (const femoop::Fault& fault : envelope.faults()) reasons += sentence(fault, shown.tr) + "\n";
+    return reasons;
+}
+
 /// What its stage draws, and how each bar that is found by then is read; or why there is none.
 std::string diagram_text(const Session& session)
 {
@@ -470,7 +481,8 @@ std::string description(const Session& session)
     }
     words += counting_text(session) + free_body_text(session);
     if (session.cremona.is_on()) words += "\n" + diagram_text(session);
-    if (shown.is_envelope)
+    if (session.shows_train_envelope()) words += "\n" + train_envelope_text(session);
+    else if (shown.is_envelope)
         words += "\n" + envelope_text(session.model(), shown) + "\n" +
                  femoop::envelope_text(session.model(), *told, envelope_cases(session.model(), shown), tr);
     if (session.influence.picture(session.model(), session.generation(), shown) != nullptr)

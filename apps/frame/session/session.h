@@ -20,6 +20,7 @@
 #include "apps/frame/document/selection.h"
 #include "apps/frame/document/solution.h"
 #include "apps/frame/free_body/asked_body.h"
+#include "apps/frame/influence/asked_envelope.h"
 #include "apps/frame/influence/asked_line.h"
 #include "apps/frame/predict/prediction.h"
 #include "apps/frame/session/kept_counting.h"
@@ -94,6 +95,7 @@ public:
     const std::vector<femoop::Mechanism>& shown_mechanisms() const;
     /// The view with an envelope of those cases alone that have results.
     DrawOptions results_view() const;
+    bool shows_train_envelope() const { return view.is_envelope && train_envelope.is_on(model()); }
     /// The results as far as they may be told: nothing while they are kept from the class.
     std::optional<femoop::Results> described_results() const;
 
@@ -112,6 +114,7 @@ public:
     KeptCounting counting;         ///< of the degree of indeterminacy, where it is shown
     AskedBody free_body;           ///< that is lifted out in place of the results of a case
     AskedLine influence;           ///< that is looked at in place of the results of a case
+    AskedEnvelope train_envelope;  ///< that takes the place of the cases' where the view shows an envelope
     AskedDiagram cremona;          ///< likewise, of a plane truss
     Prediction prediction;         ///< of moments that the class has not seen yet: part of the tab, not of the document
     std::optional<ShowSet> hidden; ///< results that are kept from the class until they are revealed

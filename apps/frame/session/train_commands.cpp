@@ -42,11 +42,46 @@ Reason needs_drawn_line(const Workspace& workspace)
     return translatable("the model has no results");
 }
 
-Reason needs_trains(const Workspace& workspace)
+Reason needs_own_trains(const Workspace& workspace)
 {
-    if (Reason reason = needs_influence_line(workspace)) return reason;
     if (!trains_of(workspace.session).empty()) return std::nullopt;
     return translatable("the model has no trains; take one from the menu Trains");
+}
+
+/// On the influence line, or in the envelope of trains.
+Reason needs_trains(const Workspace& workspace)
+{
+    const Session& session = workspace.session;
+    const bool is_enveloped = session.shows_train_envelope() && !session.influence.is_on(session.model());
+    if (is_enveloped) return std::nullopt;
+    if (Reason reason = needs_influence_line(workspace)) return reason;
+    return needs_own_trains(workspace);
+}
+
+Reason why_no_train_path(const Workspace& workspace)
+{
+    if (!workspace.session.model().members.empty()) return std::nullopt;
+    return translatable("the model has no member that a train could run along");
+}
+
+Reason why_no_train_envelope(const Workspace& workspace)
+{
+    if (Reason reason = needs_own_trains(workspace)) return reason;
+    return why_no_influence_line(workspace);
+}
+
+Reason needs_train_envelope(const Workspace& workspace)
+{
+    if (workspace.session.shows_train_envelope()) return std::nullopt;
+    return translatable("no envelope of trains is shown; press Shift+E");
+}
+
+void show_train_envelope(Workspace& workspace, bool is_on)
+{
+    Session& session = workspace.session;
+    session.influence.clear();
+    session.view.is_envelope = is_on;
+    session.train_envelope.turn(is_on);
 }
 
 Reason needs_train(const Workspace& workspace)
@@ -81,6 +116,7 @@ Reason needs_both_directions(const Workspace& workspace)
 void choose_next_train(Workspace& workspace)
 {
     Session& session = workspace.session;
+    if (!session.influence.is_on(session.model())) return session.train_envelope.choose_next(session.model());
     const std::vector<Train>& all = trains_of(session);
     const auto now = std::ranges::find(all, session.influence.train().name, &Train::id);
     const auto next = now == all.end() ? all.begin() : now + 1;
@@ -177,6 +213,21 @@ constexpr std::array library_entries{
 
 } // namespace
 
+void ask_governing(Workspace& workspace, const drawing::Cut& cut, femoop::MemberComponent component)
+{
+    Session& session = workspace.session;
+    const AskedEnvelope& envelope = session.train_envelope;
+    const std::vector<femoop::influence::TrainEffect> all = envelope.at(cut);
+    const auto found = std::ranges::find(all, component, [](const auto& one) { return *one.effect.component; });
+    const bool is_max = std::abs(found->max.value) >= std::abs(found->min.value);
+    const femoop::MovingEnvelope shown = envelope.envelope(session.model());
+    AskedTrain train{.name = (is_max ? found->max_train : found->min_train)->id,
+                     .kind = is_max == (shown.factor > 0.0) ? ExtremeKind::Max : ExtremeKind::Min};
+    if (shown.with) train.beside = {session.model().case_name(*shown.with), shown.factor};
+    session.influence.ask(session.model(), cut, component, train);
+    workspace.tool_controller.select(ToolKind::Influence);
+}
+
 std::vector<LibraryCommand> library_commands()
 {
     std::vector<LibraryCommand> all;
@@ -224,6 +275,17 @@ void add_train_commands(CommandTable& table)
         {"train.candidate.previous", translatable("To the previous candidate"), {{Key::Left, ui::ctrl_shift}}},
         [](Workspace& workspace) { put_at_candidate(workspace, false); }, needs_candidates);
     menu.step({"train.turn", translatable("Turn it about"), {{Key::Up, ui::ctrl}}}, turn_train, needs_both_directions);
+    menu.step(
+        {"train.edit", translatable("Trains…"), {{Key::Y, {}}}},
+        [](Workspace& workspace) { workspace.trains.open(workspace.session); }, why_no_train_path);
+    menu.toggle(
+        {"train.envelope", translatable("Envelope of trains"), {{Key::E, ui::shift}}},
+        [](const Workspace& workspace) { return workspace.session.shows_train_envelope(); }, show_train_envelope,
+        why_no_train_envelope);
+    menu.step(
+        {"train.envelope.with", translatable("The next case that stays beside the trains"), {{Key::Y, ui::shift}}},
+        [](Workspace& workspace) { workspace.session.train_envelope.choose_next_case(workspace.session.model()); },
+        needs_train_envelope);
     for (const LibraryCommand& entry : library_commands())
         menu.step(
             {entry.id, entry.label},

@@ -64,6 +64,12 @@ ui::Reason why_not_walk(const Workspace& workspace)
     return translatable("the model has no other load case");
 }
 
+ui::Reason why_not_keep_view(const Workspace& workspace)
+{
+    if (!workspace.session.shows_train_envelope()) return std::nullopt;
+    return translatable("an envelope of trains is no kept view; choose a load case or another envelope");
+}
+
 } // namespace
 
 void add_view_commands(CommandTable& table)
@@ -75,8 +81,9 @@ void add_view_commands(CommandTable& table)
     menu.step(
         {"view.previous", translatable("Previous view, load case or stage"), {{Key::PageUp, {}}}},
         [](Workspace& workspace) { walk(workspace.session, Direction::Earlier); }, why_not_walk);
-    menu.step({"view.keep", translatable("Keep this view"), {{Key::B, ui::ctrl}}},
-              [](Workspace& workspace) { workspace.requests.push_back(Request::KeepView); });
+    menu.step(
+        {"view.keep", translatable("Keep this view"), {{Key::B, ui::ctrl}}},
+        [](Workspace& workspace) { workspace.requests.push_back(Request::KeepView); }, why_not_keep_view);
     menu.step({"view.list", translatable("Kept views…"), {{Key::B, ui::ctrl_shift}}},
               [](Workspace& workspace) { workspace.requests.push_back(Request::ViewList); });
 }

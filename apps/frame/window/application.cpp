@@ -36,7 +36,8 @@ Application::Application(ui::Context& context, const ui::Fonts& fonts, Session s
                    .sides = {{16.5F, 24.0F}, {0.25F, 0.30F}}}),
       canvas_(fonts),
       typical_window_(fonts),
-      section_window_(fonts)
+      section_window_(fonts),
+      train_window_(fonts)
 {}
 
 // ---- keys
@@ -199,7 +200,7 @@ void Application::show_right()
     case Topic::Properties:
         properties_panel(workspace(), commands(), {fields_, property_sets_, title_rows_, begins});
         break;
-    case Topic::Results: results_panel(workspace()); break;
+    case Topic::Results: results_panel(workspace(), fields_); break;
     case Topic::Problems: problems_panel(workspace()); break;
     case Topic::History: history_panel(workspace()); break;
     }
@@ -241,6 +242,7 @@ void Application::show_own_dialogs()
     typical_window_.show(workspace(), gui(), fields_);
     section_window_.show(workspace(), gui(), fields_);
     design_window_.show(workspace(), fields_);
+    train_window_.show(workspace(), gui(), fields_);
     view_list_.show(workspace());
     context_menu_.show(workspace(), commands());
     kind_question_.show(workspace(), commands());

@@ -17,6 +17,7 @@
 #include "apps/frame/window/section_window.h"
 #include "apps/frame/window/tables_panel.h"
 #include "apps/frame/window/title_rows.h"
+#include "apps/frame/window/train_window.h"
 #include "apps/frame/window/typical_window.h"
 #include "apps/frame/window/view_list.h"
 #include "ui/app/document_app.h"
@@ -78,6 +79,7 @@ private:
     TypicalWindow typical_window_;
     TablesPanel tables_;
     SectionWindow section_window_;
+    TrainWindow train_window_;
     DesignWindow design_window_;
     ViewList view_list_;
     PropertySets property_sets_;

@@ -57,6 +57,16 @@ std::vector<std::string> why_blank(const Session& session)
     return all;
 }
 
+std::vector<std::string> why_no_train_values(const Session& session)
+{
+    const bool is_shown = session.shows_train_envelope() && session.solution().results;
+    if (!is_shown || session.train_envelope.picture(session.model(), session.generation(), session.results_view()))
+        return {};
+    std::vector<std::string> all;
+    for (const femoop::Fault& fault : session.train_envelope.faults()) all.push_back(sentence(fault, session.view.tr));
+    return all;
+}
+
 std::vector<std::string> why_no_diagram(const Session& session)
 {
     if (!session.cremona.is_on() || shown_diagram(session) != nullptr || session.cremona.why_none().empty()) return {};

@@ -17,6 +17,9 @@ std::vector<std::string> why_blank(const Session& session);
 /// Likewise why there is no Cremona diagram where one is looked at.
 std::vector<std::string> why_no_diagram(const Session& session);
 
+/// Likewise why an envelope of trains that is looked at has no values.
+std::vector<std::string> why_no_train_values(const Session& session);
+
 /// Where a part of the structure stands and another can move: the members of that one, and why there are no results. It
 /// takes the place of the motion while members are drawn, and moves nothing under the hand.
 void draw_loose_part(ui::Painter& painter, const Session& session, const DrawOptions& options,

@@ -12,8 +12,10 @@
 
 #include "apps/drawing/draw.h"
 #include "apps/drawing/reading.h"
+#include "apps/drawing/results/envelope_band.h"
 #include "apps/frame/session/load_commands.h"
 #include "apps/frame/session/snapping.h"
+#include "apps/frame/session/train_commands.h"
 #include "apps/frame/session/truss_commands.h"
 #include "apps/frame/session/work.h"
 #include "apps/frame/tools/kept_settings.h"
@@ -27,6 +29,8 @@
 #include "apps/frame/window/explained_step.h"
 #include "apps/frame/window/hand_picture.h"
 #include "apps/frame/window/pointed_number.h"
+#include "apps/frame/window/train_envelope_panel.h"
+#include "femoop/result/components.h"
 
 namespace frame {
 
@@ -92,6 +96,13 @@ DrawOptions with_node_numbers(DrawOptions options)
     return options;
 }
 
+/// Of trains; null where none is shown.
+const drawing::EnvelopePicture* shown_envelope(const Session& session)
+{
+    if (!session.shows_train_envelope()) return nullptr;
+    return session.train_envelope.picture(session.model(), session.generation(), session.results_view());
+}
+
 // An envelope belongs to no case, so it has neither loads nor a deformed shape.
 DrawOptions looked_at(const Workspace& workspace)
 {
@@ -135,10 +146,13 @@ DrawInput input_of(const Workspace& workspace, const DrawOptions& options, const
     if (const auto* const line = shown_line(session)) {
         const bool has_train = session.influence.standing() != nullptr;
         const bool is_traced = has_train && session.influence.is_traced();
+        std::vector<const InfluencePicture*> kept;
+        for (const InfluencePicture& one : session.influence.kept_pictures()) kept.push_back(&one);
         return {.model = has_train ? session.influence.loaded() : session.model(),
                 .results = is_traced ? &session.influence.results() : nullptr,
                 .dimensions = session.document().companion.dimensions,
-                .influence = line};
+                .influence = line,
+                .kept_lines = std::move(kept)};
     }
     if (const auto* const body = lifted_body(session))
         return {.model = session.model(),
@@ -159,8 +173,10 @@ DrawInput input_of(const Workspace& workspace, const DrawOptions& options, const
         return input;
     }
     input.results = session.shown_results();
+    input.envelope = shown_envelope(session);
     input.reasons = why_blank(session);
     if (input.reasons.empty()) input.reasons = why_no_diagram(session);
+    if (input.reasons.empty()) input.reasons = why_no_train_values(session);
     return input;
 }
 
@@ -188,7 +204,7 @@ void Canvas::fit(Session& session)
 bool Canvas::FittedFor::serves(const FittedFor& wanted) const
 {
     const bool has_room = (has_pencil || !wanted.has_pencil) && (has_train || !wanted.has_train) &&
-                          free_body == wanted.free_body;
+                          free_body == wanted.free_body && n_lines == wanted.n_lines;
     const bool is_tight = std::ranges::equal(factors, wanted.factors, std::ranges::less_equal());
     return session == wanted.session && sheet == wanted.sheet && layout == wanted.layout && theme == wanted.theme &&
            is_in_space == wanted.is_in_space && has_diagram == wanted.has_diagram && has_room && is_tight;
@@ -205,6 +221,7 @@ Canvas::FittedFor Canvas::wanted_fit(const Session& session, const DrawOptions& 
             session.influence.standing() != nullptr,
             lifted_body(session) != nullptr ? session.free_body.number() : 0,
             options.show.contains(Show::Cremona),
+            shown_line(session) != nullptr ? session.influence.kept_pictures().size() : 0,
             {options.diagram_factor, options.load_factor, options.symbol_factor}};
 }
 
@@ -481,12 +498,26 @@ void Canvas::release(Workspace& workspace, const Aim& aim, const Pick& under)
     if (workspace.tool_controller.tool().is_done()) return workspace.tool_controller.settle();
     if (was_dragging || workspace.tool_controller.kind() != ToolKind::Select) return;
     const bool is_read = under.cut && !aim.part(); // a click on a diagram means its member
-    session.pin = is_read ? under.cut : aim.cut;   // one on a support, a load or a dimension means that alone
+    const std::optional<Cut> section = is_read ? under.cut : aim.cut;
+    if (section && shown_envelope(session) != nullptr && !session.hidden) return ask_at_envelope(workspace, *section);
+    session.pin = section; // one on a support, a load or a dimension means that alone
     if (is_read && !aim.adds) session.selection = Part(under.cut->member);
     const bool is_second = ImGui::GetIO().MouseClickedLastCount[ImGuiMouseButton_Left] == 2;
     const std::optional<Part> part = aim.part();
     const bool has_numbers = part && !std::holds_alternative<femoop::MemberId>(*part); // a member's is its foundation's
     takes_number_ = is_second && has_numbers && workspace.has_panels && !aim.adds;
+}
+
+// Of the section force that is drawn under the hand; where the panel draws several, of the first one.
+void Canvas::ask_at_envelope(Workspace& workspace, const Cut& section)
+{
+    const Session& session = workspace.session;
+    ShowSet show = session.view.show;
+    for (const Panel& panel : plan_.panels)
+        if (panel.box.contains(pointer())) show = panel.show;
+    std::vector<femoop::MemberComponent> drawn = drawing::shown_components(show, session.model().analysis);
+    if (drawn.empty()) drawn = femoop::section_force_components(session.model().analysis);
+    ask_governing(workspace, section, drawn.back());
 }
 
 // In space the left button turns the model, so a tool gets clicks alone.
@@ -571,8 +602,11 @@ void Canvas::draw_cut(const Session& session, const DrawOptions& options, const 
                                  shown_diagram(session) != nullptr;
     if (session.hidden || is_method_shown) return;
     const ui::Point at = Projection(picture.plan.camera, seen.panel)(shape_[seen.cut.member].at(seen.cut.x));
-    draw_reading(painter, {session.model(), session.shown_results()}, options,
-                 {.plan = picture.plan, .cut = seen.cut, .beside = at, .top = picture.legend_bottom});
+    const drawing::ReadingCard card{.plan = picture.plan, .cut = seen.cut, .beside = at, .top = picture.legend_bottom};
+    if (!session.shows_train_envelope())
+        return draw_reading(painter, {session.model(), session.shown_results()}, options, card);
+    if (shown_envelope(session) != nullptr)
+        draw_reading(painter, session.model(), options, card, envelope_lines(session, seen.cut));
 }
 
 ui::Picture Canvas::picture_of(const Workspace& workspace) const

@@ -64,6 +64,7 @@ private:
     };
     void draw_cut(const Session& session, const DrawOptions& options, const Subject::Picture& picture,
                   const SeenCut& seen, ui::Painter& painter) const;
+    void ask_at_envelope(Workspace& workspace, const Cut& section);
     /// The panel of a Cremona diagram that lies there; null where none does.
     const Panel* diagram_at(ui::Point at) const;
     void point_at_diagram(Session& session, const Panel& panel, ui::Point at);
@@ -88,6 +89,7 @@ private:
         bool has_train;                ///< and a standing train for its forces and its curve
         std::size_t free_body;         ///< and each free body for its forces: its number, 0 where none is lifted
         bool has_diagram;              ///< which takes half the sheet
+        std::size_t n_lines;           ///< that are kept, each in a panel
         std::array<double, 3> factors; ///< of diagrams, loads and symbols: what shrinks gives its room back
 
         bool serves(const FittedFor& wanted) const;

@@ -47,9 +47,15 @@ void CaseList::show(Workspace& workspace, const CommandTable& commands)
         if (typed_case_ == femoop::CaseId(i)) show_name_field(workspace, femoop::CaseId(i));
         else show_entry(workspace, femoop::CaseId(i));
     }
-    bool& is_envelope = session.view.is_envelope;
-    if (session.model().n_cases() > 1 && ImGui::RadioButton(session.view.tr("Envelope").c_str(), is_envelope))
-        is_envelope = true;
+    const bool is_of_trains = session.shows_train_envelope();
+    const auto choose = [&](std::string_view label, bool is_now, bool takes_trains) {
+        if (!ImGui::RadioButton((session.view.tr(label) + "###" + std::string(label)).c_str(), is_now)) return;
+        session.view.is_envelope = true;
+        session.train_envelope.turn(takes_trains);
+    };
+    if (session.model().n_cases() > 1)
+        choose(translatable("Envelope"), session.view.is_envelope && !is_of_trains, false);
+    if (!session.model().moving_loads.trains.empty()) choose(translatable("Envelope of trains"), is_of_trains, true);
     if (std::exchange(opens_menu_, false)) ImGui::OpenPopup("###case menu");
     show_menu(workspace, commands);
 }

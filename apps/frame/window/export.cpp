@@ -60,11 +60,20 @@ private:
     {
         const std::optional<femoop::Results> results = session_.described_results();
         if (!results) return session_.why_no_results();
+        if (session_.shows_train_envelope()) return train_envelope();
         if (session_.view.is_envelope)
             return text(long_envelope_csv(session_.model(), *results,
                                           envelope_cases(session_.model(), session_.results_view()),
                                           femoop::usual_n_stations));
         return text(long_csv(session_.model(), *results, session_.solution().solved_cases(), femoop::usual_n_stations));
+    }
+
+    std::optional<ui::Message> train_envelope() const
+    {
+        const AskedEnvelope& envelope = session_.train_envelope;
+        const auto* const picture = envelope.picture(session_.model(), session_.generation(), session_.results_view());
+        if (picture == nullptr) return ui::Message(ui::translatable("the envelope of trains has no values"));
+        return text(envelope.csv());
     }
 
     std::optional<ui::Message> text(const std::string& content) const

@@ -35,6 +35,26 @@ void choose_quantity(Session& session)
         if (ImGui::RadioButton(effect_text(model, session.units(), choice).c_str(), choice == now)) line.choose(choice);
 }
 
+// What stays on the sheet, each with a button that takes it off.
+void show_kept(Workspace& workspace, const CommandTable& commands)
+{
+    Session& session = workspace.session;
+    const femoop::Model& model = session.model();
+    const std::vector<femoop::MovingEffect> kept = session.influence.kept(model);
+    if (!kept.empty()) panel_heading(session.tr()("Kept lines"));
+    for (std::size_t i = 0; i < kept.size(); ++i) {
+        const std::string id = "###drop " + std::to_string(i);
+        if (ImGui::SmallButton(("×" + id).c_str())) session.influence.drop(model, kept[i]);
+        ImGui::SameLine();
+        ImGui::TextUnformatted(effect_text(model, session.units(), kept[i]).c_str());
+    }
+    const auto& keep = *commands.find("view.influence.keep");
+    const bool is_off = ui::why_not(keep, workspace).has_value();
+    ImGui::BeginDisabled(is_off);
+    if (ui::wrapped_button(session.tr()("Keep this line"), "keep line")) run(keep, workspace);
+    ImGui::EndDisabled();
+}
+
 void choose_train(Session& session)
 {
     AskedLine& line = session.influence;
@@ -153,6 +173,7 @@ void influence_choices(Workspace& workspace, const CommandTable& commands)
     const ui::Catalogue tr = session.tr();
     panel_heading(tr("Influence line"));
     choose_quantity(session);
+    show_kept(workspace, commands);
     panel_heading(tr("Train"));
     choose_train(session);
     const StandingTrain* const standing = session.influence.standing();

@@ -18,6 +18,7 @@
 #include "apps/frame/window/influence_panel.h"
 #include "apps/frame/window/no_results.h"
 #include "apps/frame/window/result_list.h"
+#include "apps/frame/window/train_envelope_panel.h"
 #include "femoop/result/components.h"
 #include "femoop/result/difference.h"
 #include "femoop/result/results.h"
@@ -202,17 +203,18 @@ void show_differences(const ShownCase& shown)
 
 } // namespace
 
-void results_panel(Workspace& workspace)
+void results_panel(Workspace& workspace, ui::NumberFields& fields)
 {
     Session& session = workspace.session;
     const ui::Catalogue& tr = session.view.tr;
     const auto& results = session.solution().results;
     if (session.influence.is_on(session.model())) return influence_panel(workspace);
     if (explain_no_results(workspace)) return;
-    if (results->n_cases() == 0) {
+    if (results->n_cases() == 0 && !session.shows_train_envelope()) {
         ui::wrapped_text(tr("The model has no load case."));
         return;
     }
+    if (session.shows_train_envelope()) return train_envelope_panel(workspace, fields);
     if (session.view.is_envelope) return envelope_panel(workspace);
     const CaseResult result = (*results)[session.view.load_case];
     const ui::DisplayUnits units = session.units();

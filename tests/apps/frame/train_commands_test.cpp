@@ -199,6 +199,46 @@ TEST_SUITE("frame session")
         }
     }
 
+    TEST_CASE("In the envelope of a train the one that governs stands at its worst, and with what stays it is the band")
+    {
+        Workspace workspace = workspace_with("bridge.json");
+        Session& session = workspace.session;
+        CHECK(run(workspace, "train.envelope.with") == "no envelope of trains is shown; press Shift+E");
+        CHECK(!run(workspace, "train.envelope"));
+        CHECK(!run(workspace, "train.envelope.with"));
+        const AskedEnvelope& envelope = session.train_envelope;
+        REQUIRE(envelope.picture(session.model(), session.generation(), session.view) != nullptr);
+        const drawing::Cut cut{MemberId(1), 20.0};
+        const femoop::influence::TrainEffect moment = envelope.at(cut).back();
+        ask_governing(workspace, cut, femoop::MemberComponent::Mz);
+        CHECK(train(workspace).name == "HS20");
+        CHECK(train(workspace).is_worst);
+        CHECK(std::abs(moment.max.value) >= std::abs(moment.min.value));
+        const double stays = -707.7777777778 + 1.4 * 40.0 * 20.0 - 0.5 * 1.4 * 20.0 * 20.0; // M(B) + V x - q x^2 / 2
+        CHECK(stays + train(workspace).placing.value == Approx(moment.max.value).epsilon(1e-9));
+        CHECK(!run(workspace, "edit.deselect"));
+        CHECK(picture(workspace) == nullptr);
+        CHECK(session.shows_train_envelope());
+    }
+
+    TEST_CASE("The envelope of trains goes when its last train does, and a case that is gone stays no more")
+    {
+        Workspace workspace = workspace_with("bridge.json");
+        Session& session = workspace.session;
+        CHECK(!run(workspace, "train.envelope"));
+        CHECK(!run(workspace, "train.envelope.with"));
+        CHECK(session.train_envelope.envelope(session.model()).with.has_value());
+        session.change({"None", [](Document& document) {
+                            document.model.moving_loads.envelopes.clear();
+                            document.model.load_cases.clear();
+                            document.model.expected.clear();
+                        }});
+        CHECK(!session.train_envelope.envelope(session.model()).with.has_value());
+        CHECK(session.train_envelope.picture(session.model(), session.generation(), session.view) != nullptr);
+        session.change({"None", [](Document& document) { document.model.moving_loads.trains.clear(); }});
+        CHECK(!session.shows_train_envelope());
+    }
+
     TEST_CASE("A train of forces beyond every number leaves the line alone, which says why")
     {
         Workspace workspace = bridge();

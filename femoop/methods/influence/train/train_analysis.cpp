@@ -83,6 +83,32 @@ template <class Of> void keep_worse(Of& worst, Of other, double (*value)(const O
     }
 }
 
+/// Evenly spaced ones, those of the extremes and the jumps: ascending, each once.
+std::vector<double> section_places(const TrainExtreme& extreme, const std::vector<double>& jumps, double length,
+                                   std::size_t n)
+{
+    constexpr double same = 1e-9; // of the length
+    std::vector<double> places;
+    for (std::size_t i = 0; i + 1 < n; ++i)
+        places.push_back(length * static_cast<double>(i) / static_cast<double>(n - 1));
+    places.push_back(length);
+    for (const auto* more : {&extreme.max.sections, &extreme.min.sections, &jumps})
+        places.insert(places.end(), more->begin(), more->end());
+    std::ranges::stable_sort(places);
+    const auto is_same = [&](double a, double b) { return b - a <= same * length; };
+    places.erase(std::unique(places.begin(), places.end(), is_same), places.end());
+    places.back() = length;
+    return places;
+}
+
+/// Is there a jump at a place between the ends?
+bool is_within(const std::vector<double>& jumps, double x, double length)
+{
+    constexpr double same = 1e-9;
+    return x > 0.0 && x < length &&
+           std::ranges::any_of(jumps, [&](double jump) { return std::abs(jump - x) <= same * length; });
+}
+
 double value_at_place(const TrainEffect& of, ExtremeKind kind)
 {
     return kind == ExtremeKind::Max ? of.max.value : of.min.value;
@@ -231,6 +257,11 @@ std::vector<TrainEffect> TrainAnalysis::effects(const MovingEnvelope& envelope, 
     return worst;
 }
 
+std::vector<double> TrainAnalysis::load_points(const MovingEnvelope& envelope, MemberId member)
+{
+    return envelope.with ? permanent_results()[*envelope.with].curve(member).breaks() : std::vector<double>{};
+}
+
 Permanent TrainAnalysis::permanent_along(const MovingEnvelope& envelope, const MovingEffect& effect, ExtremeKind kind)
 {
     if (!envelope.with) return {[](double) { return 0.0; }, {}, envelope.factor};
@@ -256,6 +287,22 @@ TrainExtreme TrainAnalysis::extreme(const MovingEnvelope& envelope, const Moving
         else worst = std::move(one);
     }
     return worst.value();
+}
+
+MemberEnvelope TrainAnalysis::along_member(const MovingEnvelope& envelope, const MovingEffect& effect, std::size_t n)
+{
+    const double length = geometry_of(model_, model_[*effect.member]).length;
+    MemberEnvelope found{extreme(envelope, effect), {}};
+    const std::vector<double> jumps = load_points(envelope, *effect.member);
+    std::vector<MovingEffect> asked;
+    for (const double x : section_places(found.extreme, jumps, length, n)) {
+        asked.push_back(at_section(effect, x, length));
+        if (!is_within(jumps, x, length)) continue;
+        asked.push_back(asked.back());
+        asked[asked.size() - 2].side = Side::Before;
+    }
+    found.sections = effects(envelope, asked);
+    return found;
 }
 
 } // namespace femoop::influence

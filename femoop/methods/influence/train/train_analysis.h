@@ -27,6 +27,12 @@ struct TrainExtreme {
     const Train *max_train = nullptr, *min_train = nullptr;
 };
 
+/// What trains do to one component along a member.
+struct MemberEnvelope {
+    TrainExtreme extreme;
+    std::vector<TrainEffect> sections; ///< ascending; two where the case that stays jumps, the - side first
+};
+
 /// Section moments and torques, and the couples of supports.
 bool is_moment(const MovingEffect& effect);
 
@@ -57,6 +63,11 @@ public:
     /// The case that stays plus the factor times the worst of the trains.
     std::vector<TrainEffect> effects(const MovingEnvelope& envelope, std::span<const MovingEffect> effects);
     TrainExtreme extreme(const MovingEnvelope& envelope, const MovingEffect& effect);
+    /// At `n` evenly spaced sections of a member, where the case that stays has its load points, and where the extremes
+    /// are. \param effect  without a place  \pre n >= 2
+    MemberEnvelope along_member(const MovingEnvelope& envelope, const MovingEffect& effect, std::size_t n);
+    /// What the case that stays does to an effect; 0 where there is none.
+    double permanent(const MovingEnvelope& envelope, const MovingEffect& effect);
 
     /// The line of the effect along the train's path.
     InfluenceLine line(const Train& train, const MovingEffect& effect);
@@ -70,7 +81,7 @@ public:
 private:
     SectionLines section_lines(const Train& train, const MovingEffect& effect);
     const Results& permanent_results();
-    double permanent(const MovingEnvelope& envelope, const MovingEffect& effect);
+    std::vector<double> load_points(const MovingEnvelope& envelope, MemberId member);
     Permanent permanent_along(const MovingEnvelope& envelope, const MovingEffect& effect, ExtremeKind kind);
 
     const Model& model_;

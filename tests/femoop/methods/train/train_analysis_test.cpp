@@ -1,6 +1,7 @@
 // Trains on whole structures: where they are worst, the structure that stands under their axles says the same.
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <variant>
@@ -117,6 +118,58 @@ TEST_CASE("An envelope is the case that stays and, with its factor, the train wh
         const double stays = solved(model, asked[i]);
         CHECK(together[i].max.value == Approx(stays + 1.35 * alone[i].max.value).epsilon(1e-12));
         CHECK(together[i].min.value == Approx(stays + 1.35 * alone[i].min.value).epsilon(1e-12));
+    }
+}
+
+TEST_CASE("Along a member an envelope has at every section what it has there alone, and nothing beyond its extremes")
+{
+    Model model = bridge();
+    model.moving_loads.trains.push_back(lorry());
+    model.load_cases[0].members.push_back(
+        {MemberId(1), PointLoad{.at = Quantity(3.7), .components = {{Dof::uy, -40.0}}}});
+    const MovingEnvelope envelope{.id = "E", .trains = {TrainId(0)}, .with = CaseId(0), .factor = 1.35};
+    TrainAnalysis analysis(model);
+    for (const MemberComponent component : {MemberComponent::Vy, MemberComponent::Mz}) {
+        const MovingEffect extreme{
+            .quantity = ExpectedQuantity::Extreme, .member = MemberId(1), .component = component};
+        const MemberEnvelope found = analysis.along_member(envelope, extreme, 8);
+        CHECK(found.sections.size() >= 10); // eight, and both sides of the force
+        double most = 0.0, least = 0.0;
+        for (const TrainEffect& section : found.sections) {
+            CAPTURE(std::get<Quantity>(*section.effect.at).value());
+            const TrainEffect alone = analysis.effects(envelope, std::array{section.effect}).front();
+            CHECK(section.max.value == Approx(alone.max.value).epsilon(1e-12));
+            CHECK(section.min.value == Approx(alone.min.value).epsilon(1e-12));
+            most = std::max(most, section.max.value);
+            least = std::min(least, section.min.value);
+        }
+        CHECK(most == Approx(found.extreme.max.placing.value).epsilon(1e-9));
+        CHECK(least == Approx(found.extreme.min.placing.value).epsilon(1e-9));
+    }
+}
+
+TEST_CASE("No position of a train goes beyond its envelope")
+{
+    Model model = bridge();
+    model.moving_loads.trains.push_back(lorry());
+    const Train& train = model.moving_loads.trains[0];
+    const MovingEnvelope envelope{.id = "E", .trains = {TrainId(0)}, .with = {}, .factor = 1.0};
+    TrainAnalysis analysis(model);
+    const MovingEffect extreme{
+        .quantity = ExpectedQuantity::Extreme, .member = MemberId(2), .component = MemberComponent::Mz};
+    constexpr int n_positions = 97;
+    for (const TrainEffect& section : analysis.along_member(envelope, extreme, 6).sections) {
+        const TrainSearch search = analysis.search(train, section.effect);
+        const double tolerance = 1e-9 * (section.max.value - section.min.value);
+        for (const bool reversed : {false, true}) {
+            const Stretch along = search.positions(reversed);
+            for (int i = 0; i <= n_positions; ++i) {
+                const double position = along.from + (along.to - along.from) * i / n_positions;
+                const double value = search.at({.position = position, .reversed = reversed}, ExtremeKind::Max).value;
+                CHECK(value <= section.max.value + tolerance);
+                CHECK(value >= section.min.value - tolerance);
+            }
+        }
     }
 }
 

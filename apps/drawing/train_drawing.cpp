@@ -1,0 +1,169 @@
+#include "apps/drawing/train_drawing.h"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include "apps/drawing/sketch/scene.h"
+
+namespace drawing {
+
+using femoop::Train;
+using ui::Anchor;
+using ui::Measure;
+using ui::Point;
+using ui::Role;
+
+namespace {
+
+/// The distance behind an axle.
+struct Gap {
+    double least = 0.0, most = 0.0;
+    bool varies() const { return most > least; }
+};
+
+std::vector<Gap> gaps_of(const Train& train)
+{
+    std::vector<Gap> gaps;
+    for (const femoop::Quantity& spacing : train.spacings) gaps.push_back({spacing.value(), spacing.value()});
+    for (const femoop::SpacingRange& range : train.spacing_ranges)
+        if (range.spacing < gaps.size()) gaps[range.spacing] = {range.min.value(), range.max.value()};
+    return gaps;
+}
+
+class TrainSheet {
+public:
+    TrainSheet(ui::Painter& painter, const Train& train, const TrainLook& look)
+        : painter_(painter), train_(train), look_(look), gaps_(gaps_of(train))
+    {
+        for (const Gap& gap : gaps_) length_ += gap.most;
+        for (const femoop::Quantity& axle : train.axles) largest_ = std::max(largest_, std::abs(axle.value()));
+        const double room = painter.size().width - 2.0 * side();
+        scale_ = length_ > 0.0 ? room / length_ : 0.0;
+        ground_ = painter.size().height - px(44);
+    }
+
+    void draw()
+    {
+        painter_.set_layer(ui::Layer::Background);
+        painter_.rectangle(painter_.sheet(), look_.theme.background());
+        painter_.set_layer(ui::Layer::Lines);
+        const double right = painter_.size().width;
+        painter_.line({0.0, ground_}, {right, ground_}, look_.theme.stroke(Role::Member));
+        if (train_.uniform) draw_uniform(train_.uniform->value());
+        double x = first();
+        for (std::size_t i = 0; i < train_.axles.size(); ++i) {
+            draw_axle(x, i);
+            if (i >= gaps_.size()) break;
+            const double next = x - scale_ * gaps_[i].least, farthest = x - scale_ * gaps_[i].most;
+            draw_gap(x, next, farthest, gaps_[i]);
+            x = next;
+        }
+        draw_direction();
+    }
+
+private:
+    double px(double pixels) const { return look_.theme.type().normal / ui::TypeSizes{}.normal * pixels; }
+    double side() const { return px(44); } ///< kept free beside the outer axles
+    double first() const { return train_.axles.size() > 1 ? painter_.size().width - side() : middle(); }
+    double middle() const { return 0.5 * painter_.size().width; }
+    double wheel() const { return px(5); }
+    double strip_top() const { return px(22); }
+    double strip_foot() const { return px(36); }
+    double most_height() const { return ground_ - 2.0 * wheel() - strip_foot() - px(24); }
+
+    void text(Point at, const std::string& words, Role role, Anchor anchor)
+    {
+        const ui::LayerScope labels(painter_, ui::Layer::Labels);
+        ui::TextStyle style = look_.theme.text(role, anchor);
+        style.size = look_.theme.type().small;
+        painter_.text(at, words, style);
+    }
+    std::string words(double value, Measure measure) const { return with_minus(look_.units.text(value, measure)); }
+
+    void arrow(Point from, Point to, ui::Stroke stroke)
+    {
+        const Point along = ui::direction(to - from), across = ui::left_normal(along);
+        painter_.line(from, to - px(5) * along, stroke);
+        painter_.polygon({to, to - px(8) * along + px(3) * across, to - px(8) * along - px(3) * across}, stroke.color);
+    }
+
+    void draw_axle(double x, std::size_t i)
+    {
+        const double force = train_.axles[i].value();
+        const ui::Stroke wheel_line = look_.theme.stroke(Role::Member);
+        painter_.disc({x, ground_ - wheel()}, wheel(), wheel_line.color);
+        const double share = largest_ > 0.0 ? std::abs(force) / largest_ : 0.0;
+        const Point foot{x, ground_ - 2.0 * wheel()}, top{x, foot.y - std::max(px(14), share * most_height())};
+        const ui::Stroke stroke = look_.theme.stroke(Role::Load);
+        if (force != 0.0) arrow(force > 0.0 ? top : foot, force > 0.0 ? foot : top, stroke);
+        text({x, top.y - px(2)}, with_minus(look_.units.number(force, Measure::Force)), Role::Load, Anchor::Bottom);
+    }
+
+    // The least distance, and dashed behind it how much farther off the axle may be.
+    void draw_gap(double from, double to, double farthest, const Gap& gap)
+    {
+        const double y = ground_ + px(14);
+        ui::Stroke stroke = look_.theme.stroke(Role::Dimension);
+        painter_.line({to, y}, {from, y}, stroke);
+        for (const double end : {from, to}) {
+            painter_.line({end, y - px(4)}, {end, y + px(4)}, stroke);
+            painter_.line({end - px(3), y + px(3)}, {end + px(3), y - px(3)}, stroke);
+        }
+        std::string length = look_.units.number(gap.least, Measure::Length);
+        if (gap.varies()) {
+            length += " … " + look_.units.number(gap.most, Measure::Length);
+            stroke.dash = {4.0, 3.0};
+            painter_.line({farthest, y}, {to, y}, stroke);
+            painter_.line({farthest, ground_ - 2.0 * wheel()}, {farthest, y + px(4)}, stroke);
+        }
+        text({0.5 * (from + to), y + px(4)}, length, Role::Dimension, Anchor::Top);
+    }
+
+    void draw_uniform(double load)
+    {
+        const double top = strip_top(), foot = strip_foot(), left = px(8), right = painter_.size().width - px(8);
+        const ui::Stroke stroke = look_.theme.stroke(Role::Load);
+        painter_.line({left, top}, {right, top}, stroke);
+        painter_.line({left, foot}, {right, foot}, stroke);
+        const double step = px(16);
+        for (double x = left; x <= right; x += step)
+            load >= 0.0 ? arrow({x, top}, {x, foot}, stroke) : arrow({x, foot}, {x, top}, stroke);
+        text({left, top - px(2)}, words(load, Measure::ForcePerLength), Role::Load, Anchor::BottomLeft);
+    }
+
+    // Which way it runs, the unit of the numbers, and what its forces are multiplied by.
+    void draw_direction()
+    {
+        const double right = painter_.size().width - px(10), y = ground_ - px(14);
+        const ui::Stroke stroke = look_.theme.stroke(Role::Dimension);
+        arrow({right - px(20), y}, {right, y}, stroke);
+        if (train_.both_directions) arrow({right - px(4), y + px(7)}, {right - px(24), y + px(7)}, stroke);
+        std::string units = look_.tr("units {force}, {length}", {{"force", look_.units.unit(Measure::Force).name},
+                                                                 {"length", look_.units.unit(Measure::Length).name}});
+        if (train_.impact != 1.0)
+            units += "  ·  " +
+                     look_.tr("axles × {factor}", {{"factor", look_.units.number(train_.impact, Measure::Plain)}});
+        for (const femoop::ConcentratedForce& force : train_.concentrated) {
+            units += "  ·  + " + look_.units.number(force.for_moments, Measure::Force);
+            if (force.for_others) units += " / " + look_.units.number(*force.for_others, Measure::Force);
+        }
+        text({px(8), painter_.size().height - px(3)}, units, Role::FaintLabel, Anchor::BottomLeft);
+    }
+
+    ui::Painter& painter_;
+    const Train& train_;
+    const TrainLook& look_;
+    std::vector<Gap> gaps_;
+    double length_ = 0.0, largest_ = 0.0, scale_ = 0.0, ground_ = 0.0;
+};
+
+} // namespace
+
+void draw_train(ui::Painter& painter, const Train& train, const TrainLook& look)
+{
+    TrainSheet(painter, train, look).draw();
+}
+
+} // namespace drawing

@@ -1,0 +1,216 @@
+#include "apps/frame/influence/asked_envelope.h"
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+
+#include "apps/drawing/results/solved_case.h"
+#include "femoop/geometry/member_geometry.h"
+#include "femoop/io/train/train_csv.h"
+#include "femoop/io/train/train_table.h"
+#include "femoop/methods/influence/usual_path.h"
+#include "femoop/result/components.h"
+
+namespace frame {
+
+using femoop::MemberComponent;
+using femoop::MemberId;
+using femoop::Model;
+using femoop::MovingEffect;
+using femoop::MovingEnvelope;
+using femoop::Train;
+using femoop::influence::TrainEffect;
+
+namespace {
+
+MovingEffect of_member(MemberId member, MemberComponent component)
+{
+    return {.quantity = femoop::ExpectedQuantity::Extreme, .member = member, .component = component};
+}
+
+/// What a train brings onto the structure at most.
+double weight(const Train& train, double length)
+{
+    double sum = train.uniform ? std::abs(train.uniform->value()) * length : 0.0;
+    for (const femoop::Quantity& axle : train.axles) sum += std::abs(axle.value() * train.impact);
+    for (const femoop::ConcentratedForce& force : train.concentrated) sum += std::abs(force.for_moments.value());
+    return sum;
+}
+
+} // namespace
+
+void AskedEnvelope::choose_next(const Model& model)
+{
+    const auto& [paths, lines, trains, envelopes] = model.moving_loads;
+    std::vector<Choice> all;
+    for (const Train& train : trains) all.push_back({.name = train.id, .with = choice_.with, .factor = choice_.factor});
+    for (const MovingEnvelope& envelope : envelopes)
+        all.push_back({.is_of_model = true, .name = envelope.id, .with = choice_.with, .factor = choice_.factor});
+    if (choice_.name.empty() && !all.empty()) choice_.name = all.front().name;
+    const auto now = std::ranges::find(all, choice_);
+    const bool has_next = now != all.end() && now + 1 != all.end();
+    if (!all.empty()) choice_ = has_next ? *(now + 1) : all.front();
+}
+
+void AskedEnvelope::choose_next_case(const Model& model)
+{
+    const auto now = model.find_case(choice_.with);
+    const std::size_t next = now ? now->index + 1 : 0;
+    choice_.is_of_model = false;
+    choice_.with = next < model.n_cases() ? model.case_name(femoop::CaseId(next)) : std::string();
+}
+
+MovingEnvelope AskedEnvelope::envelope(const Model& model) const
+{
+    const auto& [paths, lines, trains, envelopes] = model.moving_loads;
+    const auto own = std::ranges::find(envelopes, choice_.name, &MovingEnvelope::id);
+    if (choice_.is_of_model && own != envelopes.end()) return *own;
+    const auto named = std::ranges::find(trains, choice_.name, &Train::id);
+    const auto train = named != trains.end() ? named : trains.begin();
+    return {.id = train->id,
+            .trains = {femoop::TrainId(static_cast<std::size_t>(train - trains.begin()))},
+            .with = model.find_case(choice_.with),
+            .factor = choice_.factor.value()};
+}
+
+std::string AskedEnvelope::title(const Model& model, const drawing::DrawOptions& options) const
+{
+    const ui::Catalogue& tr = options.tr;
+    const MovingEnvelope envelope = this->envelope(model);
+    std::string trains;
+    for (const femoop::TrainId id : envelope.trains)
+        trains += (trains.empty() ? "" : ", ") + model.moving_loads.trains[id.index].id;
+    if (envelope.factor != 1.0)
+        trains = ui::number_text(envelope.factor, options.numbers) + " × " +
+                 (envelope.trains.size() > 1 ? "(" + trains + ")" : trains);
+    if (!envelope.with) return tr("Envelope of {cases}", {{"cases", trains}});
+    return tr("Envelope of {cases}", {{"cases", model.case_name(*envelope.with) + " + " + trains}});
+}
+
+const drawing::EnvelopePicture* AskedEnvelope::picture(const Model& model, std::uint64_t generation,
+                                                       const drawing::DrawOptions& options) const
+{
+    if (found_.generation != generation) found_ = {.generation = generation};
+    if (found_.choice != choice_) {
+        found_.choice = choice_;
+        found_.members.clear();
+        found_.reactions.reset();
+        found_.faults.clear();
+    }
+    if (!found_.faults.empty()) return nullptr;
+    try {
+        if (!found_.model) found_.model = std::make_shared<const Model>(model);
+        if (!found_.analysis) found_.analysis = std::make_shared<femoop::influence::TrainAnalysis>(*found_.model);
+        found_.envelope = envelope(*found_.model);
+        draw(options);
+    } catch (const femoop::ModelError& error) {
+        found_.faults = error.faults();
+        return nullptr;
+    }
+    return &found_.picture;
+}
+
+void AskedEnvelope::draw(const drawing::DrawOptions& options) const
+{
+    const Model& model = *found_.model;
+    found_.picture = {.title = title(model, options)};
+    for (const femoop::TrainId id : found_.envelope.trains)
+        found_.picture.names.push_back(model.moving_loads.trains[id.index].id);
+    for (const MemberComponent component : drawing::shown_components(options.show, model.analysis))
+        found_.picture.bands.push_back(bands(component));
+    const std::vector<TrainEffect>& all = reactions(); // a load that cannot be borne is found though nothing is shown
+    if (!options.show.contains(drawing::Show::Reactions)) return;
+    for (const TrainEffect& effect : all) {
+        const double least = noise(effect.effect);
+        found_.picture.reactions.push_back({.node = *effect.effect.node,
+                                            .dof = *effect.effect.dof,
+                                            .least = bound(effect.min.value, least, *effect.min_train),
+                                            .most = bound(effect.max.value, least, *effect.max_train)});
+    }
+}
+
+const AskedEnvelope::Members& AskedEnvelope::members(MemberComponent component) const
+{
+    constexpr std::size_t n_sections = 41; // of each member: between two of them a line is near enough to the band
+    const auto known = found_.members.find(component);
+    if (known != found_.members.end()) return known->second;
+    Members all;
+    for (std::size_t i = 0; i < found_.model->members.size(); ++i)
+        all.push_back(found_.analysis->along_member(found_.envelope, of_member(MemberId(i), component), n_sections));
+    return found_.members[component] = std::move(all);
+}
+
+const std::vector<TrainEffect>& AskedEnvelope::reactions() const
+{
+    if (found_.reactions) return *found_.reactions;
+    std::vector<MovingEffect> all;
+    for (std::size_t i = 0; i < found_.model->nodes.size(); ++i)
+        std::ranges::move(femoop::influence::reactions_at(*found_.model, femoop::NodeId(i)), std::back_inserter(all));
+    return found_.reactions.emplace(found_.analysis->effects(found_.envelope, all));
+}
+
+std::vector<TrainEffect> AskedEnvelope::at(const drawing::Cut& cut) const
+{
+    const double length = femoop::geometry_of(*found_.model, (*found_.model)[cut.member]).length;
+    std::vector<MovingEffect> asked;
+    for (const MemberComponent component : femoop::section_force_components(found_.model->analysis))
+        asked.push_back(femoop::influence::at_section(of_member(cut.member, component), cut.x, length));
+    return found_.analysis->effects(found_.envelope, asked);
+}
+
+// What the analysis leaves of an effect that is none is rounding beside what the trains bring.
+double AskedEnvelope::noise(const MovingEffect& effect) const
+{
+    constexpr double rounding = 1e-9;
+    double largest = 0.0;
+    for (const femoop::TrainId id : found_.envelope.trains) {
+        const Train& train = found_.model->moving_loads.trains[id.index];
+        const double length = found_.analysis->path(train).length();
+        const double force = weight(train, length) * std::abs(found_.envelope.factor);
+        largest = std::max(largest, femoop::influence::is_moment(effect) ? force * length : force);
+    }
+    return rounding * largest;
+}
+
+drawing::Bound AskedEnvelope::bound(double value, double noise, const Train& train) const
+{
+    const auto& ids = found_.envelope.trains;
+    const Train* const first = found_.model->moving_loads.trains.data();
+    const auto maker = std::ranges::find(ids, femoop::TrainId(static_cast<std::size_t>(&train - first)));
+    return {std::abs(value) > noise ? value : 0.0, static_cast<std::size_t>(maker - ids.begin())};
+}
+
+drawing::EnvelopeBands AskedEnvelope::bands(MemberComponent component) const
+{
+    drawing::EnvelopeBands bands{.component = component, .members = {}};
+    for (const femoop::influence::MemberEnvelope& member : members(component)) {
+        std::vector<drawing::BandSection>& band = bands.members.emplace_back();
+        const double least = noise(member.extreme.effect);
+        for (const TrainEffect& effect : member.sections)
+            band.push_back({.x = std::get<femoop::Quantity>(*effect.effect.at).value(),
+                            .least = bound(effect.min.value, least, *effect.min_train),
+                            .most = bound(effect.max.value, least, *effect.max_train)});
+    }
+    return bands;
+}
+
+std::string AskedEnvelope::words(const drawing::DrawOptions& options) const
+{
+    femoop::influence::TrainResults results{.id = found_.envelope.id, .is_envelope = found_.envelope.trains.size() > 1};
+    for (const MemberComponent component : femoop::section_force_components(found_.model->analysis))
+        for (const femoop::influence::MemberEnvelope& member : members(component))
+            results.extremes.push_back(member.extreme);
+    return title(*found_.model, options) + "\n\n" +
+           femoop::influence::trains_text(*found_.model, {results}, options.tr);
+}
+
+std::string AskedEnvelope::csv() const
+{
+    std::vector<TrainEffect> all = reactions();
+    for (const MemberComponent component : femoop::section_force_components(found_.model->analysis))
+        for (const femoop::influence::MemberEnvelope& member : members(component))
+            all.insert(all.end(), member.sections.begin(), member.sections.end());
+    return femoop::influence::trains_csv(*found_.model, all);
+}
+
+} // namespace frame

@@ -1,0 +1,372 @@
+#include "apps/frame/window/train_window.h"
+
+#include <imgui.h>
+#include <imgui_stdlib.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <utility>
+#include <variant>
+
+#include "apps/drawing/train_drawing.h"
+#include "apps/frame/document/train_command.h"
+#include "apps/frame/session/train_commands.h"
+#include "apps/frame/window/number_row.h"
+#include "ui/widgets/item_label.h"
+#include "ui/widgets/tooltip.h"
+#include "ui/widgets/wrapped_text.h"
+
+namespace frame {
+
+using femoop::ConcentratedForce;
+using femoop::Quantity;
+using femoop::Train;
+using femoop::UniformExtent;
+using ui::Measure;
+using ui::translatable;
+
+namespace {
+
+std::optional<ui::Message> why_no_distance(double length)
+{
+    if (std::isfinite(length) && length >= 0.0) return std::nullopt;
+    return ui::Message(translatable("a distance is 0 or more"));
+}
+
+/// The axles of the chosen train, one a row: its place, its force, the distance behind it and how far that may vary.
+class AxleTable {
+public:
+    AxleTable(Workspace& workspace, ui::NumberFields& fields)
+        : workspace_(workspace), fields_(fields), draft_(workspace.trains), units_(workspace.session.units())
+    {}
+
+    void show()
+    {
+        const ui::Catalogue tr = workspace_.session.tr();
+        constexpr int n_columns = 6;
+        const auto flags = ImGuiTableFlags_RowBg | ImGuiTableFlags_BordersInnerH | ImGuiTableFlags_SizingStretchProp;
+        const std::size_t n = draft_.train().axles.size();
+        if (n > 0 && ImGui::BeginTable("###axles", n_columns, flags)) {
+            const float em = ImGui::GetFontSize();
+            ImGui::TableSetupColumn("#", ImGuiTableColumnFlags_WidthFixed, 1.2F * em);
+            heading("s", Measure::Length);
+            heading("P", Measure::Force);
+            heading("d", Measure::Length);
+            heading("d max", Measure::Length);
+            ImGui::TableSetupColumn("###delete", ImGuiTableColumnFlags_WidthFixed, 1.2F * em);
+            ImGui::TableHeadersRow();
+            for (std::size_t i = 0; i < n; ++i) {
+                ImGui::PushID(static_cast<int>(i));
+                show_row(i);
+                ImGui::PopID();
+            }
+            ImGui::EndTable();
+        }
+        if (erased_) change([this](Train& train) { erase_axle(train, *erased_); });
+        if (ImGui::Button((tr("Add an axle") + "###add axle").c_str()))
+            change([this](Train& train) { add_axle(train, workspace_.session.model().units); });
+    }
+
+private:
+    void heading(const std::string& name, Measure measure) const
+    {
+        ImGui::TableSetupColumn(units_.label(name, measure).c_str());
+    }
+
+    void show_row(std::size_t i)
+    {
+        const Train& train = draft_.train();
+        ImGui::TableNextRow();
+        ImGui::TableNextColumn();
+        ImGui::AlignTextToFramePadding();
+        ImGui::TextUnformatted(std::to_string(i + 1).c_str());
+        ImGui::TableNextColumn();
+        ImGui::TextUnformatted(units_.number(place_of_axle(train, i), Measure::Length).c_str());
+        ImGui::TableNextColumn();
+        Quantity force = train.axles[i];
+        if (edit("force", i, Measure::Force, force, {})) change([&](Train& t) { t.axles[i] = force; });
+        ImGui::TableNextColumn();
+        if (i < train.spacings.size()) show_distance(i);
+        ImGui::TableNextColumn();
+        if (i < draft_.train().spacings.size()) show_longest(i);
+        ImGui::TableNextColumn();
+        const bool is_needed = train.axles.size() == 1 && !train.uniform;
+        ImGui::BeginDisabled(is_needed);
+        if (ImGui::SmallButton("×###delete")) erased_ = i;
+        ImGui::EndDisabled();
+    }
+
+    void show_distance(std::size_t i)
+    {
+        const auto range = spacing_range(draft_.train(), i);
+        Quantity spacing = range ? range->min : draft_.train().spacings[i];
+        if (edit("distance", i, Measure::Length, spacing, why_no_distance))
+            change([&](Train& train) { set_spacing(train, i, spacing); });
+    }
+
+    void show_longest(std::size_t i)
+    {
+        const auto range = spacing_range(draft_.train(), i);
+        Quantity longest = range ? range->max : draft_.train().spacings[i];
+        if (edit("longest", i, Measure::Length, longest, why_no_distance))
+            change([&](Train& train) { set_longest_spacing(train, i, longest); });
+    }
+
+    bool edit(const std::string& what, std::size_t i, Measure measure, Quantity& value,
+              const std::function<std::optional<ui::Message>(double)>& why_not)
+    {
+        return edit_quantity(workspace_, fields_, {what + std::to_string(i), measure, 0.0F, why_not}, value);
+    }
+
+    void change(const std::function<void(Train&)>& how) { draft_.change(workspace_.session, how); }
+
+    Workspace& workspace_;
+    ui::NumberFields& fields_;
+    TrainDraft& draft_;
+    ui::DisplayUnits units_;
+    std::optional<std::size_t> erased_;
+};
+
+struct ExtentEntry {
+    UniformExtent extent;
+    std::string_view label;
+};
+constexpr std::array extents{
+    ExtentEntry{UniformExtent::Adverse, translatable("where it adds")},
+    ExtentEntry{UniformExtent::WholeSpans, translatable("on whole spans where it adds")},
+    ExtentEntry{UniformExtent::Everywhere, translatable("everywhere, always")},
+    ExtentEntry{UniformExtent::Outside, translatable("where it adds, but not beside the axles")},
+};
+
+/// What a train has beside its axles.
+class TrainRows {
+public:
+    TrainRows(Workspace& workspace, ui::NumberFields& fields)
+        : workspace_(workspace),
+          fields_(fields),
+          draft_(workspace.trains),
+          units_(workspace.session.units()),
+          tr_(workspace.session.tr())
+    {}
+
+    void show()
+    {
+        const Rows rows("train rows");
+        if (!rows.is_open()) return;
+        rows.name(tr_("Factor of the axles"));
+        Quantity impact = draft_.train().impact;
+        if (edit("impact", Measure::Plain, impact)) change([&](Train& train) { train.impact = impact.value(); });
+        show_uniform(rows);
+        if (draft_.train().uniform) show_extent(rows);
+        show_forces(rows);
+        rows.name(tr_("Path"));
+        show_path();
+        rows.name(tr_("Both directions"));
+        bool is_both = draft_.train().both_directions;
+        if (ImGui::Checkbox("###both", &is_both)) change([&](Train& train) { train.both_directions = is_both; });
+    }
+
+private:
+    void show_uniform(const Rows& rows)
+    {
+        rows.name(units_.label(tr_("Uniform load"), Measure::ForcePerLength));
+        bool has_load = draft_.train().uniform.has_value();
+        ImGui::BeginDisabled(has_load && draft_.train().axles.empty());
+        const bool is_clicked = ImGui::Checkbox("###has uniform", &has_load);
+        ImGui::EndDisabled();
+        if (is_clicked)
+            change([&](Train& train) { train.uniform = has_load ? std::optional<Quantity>(1.0) : std::nullopt; });
+        if (!draft_.train().uniform) return;
+        ImGui::SameLine();
+        Quantity load = *draft_.train().uniform;
+        if (edit("uniform", Measure::ForcePerLength, load)) change([&](Train& train) { train.uniform = load; });
+    }
+
+    void show_extent(const Rows& rows)
+    {
+        rows.name(tr_("It lies"));
+        const auto now = std::ranges::find(extents, draft_.train().uniform_extent, &ExtentEntry::extent);
+        ImGui::SetNextItemWidth(-1.0F);
+        if (ImGui::BeginCombo("###extent", tr_(now->label).c_str())) {
+            for (const ExtentEntry& entry : extents)
+                if (ImGui::Selectable(tr_(entry.label).c_str(), entry.extent == now->extent))
+                    change([&](Train& train) { train.uniform_extent = entry.extent; });
+            ImGui::EndCombo();
+        }
+        if (draft_.train().uniform_extent != UniformExtent::Outside) return;
+        rows.name(units_.label(tr_("Free beside the axles"), Measure::Length));
+        Quantity gap = draft_.train().gap.value_or(Quantity(0.0));
+        if (edit("gap", Measure::Length, gap, why_no_distance)) change([&](Train& train) { train.gap = gap; });
+    }
+
+    // The size for moments, and that for all else; a click on + adds one.
+    void show_forces(const Rows& rows)
+    {
+        for (std::size_t i = 0; i < draft_.train().concentrated.size(); ++i) {
+            const ConcentratedForce force = draft_.train().concentrated[i];
+            Quantity for_moments = force.for_moments, for_others = force.for_others.value_or(force.for_moments);
+            rows.name(units_.label(tr_("Single force, for moments"), Measure::Force));
+            if (edit("moments" + std::to_string(i), Measure::Force, for_moments))
+                change([&](Train& train) { train.concentrated[i].for_moments = for_moments; });
+            rows.name(units_.label(tr_("for all else"), Measure::Force));
+            if (edit("others" + std::to_string(i), Measure::Force, for_others))
+                change([&](Train& train) { train.concentrated[i].for_others = for_others; });
+        }
+        rows.name(tr_("Single forces"));
+        if (ImGui::SmallButton("+###add force"))
+            change([](Train& train) {
+                const Quantity usual = train.axles.empty() ? Quantity(1.0) : train.axles.front();
+                train.concentrated.push_back({.for_moments = usual, .for_others = {}});
+            });
+        if (draft_.train().concentrated.empty()) return;
+        ImGui::SameLine();
+        if (ImGui::SmallButton("×###delete force")) change([](Train& train) { train.concentrated.pop_back(); });
+    }
+
+    std::string name_of(const femoop::LoadPathReference& path) const
+    {
+        const femoop::Model& model = workspace_.session.model();
+        if (const auto* const id = std::get_if<femoop::PathId>(&path)) return model.moving_loads.paths[id->index].id;
+        std::string names;
+        for (const femoop::MemberId member : std::get<std::vector<femoop::MemberId>>(path))
+            names += (names.empty() ? "" : ", ") + model[member].id;
+        return names;
+    }
+
+    void show_path()
+    {
+        ImGui::SetNextItemWidth(-1.0F);
+        if (!ImGui::BeginCombo("###path", name_of(draft_.train().path).c_str())) return;
+        const std::vector<femoop::LoadPath>& paths = workspace_.session.model().moving_loads.paths;
+        for (std::size_t i = 0; i < paths.size(); ++i) {
+            const femoop::LoadPathReference path = femoop::PathId(i);
+            if (ImGui::Selectable(ui::item_label(paths[i].id, "path " + std::to_string(i)).c_str(),
+                                  path == draft_.train().path))
+                change([&](Train& train) { train.path = path; });
+        }
+        ImGui::EndCombo();
+    }
+
+    bool edit(const std::string& id, Measure measure, Quantity& value,
+              const std::function<std::optional<ui::Message>(double)>& why_not = {})
+    {
+        return edit_quantity(workspace_, fields_, {id, measure, 0.0F, why_not}, value);
+    }
+
+    void change(const std::function<void(Train&)>& how) { draft_.change(workspace_.session, how); }
+
+    Workspace& workspace_;
+    ui::NumberFields& fields_;
+    TrainDraft& draft_;
+    ui::DisplayUnits units_;
+    ui::Catalogue tr_;
+};
+
+void accept_or_cancel(Workspace& workspace, const ui::NumberFields& fields)
+{
+    TrainDraft& draft = workspace.trains;
+    const auto is_pressed = [&](int key) { return !fields.is_typing() && ui::is_pressed_outside_fields(key); };
+    const bool is_accepted = ImGui::Button("OK###accept") || is_pressed(ImGuiKey_Enter);
+    ImGui::SameLine();
+    const std::string cancel = workspace.session.tr()("Cancel") + "###cancel";
+    const bool is_cancelled = ImGui::Button(cancel.c_str()) || is_pressed(ImGuiKey_Escape);
+    if (is_accepted) draft.accept(workspace.session);
+    else if (is_cancelled) draft.cancel(workspace.session);
+}
+
+} // namespace
+
+void TrainWindow::show(Workspace& workspace, ui::ImGuiSession& gui, ui::NumberFields& fields)
+{
+    const TrainDraft& draft = workspace.trains;
+    if (!window_.begin(draft.is_open(), "###trains", workspace.session.tr()("Trains"))) return;
+    ui::SideWindow::begin_content();
+    show_content(workspace, gui, fields);
+    ui::SideWindow::end_content();
+    accept_or_cancel(workspace, fields);
+    window_.end(draft.is_open());
+}
+
+void TrainWindow::show_content(Workspace& workspace, ui::ImGuiSession& gui, ui::NumberFields& fields)
+{
+    show_trains(workspace);
+    show_new(workspace);
+    if (workspace.trains.trains().empty()) return;
+    ImGui::PushID(static_cast<int>(workspace.trains.chosen()));
+    show_name(workspace);
+    show_picture(workspace, gui);
+    AxleTable(workspace, fields).show();
+    TrainRows(workspace, fields).show();
+    ImGui::PopID();
+}
+
+void TrainWindow::show_trains(Workspace& workspace) const
+{
+    TrainDraft& draft = workspace.trains;
+    const std::vector<Train>& all = draft.trains();
+    if (all.empty()) return ui::wrapped_text(workspace.session.tr()("The model has no train."));
+    ImGui::SetNextItemWidth(-1.0F);
+    if (!ImGui::BeginCombo("###chosen", draft.train().id.c_str())) return;
+    for (std::size_t i = 0; i < all.size(); ++i)
+        if (ImGui::Selectable(ui::item_label(all[i].id, "train " + std::to_string(i)).c_str(), i == draft.chosen()))
+            draft.choose(workspace.session, i);
+    ImGui::EndCombo();
+}
+
+// One's own, a copy of what is shown, or one of the library.
+void TrainWindow::show_new(Workspace& workspace) const
+{
+    TrainDraft& draft = workspace.trains;
+    Session& session = workspace.session;
+    const ui::Catalogue tr = session.tr();
+    if (ImGui::Button((tr("New") + "###new").c_str())) draft.add_usual(session);
+    ImGui::SameLine();
+    ImGui::BeginDisabled(draft.trains().empty());
+    if (ImGui::Button((tr("Copy") + "###copy").c_str())) draft.add_copy(session);
+    ImGui::SameLine();
+    if (ImGui::Button((tr("Delete") + "###delete train").c_str())) draft.erase(session);
+    ImGui::EndDisabled();
+    ImGui::SameLine();
+    ImGui::SetNextItemWidth(-1.0F);
+    if (!ImGui::BeginCombo("###library", tr("Take from the library").c_str(), ImGuiComboFlags_HeightLargest)) return;
+    for (const LibraryCommand& entry : library_commands()) {
+        if (ImGui::Selectable((tr(entry.label) + "###" + std::string(entry.id)).c_str()))
+            draft.add(session, *entry.train);
+        if (ImGui::IsItemHovered()) ui::show_tooltip(std::string(entry.train->source));
+    }
+    ImGui::EndCombo();
+}
+
+void TrainWindow::show_name(Workspace& workspace)
+{
+    TrainDraft& draft = workspace.trains;
+    const ui::Catalogue tr = workspace.session.tr();
+    ImGui::AlignTextToFramePadding();
+    ImGui::TextUnformatted(tr("Name").c_str());
+    ImGui::SameLine();
+    ImGui::SetNextItemWidth(-1.0F);
+    if (std::exchange(named_, draft.chosen()) != draft.chosen()) reason_.reset();
+    if (ImGui::InputText("###name", &name_)) reason_ = draft.set_name(workspace.session, name_);
+    if (!ImGui::IsItemActive()) {
+        name_ = draft.train().id;
+        reason_.reset();
+    }
+    if (reason_) ui::wrapped_text(tr(*reason_));
+}
+
+void TrainWindow::show_picture(const Workspace& workspace, ui::ImGuiSession& gui) const
+{
+    const float width = ImGui::GetContentRegionAvail().x, height = 10.0F * ImGui::GetFontSize();
+    const ImVec2 corner = ImGui::GetCursorScreenPos();
+    ImGui::Dummy({width, height});
+    ui::Painter painter({static_cast<double>(width) / gui.scale(), static_cast<double>(height) / gui.scale()}, fonts_);
+    draw_train(painter, workspace.trains.train(),
+               {.theme = ui::Theme(workspace.session.view.theme),
+                .units = workspace.session.units(),
+                .tr = workspace.session.view.tr});
+    gui.show(painter.picture(), *ImGui::GetWindowDrawList(),
+             {static_cast<double>(corner.x), static_cast<double>(corner.y)});
+}
+
+} // namespace frame
