@@ -16,7 +16,8 @@ namespace {
 /// A cantilever AB of length L with a force P at its end.
 Model cantilever(const char* L)
 {
-    const std::string text = std::string(R"({"cremona": 1, "analysis": "frame2d", "units": {"length": "m", "force": "kN"},
+    const std::string text = std::string(
+                                 R"({"cremona": 1, "analysis": "frame2d", "units": {"length": "m", "force": "kN"},
       "materials": [{"id": "m", "E": 2e8}], "sections": [{"id": "s", "A": 0.01, "Iz": 1e-4}],
       "nodes": [{"id": "A", "at": [0, 0], "support": "fixed"}, {"id": "B", "at": [)") +
                              L + R"(, 0]}],
