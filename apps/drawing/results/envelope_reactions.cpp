@@ -1,13 +1,13 @@
 #include "apps/drawing/results/envelope_reactions.h"
 
-#include "apps/drawing/measures.h"
-#include "apps/drawing/structure/supports.h"
-
 #include <algorithm>
 #include <cmath>
 #include <string>
 #include <utility>
 #include <vector>
+
+#include "apps/drawing/measures.h"
+#include "apps/drawing/structure/supports.h"
 
 namespace drawing {
 
@@ -50,6 +50,7 @@ private:
         Sketch& sketch = scene_.sketch;
         ui::TextStyle style = sketch.theme().text(ui::Role::Reaction, ui::Anchor::Center);
         style.size = sketch.theme().type().small;
+        style.plate = sketch.theme().background(); // bands may lie behind
         const double line = 1.35 * style.size;
         ui::Size size{0.0, line * static_cast<double>(lines.size())};
         for (const std::string& words : lines)
