@@ -36,7 +36,7 @@ Reason why_not_explain(const Workspace& workspace)
     return translatable("point at a number of the picture or of a table of results first");
 }
 
-Reason why_not_step(const Workspace& workspace)
+Reason why_not_derive(const Workspace& workspace)
 {
     if (!shows_derivation(workspace)) return translatable("no number is explained; point at one and press W");
     return workspace.derivation.n_steps() > 0 ? std::nullopt : workspace.derivation.why_none();
@@ -82,22 +82,22 @@ void add_derivation_commands(CommandTable& table)
             [](Workspace& workspace) { explain(workspace, *meant_number(workspace)); }, why_not_explain);
     Menu unlisted(table, {});
     unlisted.step({"derivation.first", translatable("First step of the derivation")},
-                  on_show([](DerivationShow& show) { show.go_to(0); }), why_not_step);
+                  on_show([](DerivationShow& show) { show.go_to(0); }), why_not_derive);
     unlisted.step({"derivation.previous", translatable("Previous step of the derivation")},
-                  on_show([](DerivationShow& show) { show.go_back(); }), why_not_step);
+                  on_show([](DerivationShow& show) { show.go_back(); }), why_not_derive);
     unlisted.step({"derivation.next", translatable("Next step of the derivation")},
-                  on_show([](DerivationShow& show) { show.go_on(); }), why_not_step);
+                  on_show([](DerivationShow& show) { show.go_on(); }), why_not_derive);
     unlisted.step({"derivation.last", translatable("Last step of the derivation")},
-                  on_show([](DerivationShow& show) { show.go_to(show.n_steps()); }), why_not_step);
+                  on_show([](DerivationShow& show) { show.go_to(show.n_steps()); }), why_not_derive);
     unlisted.step({"derivation.next_number", translatable("The next number of the same place")},
-                  on_show([](DerivationShow& show) { show.choose_next(); }), why_not_step);
+                  on_show([](DerivationShow& show) { show.choose_next(); }), why_not_derive);
     unlisted.step({"derivation.previous_number", translatable("The previous number of the same place")},
-                  on_show([](DerivationShow& show) { show.choose_previous(); }), why_not_step);
+                  on_show([](DerivationShow& show) { show.choose_previous(); }), why_not_derive);
     unlisted.step({"derivation.copy", translatable("Copy the derivation as text")}, asks_for(Request::CopyDerivation),
-                  why_not_step);
+                  why_not_derive);
     unlisted.step({"derivation.copy_latex", translatable("Copy the derivation as LaTeX")},
-                  asks_for(Request::CopyDerivationAsLatex), why_not_step);
-    unlisted.step({"derivation.close", translatable("Close the derivation")}, close_derivation, why_not_step);
+                  asks_for(Request::CopyDerivationAsLatex), why_not_derive);
+    unlisted.step({"derivation.close", translatable("Close the derivation")}, close_derivation, why_not_derive);
 }
 
 } // namespace frame

@@ -6,7 +6,11 @@
 
 namespace frame {
 
-using namespace femoop;
+using femoop::ActionKind;
+using femoop::DesignCode;
+using femoop::DesignCombination;
+using femoop::LimitState;
+using femoop::LoadCase;
 using ui::translatable;
 
 namespace {
@@ -45,7 +49,7 @@ void DesignDraft::set_code(const Session& session, DesignCode code)
     code_ = code;
     actions_.clear();
     const std::vector<LoadCase>& cases = session.model().load_cases;
-    for (std::size_t i = 0; i < cases.size(); ++i) actions_.push_back({CaseId(i), suggested(cases[i], code)});
+    for (std::size_t i = 0; i < cases.size(); ++i) actions_.push_back({femoop::CaseId(i), suggested(cases[i], code)});
 }
 
 std::vector<DesignCombination> DesignDraft::combinations() const
@@ -68,7 +72,7 @@ std::optional<std::string> DesignDraft::run_command(Session& session, std::strin
 {
     if (!is_open_) return "no combinations are being made; begin with case.code";
     if (verb == "code") {
-        const auto code = design_code(argument);
+        const auto code = femoop::design_code(argument);
         if (!code) return "no code \"" + std::string(argument) + "\"";
         set_code(session, *code);
     } else if (verb == "action") {

@@ -64,14 +64,14 @@ void show_copying(Workspace& workspace, const CommandTable& commands)
 }
 
 /// At the right end of the bar.
-void show_closing(Workspace& workspace)
+void show_close_button(Workspace& workspace)
 {
     const float side = ImGui::GetFrameHeight();
     ImGui::SameLine(ImGui::GetWindowContentRegionMax().x - side);
     if (ImGui::Button("×###close", {side, side})) close_derivation(workspace);
 }
 
-void show_picture(const Workspace& workspace, ui::ImGuiSession& gui, const ui::Fonts& fonts)
+void show_step(const Workspace& workspace, ui::ImGuiSession& gui, const ui::Fonts& fonts)
 {
     const Session& session = workspace.session;
     const femoop::derivation::Derivation& derivation = *workspace.derivation.derivation();
@@ -111,11 +111,11 @@ void derivation_panel(Workspace& workspace, const CommandTable& commands, ui::Im
         show_numbers(workspace);
         show_copying(workspace, commands);
     }
-    show_closing(workspace);
+    show_close_button(workspace);
     if (!workspace.bottom.is_open) return;
     show.follow(workspace.session); // another number may have been chosen
     if (show.why_none()) ui::wrapped_text(workspace.tr()(*show.why_none()));
-    else if (show.n_steps() > 0) show_picture(workspace, gui, fonts);
+    else if (show.n_steps() > 0) show_step(workspace, gui, fonts);
 }
 
 bool handle_presenter_key(Workspace& workspace, const ui::Chord& chord)
