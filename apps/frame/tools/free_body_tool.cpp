@@ -14,21 +14,22 @@ namespace {
 
 constexpr double reach = 9.0; // [px]
 
-Vector3d in_plane(const Aim& at) { return {at.pointer.x(), at.pointer.y(), 0.0}; }
+Vector3d pointer_in_plane(const Aim& at) { return {at.pointer.x(), at.pointer.y(), 0.0}; }
 
 } // namespace
 
 bool FreeBodyTool::is_at_moment_point(const AskedBody& body, const Aim& at)
 {
     const drawing::FreeBodyPicture* const picture = body.last();
-    return picture != nullptr && at.may_drag() && (picture->moment_point() - in_plane(at)).norm() <= reach * at.pixel;
+    return picture != nullptr && at.may_drag() &&
+           (picture->moment_point() - pointer_in_plane(at)).norm() <= reach * at.pixel;
 }
 
 // To the place of a force that is near, else to a round one; Alt takes the place as it is.
 Vector3d FreeBodyTool::moment_point(const AskedBody& body, const Aim& at)
 {
     const drawing::FreeBodyPicture& picture = *body.last();
-    const Vector3d place = in_plane(at) - picture.aside;
+    const Vector3d place = pointer_in_plane(at) - picture.aside;
     if (at.is_exact) return place;
     for (const auto& force : picture.lifted.forces)
         if ((force.at - place).norm() <= reach * at.pixel) return force.at;
