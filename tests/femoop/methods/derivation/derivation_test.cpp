@@ -212,7 +212,7 @@ TEST_SUITE("derivation")
     TEST_CASE("In any structure every number closes")
     {
         for (const AnalysisKind kind : every_model)
-            for (unsigned seed = 1; seed <= 6; ++seed) {
+            for (unsigned seed = 1; seed <= 2; ++seed) {
                 const Model model = random_structure(kind, seed);
                 if (constrained_member(model)) continue;
                 CAPTURE(name(kind));
