@@ -66,6 +66,39 @@ UsageError unknown_choice(std::string_view option, const std::string& found, con
     return UsageError(text + "; " + tr("choose from: {list}", {{"list", list}}));
 }
 
+UsageError not_one_of(std::string_view option, const std::string& found, std::string_view names,
+                      const ui::Catalogue& tr)
+{
+    return UsageError(tr("{option}: found \"{found}\", wanted one of {names}",
+                         {{"option", option}, {"found", found}, {"names", names}}));
+}
+
+UsageError no_file(std::string_view subcommand, const ui::Catalogue& tr)
+{
+    const std::string help = "cremona " + std::string(subcommand) + " --help";
+    return UsageError(tr("no file is given; see {command}", {{"command", help}}));
+}
+
+UsageError print_different_things(std::string_view a, std::string_view b, const ui::Catalogue& tr)
+{
+    return UsageError(tr("{a} and {b} print different things; give one of them", {{"a", a}, {"b", b}}));
+}
+
+UsageError ask_for_different_things(std::string_view a, std::string_view b, const ui::Catalogue& tr)
+{
+    return UsageError(tr("{a} and {b} ask for different things; give one of them", {{"a", a}, {"b", b}}));
+}
+
+UsageError contradiction(std::string_view a, std::string_view b, const ui::Catalogue& tr)
+{
+    return UsageError(tr("{a} and {b} contradict one another; give one of them", {{"a", a}, {"b", b}}));
+}
+
+UsageError needs_too(std::string_view a, std::string_view b, const ui::Catalogue& tr)
+{
+    return UsageError(tr("{a} needs {b} too; add it", {{"a", a}, {"b", b}}));
+}
+
 femoop::CaseId find_case(const femoop::Model& model, const std::string& name, const ui::Catalogue& tr)
 {
     if (const auto id = model.find_case(name)) return *id;

@@ -25,6 +25,18 @@ std::vector<std::string> comma_list(std::string_view text);
 UsageError unknown_choice(std::string_view option, const std::string& found, const std::vector<std::string>& choices,
                           const ui::Catalogue& tr);
 
+/// "--method: found "x", wanted one of joints, sections".
+UsageError not_one_of(std::string_view option, const std::string& found, std::string_view names,
+                      const ui::Catalogue& tr);
+/// Sends to the help of the subcommand.
+UsageError no_file(std::string_view subcommand, const ui::Catalogue& tr);
+/// Two options that do not go together, by what they do.
+UsageError print_different_things(std::string_view a, std::string_view b, const ui::Catalogue& tr);
+UsageError ask_for_different_things(std::string_view a, std::string_view b, const ui::Catalogue& tr);
+UsageError contradiction(std::string_view a, std::string_view b, const ui::Catalogue& tr);
+/// The second one is missing.
+UsageError needs_too(std::string_view a, std::string_view b, const ui::Catalogue& tr);
+
 /// The load case or combination of this name. \throws UsageError
 femoop::CaseId find_case(const femoop::Model& model, const std::string& name, const ui::Catalogue& tr);
 std::vector<femoop::CaseId> all_cases(const femoop::Model& model);

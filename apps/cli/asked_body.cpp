@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "apps/cli/argument.h"
 #include "apps/cli/asked_effect.h"
 #include "femoop/io/free_body/free_body_text.h"
 #include "femoop/io/json/model_json.h"
@@ -88,7 +89,7 @@ void AskedBody::declare(CLI::App& app, const ui::Catalogue& tr)
 
 void AskedBody::require_sensible(const ui::Catalogue& tr) const
 {
-    if (about_ && !what_) throw UsageError(tr("{a} needs {b} too; add it", {{"a", "--about"}, {"b", "--free-body"}}));
+    if (about_ && !what_) throw needs_too("--about", "--free-body", tr);
 }
 
 Body AskedBody::body(const Model& model, const ui::Catalogue& tr) const

@@ -121,11 +121,9 @@ std::string AskedEffect::text() const
 void AskedEffect::require_sensible(const ui::Catalogue& tr, Place place) const
 {
     if (!is_asked()) return;
-    if (member_ && node_)
-        throw UsageError(tr("{a} and {b} ask for different things; give one of them",
-                            {{"a", named("member")}, {"b", named("node")}}));
+    if (member_ && node_) throw ask_for_different_things(named("member"), named("node"), tr);
     const auto require = [&](bool is_there, const std::string& option, const std::string& missing) {
-        if (!is_there) throw UsageError(tr("{a} needs {b} too; add it", {{"a", option}, {"b", missing}}));
+        if (!is_there) throw needs_too(option, missing, tr);
     };
     if (at_) require(member_.has_value(), named("at"), named("member"));
     if (component_) require(member_ || node_, named("component"), named("member") + ", " + named("node"));

@@ -42,10 +42,10 @@ private:
     std::optional<std::string> member_, node_, component_, at_;
 };
 
-/// A length that an option gives: a number in the model's unit, or one with its own. \throws ModelError
 /// A place along a member of this length: a length from its first end, or a part of it like 50%. \throws ModelError
 double place_named(std::string_view option, const std::string& text, double length, const femoop::Model& model);
 
+/// A length that an option gives: a number in the model's unit, or one with its own. \throws ModelError
 femoop::Quantity length_named(std::string_view option, const std::string& text, const femoop::Model& model);
 
 /// A path of the file by its id, else members by theirs: m1,m2. \throws UsageError

@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "apps/cli/argument.h"
 #include "apps/cli/model_input.h"
 #include "apps/frame/document/companion/companion_file.h"
 #include "femoop/io/counting/counting_text.h"
@@ -112,7 +113,7 @@ void Check::print(const SoundFile& file, Console& console) const
 ExitStatus Check::run(Console& console)
 {
     const ui::Catalogue& tr = console.tr();
-    if (files_.empty()) throw UsageError(tr("no file is given; see {command}", {{"command", "cremona check --help"}}));
+    if (files_.empty()) throw no_file("check", tr);
     ExitStatus status = ExitStatus::Done;
     std::vector<SoundFile> sound;
     for (const std::string& file : files_) {

@@ -101,10 +101,9 @@ void Cross::declare(CLI::App& app, const ui::Catalogue& tr)
 
 void Cross::require_sensible(const ui::Catalogue& tr) const
 {
-    if (file_.empty()) throw UsageError(tr("no file is given; see {command}", {{"command", "cremona cross --help"}}));
+    if (file_.empty()) throw no_file("cross", tr);
     const auto refuse = [&](bool are_both, const std::string& a, const std::string& b) {
-        if (are_both)
-            throw UsageError(tr("{a} and {b} print different things; give one of them", {{"a", a}, {"b", b}}));
+        if (are_both) throw print_different_things(a, b, tr);
     };
     refuse(is_json_ && is_csv_, "--json", "--csv");
     refuse(is_csv_ && method_ != "cross", "--csv", "--method " + method_);
@@ -112,20 +111,13 @@ void Cross::require_sensible(const ui::Catalogue& tr) const
     refuse(report_ && is_json_, "--report", "--json");
     refuse(report_ && is_csv_, "--report", "--csv");
     if (method_ != "cross" && method_ != "kani" && method_ != "slope-deflection")
-        throw UsageError(tr("{option}: found \"{found}\", wanted one of {names}",
-                            {{"option", "--method"}, {"found", method_}, {"names", "cross, kani, slope-deflection"}}));
+        throw not_one_of("--method", method_, "cross, kani, slope-deflection", tr);
     if (report_ && !report_->ends_with(".html") && !report_->ends_with(".report.pdf"))
         throw UsageError(tr("{option}: found \"{found}\", wanted a name that ends with {endings}",
                             {{"option", "--report"}, {"found", *report_}, {"endings", ".html, .report.pdf"}}));
-    if (is_modified_ && is_unmodified_)
-        throw UsageError(
-            tr("{a} and {b} contradict one another; give one of them", {{"a", "--modified"}, {"b", "--unmodified"}}));
-    if (is_by_halves_ && is_whole_)
-        throw UsageError(
-            tr("{a} and {b} contradict one another; give one of them", {{"a", "--symmetry"}, {"b", "--whole"}}));
-    if (is_by_halves_ && method_ != "cross")
-        throw UsageError(tr("{a} and {b} contradict one another; give one of them",
-                            {{"a", "--symmetry"}, {"b", "--method " + method_}}));
+    if (is_modified_ && is_unmodified_) throw contradiction("--modified", "--unmodified", tr);
+    if (is_by_halves_ && is_whole_) throw contradiction("--symmetry", "--whole", tr);
+    if (is_by_halves_ && method_ != "cross") throw contradiction("--symmetry", "--method " + method_, tr);
 }
 
 FarEnds Cross::far_ends(const Model& model, femoop::CaseId load_case, const std::optional<Block>& block) const
@@ -147,10 +139,7 @@ Procedure Cross::procedure(const Model& model, const Problem& problem, const std
     Procedure procedure;
     if (block) procedure = procedure_of(model, problem, *block);
     if (order_) {
-        if (order_->empty())
-            throw UsageError(
-                tr("{option}: found \"{found}\", wanted one of {names}",
-                   {{"option", "--order"}, {"found", ""}, {"names", "largest, left-to-right, all-at-once, A,C,B"}}));
+        if (order_->empty()) throw not_one_of("--order", "", "largest, left-to-right, all-at-once, A,C,B", tr);
         set_order(procedure, *order_, model, problem);
         procedure.balances.reset();
     }

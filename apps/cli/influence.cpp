@@ -139,12 +139,9 @@ std::string Influence::output(const Model& model, const std::vector<InfluenceLin
 ExitStatus Influence::run(Console& console)
 {
     const ui::Catalogue& tr = console.tr();
-    if (file_.empty())
-        throw UsageError(tr("no file is given; see {command}", {{"command", "cremona influence --help"}}));
+    if (file_.empty()) throw no_file("influence", tr);
     asked_.require_sensible(tr);
-    if (asked_.is_asked() && !lines_.empty())
-        throw UsageError(
-            tr("{a} and {b} ask for different things; give one of them", {{"a", "--line"}, {"b", asked_.option()}}));
+    if (asked_.is_asked() && !lines_.empty()) throw ask_for_different_things("--line", asked_.option(), tr);
     const std::optional<Model> model = load_model(file_, console);
     if (!model) return ExitStatus::BadInput;
     try {

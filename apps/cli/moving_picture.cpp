@@ -232,11 +232,9 @@ void MovingPicture::declare(CLI::App& app, const ui::Catalogue& tr)
 
 void MovingPicture::require_sensible(const ui::Catalogue& tr) const
 {
-    if (line_ && train_)
-        throw UsageError(
-            tr("{a} and {b} ask for different things; give one of them", {{"a", "--influence"}, {"b", "--train"}}));
+    if (line_ && train_) throw ask_for_different_things("--influence", "--train", tr);
     const auto needs_train = [&](std::string_view option) {
-        if (!train_) throw UsageError(tr("{a} needs {b} too; add it", {{"a", option}, {"b", "--train"}}));
+        if (!train_) throw needs_too(option, "--train", tr);
     };
     if (position_) needs_train("--at-position");
     if (effect_.is_asked()) needs_train(effect_.option());

@@ -158,12 +158,11 @@ void Render::look_at_view(PictureOrder& order, const frame::Companion& companion
 ExitStatus Render::run(Console& console)
 {
     const ui::Catalogue& tr = console.tr();
-    if (file_.empty()) throw UsageError(tr("no file is given; see {command}", {{"command", "cremona render --help"}}));
+    if (file_.empty()) throw no_file("render", tr);
     moving_.require_sensible(tr);
     truss_.require_sensible(tr);
     if (truss_.is_asked() && moving_.is_asked())
-        throw UsageError(tr("{a} and {b} ask for different things; give one of them",
-                            {{"a", "--cremona"}, {"b", "--influence, --train"}}));
+        throw ask_for_different_things("--cremona", "--influence, --train", tr);
     PictureOrder picture = order(tr);
     const std::optional<femoop::Model> model = load_model(file_, console);
     if (!model) return ExitStatus::BadInput;

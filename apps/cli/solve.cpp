@@ -181,9 +181,7 @@ std::string Solve::tables(const Model& model, const Results& results, const Sele
 void Solve::require_one_output(const ui::Catalogue& tr) const
 {
     const auto refuse = [&](bool are_both, std::string_view a, std::string_view b) {
-        if (are_both)
-            throw UsageError(tr("{a} and {b} print different things; give one of them",
-                                {{"a", std::string(a)}, {"b", std::string(b)}}));
+        if (are_both) throw print_different_things(a, b, tr);
     };
     struct Output {
         bool is_given;
@@ -344,7 +342,7 @@ void report_time(const Phases& phases, const femoop::AnalysisStatistics& statist
 ExitStatus Solve::run(Console& console)
 {
     const ui::Catalogue& tr = console.tr();
-    if (file_.empty()) throw UsageError(tr("no file is given; see {command}", {{"command", "cremona solve --help"}}));
+    if (file_.empty()) throw no_file("solve", tr);
     require_one_output(tr);
     body_.require_sensible(tr);
     solver_trace_.require_trace(tr);

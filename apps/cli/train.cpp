@@ -164,8 +164,7 @@ void Train::answer(const Model& model, Console& console) const
 
 ExitStatus Train::run(Console& console)
 {
-    if (file_.empty())
-        throw UsageError(console.tr()("no file is given; see {command}", {{"command", "cremona train --help"}}));
+    if (file_.empty()) throw no_file("train", console.tr());
     asked_.require_sensible(console.tr(), AskedEffect::Place::Optional);
     const std::optional<Model> model = load_model(file_, console);
     if (!model) return ExitStatus::BadInput;

@@ -71,18 +71,12 @@ void Truss::declare(CLI::App& app, const ui::Catalogue& tr)
 
 void Truss::require_sensible(const ui::Catalogue& tr) const
 {
-    if (file_.empty()) throw UsageError(tr("no file is given; see {command}", {{"command", "cremona truss --help"}}));
-    if (is_json_ && is_latex_)
-        throw UsageError(
-            tr("{a} and {b} print different things; give one of them", {{"a", "--json"}, {"b", "--latex"}}));
+    if (file_.empty()) throw no_file("truss", tr);
+    if (is_json_ && is_latex_) throw print_different_things("--json", "--latex", tr);
     if (method_ && *method_ != "joints" && *method_ != "sections" && *method_ != "cremona")
-        throw UsageError(tr("{option}: found \"{found}\", wanted one of {names}",
-                            {{"option", "--method"}, {"found", *method_}, {"names", "joints, sections, cremona"}}));
-    if (cut_ && !is_by("sections"))
-        throw UsageError(tr("{a} and {b} contradict one another; give one of them",
-                            {{"a", "--cut"}, {"b", "--method " + *method_}}));
-    if (!cut_ && is_by("sections"))
-        throw UsageError(tr("{a} needs {b} too; add it", {{"a", "--method sections"}, {"b", "--cut"}}));
+        throw not_one_of("--method", *method_, "joints, sections, cremona", tr);
+    if (cut_ && !is_by("sections")) throw contradiction("--cut", "--method " + *method_, tr);
+    if (!cut_ && is_by("sections")) throw needs_too("--method sections", "--cut", tr);
 }
 
 std::variant<std::string, Refusal> Truss::output(const Model& model, const femoop::Results& results,

@@ -31,7 +31,7 @@ void TrussPicture::declare(CLI::App& app, const ui::Catalogue& tr)
 
 void TrussPicture::require_sensible(const ui::Catalogue& tr) const
 {
-    if (stage_ && !is_asked_) throw UsageError(tr("{a} needs {b} too; add it", {{"a", "--stage"}, {"b", "--cremona"}}));
+    if (stage_ && !is_asked_) throw needs_too("--stage", "--cremona", tr);
 }
 
 ExitStatus TrussPicture::draw(const femoop::Model& model, const std::string& file, PictureOrder order, bool shows_own,

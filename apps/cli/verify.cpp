@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "apps/cli/analysis_run.h"
+#include "apps/cli/argument.h"
 #include "apps/cli/model_input.h"
 #include "apps/frame/document/companion/companion_file.h"
 #include "femoop/io/json/json_writer.h"
@@ -158,8 +159,7 @@ void Verify::print_json(const std::vector<FileOutcome>& files, Console& console)
 
 ExitStatus Verify::run(Console& console)
 {
-    if (files_.empty())
-        throw UsageError(console.tr()("no file is given; see {command}", {{"command", "cremona verify --help"}}));
+    if (files_.empty()) throw no_file("verify", console.tr());
     std::vector<FileOutcome> files;
     ExitStatus status = ExitStatus::Done;
     bool is_any_checked = false;
