@@ -61,6 +61,7 @@ struct Workspace : ui::Workspace {
     void notify(const ui::Message& sentence) { session.notify(sentence); }
     void tick(double seconds);
     bool is_moving() const;
+    bool has_open_draft() const; ///< something is made in a window over the panel at the right
     void open(const std::filesystem::path& path) { open_at_once(path); } ///< nothing is lost by a further tab
     void open_dropped(const std::vector<std::string>& files);
     bool open_at_once(const std::filesystem::path& path); ///< as `open_file` (tabs.h)

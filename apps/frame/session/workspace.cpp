@@ -34,9 +34,14 @@ bool Workspace::is_moving() const
     return is_swinging(session) || is_walking || has_passing_notice;
 }
 
+bool Workspace::has_open_draft() const
+{
+    return typical.is_open() || section.is_open() || design.is_open() || trains.is_open();
+}
+
 void Workspace::open_dropped(const std::vector<std::string>& files)
 {
-    const bool is_choosing = typical.is_open() || section.is_open() || design.is_open() || after_question;
+    const bool is_choosing = has_open_draft() || after_question;
     if (is_choosing && !files.empty()) return notify(ui::translatable("finish what is being made in the window first"));
     for (const std::string& file : files) open(file);
 }

@@ -218,12 +218,7 @@ void Application::show_tabs()
     }
 }
 
-float Application::covered_width() const
-{
-    const Workspace& drafts = workspace();
-    const bool is_covered = drafts.typical.is_open() || drafts.section.is_open() || drafts.design.is_open();
-    return is_covered ? ui::SideWindow::width() : 0.0F;
-}
+float Application::covered_width() const { return workspace().has_open_draft() ? ui::SideWindow::width() : 0.0F; }
 
 void Application::show_canvas()
 {
