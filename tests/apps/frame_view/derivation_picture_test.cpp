@@ -71,6 +71,16 @@ TEST_SUITE("frame: where a number comes from")
                       look(ui::ThemeName::Projector, derivation.steps.size() - 1, ui::Language::Portuguese));
     }
 
+    TEST_CASE("The extreme of a combination stands beside the loads of its cases, each with its factor")
+    {
+        const femoop::Model portal = view_test::example("portal");
+        const femoop::MovingEffect extreme{.quantity = femoop::ExpectedQuantity::Extreme,
+                                           .member = portal.find_member("AB"),
+                                           .component = MemberComponent::Mz};
+        check_picture("derivation_extreme_combination", portal, derived(portal, extreme, "ULS"), {1280.0, 380.0},
+                      look(ui::ThemeName::Light, 0));
+    }
+
     TEST_CASE("In print and in a small window: a row of K of a larger frame")
     {
         const femoop::Model storeys = view_test::example("storey_frame");

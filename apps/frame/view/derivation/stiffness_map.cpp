@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "femoop/load/case_terms.h"
 #include "femoop/methods/derivation/renumbering.h"
 #include "ui/paint/wrapped_lines.h"
 
@@ -26,7 +27,7 @@ class StiffnessMap {
 public:
     StiffnessMap(ui::Painter& painter, const femoop::SystemTrace& system, const Step& step, const femoop::Model& model,
                  const DerivationLook& look, const ui::Box& box)
-        : painter_(painter), system_(system), step_(step), look_(look)
+        : painter_(painter), system_(system), step_(step), model_(model), look_(look)
     {
         small_ = look.theme.type().small;
         for (const femoop::SystemTrace::Unknown& unknown : system.unknowns)
@@ -50,10 +51,11 @@ public:
     {
         {
             const ui::LayerScope layer(painter_, ui::Layer::Areas);
+            const double largest = scale(system_.K.coeffs().abs().maxCoeff());
             for (Index column = 0; column < system_.K.outerSize(); ++column)
                 for (femoop::SparseMatrix::InnerIterator entry(system_.K, column); entry; ++entry)
-                    draw_cell(at(entry.row(), column), entry.value(), scale(system_.K.coeffs().abs().maxCoeff()));
-            if (step_.load_case) draw_loads(step_.load_case->index);
+                    draw_cell(at(entry.row(), column), entry.value(), largest);
+            if (step_.load_case) draw_loads(loads_of(*step_.load_case));
         }
         draw_frame();
         draw_names();
@@ -97,10 +99,18 @@ private:
                       {.color = share > 0.5 ? look_.theme.background() : ink, .width = std::max(1.0, 0.1 * cell_)});
     }
 
-    void draw_loads(std::size_t load_case) const
+    Eigen::VectorXd loads_of(femoop::CaseId load_case) const
     {
-        const Eigen::VectorXd f = system_.f.col(static_cast<Index>(load_case));
-        for (Index row = 0; row < f.size(); ++row) draw_cell(load_at(row), f[row], scale(f.cwiseAbs().maxCoeff()));
+        Eigen::VectorXd f = Eigen::VectorXd::Zero(system_.f.rows());
+        for (const femoop::CaseTerms::Term& term : femoop::terms_of(model_, load_case).terms)
+            f += term.factor * system_.f.col(static_cast<Index>(term.load_case));
+        return f;
+    }
+
+    void draw_loads(const Eigen::VectorXd& f) const
+    {
+        const double largest = scale(f.cwiseAbs().maxCoeff());
+        for (Index row = 0; row < f.size(); ++row) draw_cell(load_at(row), f[row], largest);
     }
 
     void outline(const ui::Box& box, const ui::Stroke& stroke) const
@@ -154,6 +164,7 @@ private:
     ui::Painter& painter_;
     const femoop::SystemTrace& system_;
     const Step& step_;
+    const femoop::Model& model_;
     const DerivationLook& look_;
     double small_ = 0.0, cell_ = 0.0;
     Point corner_;
