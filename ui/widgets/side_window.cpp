@@ -55,9 +55,17 @@ void SideWindow::light_up(bool is_open)
     if (!is_open && dimming_) dimming = *std::exchange(dimming_, std::nullopt);
 }
 
-bool is_pressed_outside_fields(int key)
+FootAnswer foot_buttons(const FootButtons& buttons, const Catalogue& tr)
 {
-    return !ImGui::GetIO().WantTextInput && ImGui::IsKeyPressed(ImGui::GetKeyIndex(key), false);
+    const bool has_keys = !buttons.is_typing && !ImGui::GetIO().WantTextInput;
+    const auto is_pressed = [&](int key) { return has_keys && ImGui::IsKeyPressed(ImGui::GetKeyIndex(key), false); };
+    ImGui::BeginDisabled(!buttons.may_accept);
+    const bool is_clicked = ImGui::Button(buttons.accept.c_str());
+    ImGui::EndDisabled();
+    ImGui::SameLine();
+    const bool is_cancelled = ImGui::Button((tr("Cancel") + "###cancel").c_str()) || is_pressed(ImGuiKey_Escape);
+    if (is_clicked || (buttons.may_accept && is_pressed(ImGuiKey_Enter))) return FootAnswer::Accept;
+    return is_cancelled ? FootAnswer::Cancel : FootAnswer::None;
 }
 
 } // namespace ui

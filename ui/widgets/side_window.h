@@ -1,7 +1,10 @@
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <string>
+
+#include "ui/text/catalogue.h"
 
 namespace ui {
 
@@ -23,7 +26,14 @@ private:
     std::optional<float> dimming_; ///< of what lies behind other windows, while this one is open
 };
 
-/// Enter or Escape was pressed, and not to end what is typed into a field.
-bool is_pressed_outside_fields(int key);
+/// What the buttons at a window's foot say, or Enter and Escape where no field is typed into.
+enum class FootAnswer : std::uint8_t { None, Accept, Cancel };
+struct FootButtons {
+    std::string accept = "OK###accept";
+    bool may_accept = true; ///< else that button is grey, and Enter does nothing
+    bool is_typing = false; ///< the two keys belong to a field
+};
+/// A button that accepts, and beside it "Cancel".
+FootAnswer foot_buttons(const FootButtons& buttons, const Catalogue& tr);
 
 } // namespace ui

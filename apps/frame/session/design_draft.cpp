@@ -8,7 +8,6 @@ namespace frame {
 
 using femoop::ActionKind;
 using femoop::DesignCode;
-using femoop::DesignCombination;
 using femoop::LimitState;
 using femoop::LoadCase;
 using ui::translatable;
@@ -50,14 +49,27 @@ void DesignDraft::set_code(const Session& session, DesignCode code)
     actions_.clear();
     const std::vector<LoadCase>& cases = session.model().load_cases;
     for (std::size_t i = 0; i < cases.size(); ++i) actions_.push_back({femoop::CaseId(i), suggested(cases[i], code)});
+    combine();
 }
 
-std::vector<DesignCombination> DesignDraft::combinations() const
+void DesignDraft::set_action(std::size_t load_case, const ActionKind* kind)
+{
+    actions_[load_case].kind = kind;
+    combine();
+}
+
+void DesignDraft::set(LimitState state, bool is_on)
+{
+    has_[static_cast<std::size_t>(state)] = is_on;
+    combine();
+}
+
+void DesignDraft::combine()
 {
     std::vector<LimitState> states;
     for (const LimitState state : limit_states(code_))
         if (has(state)) states.push_back(state);
-    return design_combinations(code_, actions_, states);
+    combinations_ = design_combinations(code_, actions_, states);
 }
 
 void DesignDraft::accept(Session& session)

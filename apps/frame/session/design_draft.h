@@ -23,16 +23,17 @@ public:
     femoop::DesignCode code() const { return code_; }
     void set_code(const Session& session, femoop::DesignCode code);
     const std::vector<femoop::CaseAction>& actions() const { return actions_; } ///< of every load case
-    void set_action(std::size_t load_case, const femoop::ActionKind* kind) { actions_[load_case].kind = kind; }
+    void set_action(std::size_t load_case, const femoop::ActionKind* kind);
     bool has(femoop::LimitState state) const { return has_[static_cast<std::size_t>(state)]; }
-    void set(femoop::LimitState state, bool is_on) { has_[static_cast<std::size_t>(state)] = is_on; }
-    std::vector<femoop::DesignCombination> combinations() const;
+    void set(femoop::LimitState state, bool is_on);
+    const std::vector<femoop::DesignCombination>& combinations() const { return combinations_; }
 
     /// What a scenario says: "code EN1990", "action Q=offices", "state frequent", "accept", "cancel". \returns the
     /// complaint
     std::optional<std::string> run_command(Session& session, std::string_view verb, std::string_view argument);
 
 private:
+    void combine();
     std::optional<std::string> set_named_action(const Session& session, std::string_view argument);
     std::optional<std::string> toggle_state(std::string_view argument);
 
@@ -40,6 +41,7 @@ private:
     femoop::DesignCode code_ = femoop::DesignCode::EN1990;
     std::vector<femoop::CaseAction> actions_;
     std::vector<bool> has_{true, true, true, true}; ///< of each limit state
+    std::vector<femoop::DesignCombination> combinations_;
 };
 
 } // namespace frame

@@ -103,18 +103,13 @@ void show_combination(const Workspace& workspace, const DesignCombination& one)
     ImGui::PopStyleColor();
 }
 
-void show_buttons(Workspace& workspace, const ui::NumberFields& fields, bool has_some)
+void show_buttons(Workspace& workspace, const ui::NumberFields& fields)
 {
-    DesignDraft& draft = workspace.design;
-    const auto is_pressed = [&](int key) { return !fields.is_typing() && ui::is_pressed_outside_fields(key); };
-    ImGui::BeginDisabled(!has_some);
-    const bool is_accepted = ImGui::Button("OK###accept") || (has_some && is_pressed(ImGuiKey_Enter));
-    ImGui::EndDisabled();
-    ImGui::SameLine();
-    const std::string cancel = workspace.session.view.tr("Cancel") + "###cancel";
-    const bool is_cancelled = ImGui::Button(cancel.c_str()) || is_pressed(ImGuiKey_Escape);
-    if (is_accepted) draft.accept(workspace.session);
-    else if (is_cancelled) draft.cancel();
+    const bool has_some = !workspace.design.combinations().empty();
+    const ui::FootAnswer answer = ui::foot_buttons({.may_accept = has_some, .is_typing = fields.is_typing()},
+                                                   workspace.session.view.tr);
+    if (answer == ui::FootAnswer::Accept) workspace.design.accept(workspace.session);
+    else if (answer == ui::FootAnswer::Cancel) workspace.design.cancel();
 }
 
 } // namespace
@@ -130,14 +125,14 @@ void DesignWindow::show(Workspace& workspace, const ui::NumberFields& fields)
     show_actions(workspace);
     show_states(workspace);
     ImGui::Separator();
-    const std::vector<DesignCombination> combinations = draft.combinations();
+    const std::vector<DesignCombination>& combinations = draft.combinations();
     ui::wrapped_text(
         tr("{count} combinations; they can be changed afterwards", {{"count", std::to_string(combinations.size())}}));
     ImGui::BeginChild("###combinations", {0.0F, 0.0F});
     for (const DesignCombination& one : combinations) show_combination(workspace, one);
     ImGui::EndChild();
     ui::SideWindow::end_content();
-    show_buttons(workspace, fields, !combinations.empty());
+    show_buttons(workspace, fields);
     window_.end(draft.is_open());
 }
 

@@ -154,16 +154,10 @@ void show_properties_of(const femoop::SectionProperties& s, const ui::DisplayUni
 void SectionWindow::show_buttons(Workspace& workspace, const ui::NumberFields& fields) const
 {
     SectionDraft& draft = workspace.section;
-    const ui::Catalogue& tr = workspace.session.view.tr;
-    const auto is_pressed = [&](int key) { return !fields.is_typing() && ui::is_pressed_outside_fields(key); };
-    const std::optional<ui::Message> reason = why_not_accept(draft);
-    ImGui::BeginDisabled(reason.has_value());
-    const bool is_accepted = ImGui::Button("OK###accept") || (!reason && is_pressed(ImGuiKey_Enter));
-    ImGui::EndDisabled();
-    ImGui::SameLine();
-    const bool is_cancelled = ImGui::Button((tr("Cancel") + "###cancel").c_str()) || is_pressed(ImGuiKey_Escape);
-    if (is_accepted) draft.accept(workspace.session);
-    else if (is_cancelled) draft.cancel(workspace.session);
+    const ui::FootAnswer answer = ui::foot_buttons(
+        {.may_accept = !why_not_accept(draft), .is_typing = fields.is_typing()}, workspace.session.view.tr);
+    if (answer == ui::FootAnswer::Accept) draft.accept(workspace.session);
+    else if (answer == ui::FootAnswer::Cancel) draft.cancel(workspace.session);
 }
 
 std::optional<ui::Message> SectionWindow::why_not_accept(const SectionDraft& draft) const

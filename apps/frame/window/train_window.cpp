@@ -265,14 +265,9 @@ private:
 
 void accept_or_cancel(Workspace& workspace, const ui::NumberFields& fields)
 {
-    TrainDraft& draft = workspace.trains;
-    const auto is_pressed = [&](int key) { return !fields.is_typing() && ui::is_pressed_outside_fields(key); };
-    const bool is_accepted = ImGui::Button("OK###accept") || is_pressed(ImGuiKey_Enter);
-    ImGui::SameLine();
-    const std::string cancel = workspace.session.tr()("Cancel") + "###cancel";
-    const bool is_cancelled = ImGui::Button(cancel.c_str()) || is_pressed(ImGuiKey_Escape);
-    if (is_accepted) draft.accept(workspace.session);
-    else if (is_cancelled) draft.cancel(workspace.session);
+    const ui::FootAnswer answer = ui::foot_buttons({.is_typing = fields.is_typing()}, workspace.session.tr());
+    if (answer == ui::FootAnswer::Accept) workspace.trains.accept(workspace.session);
+    else if (answer == ui::FootAnswer::Cancel) workspace.trains.cancel(workspace.session);
 }
 
 } // namespace

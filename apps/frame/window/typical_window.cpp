@@ -127,12 +127,10 @@ void show_buttons(Workspace& workspace, const ui::NumberFields& fields)
 {
     TypicalDraft& draft = workspace.typical;
     const ui::Catalogue& tr = workspace.session.view.tr;
-    const auto is_pressed = [&](int key) { return !fields.is_typing() && ui::is_pressed_outside_fields(key); };
-    if (ImGui::Button((tr("Insert") + "###insert").c_str()) || is_pressed(ImGuiKey_Enter))
-        draft.insert(workspace.session);
-    ImGui::SameLine();
-    if (ImGui::Button((tr("Cancel") + "###cancel").c_str()) || is_pressed(ImGuiKey_Escape))
-        draft.cancel(workspace.session);
+    const ui::FootAnswer answer = ui::foot_buttons(
+        {.accept = tr("Insert") + "###insert", .is_typing = fields.is_typing()}, tr);
+    if (answer == ui::FootAnswer::Accept) draft.insert(workspace.session);
+    else if (answer == ui::FootAnswer::Cancel) draft.cancel(workspace.session);
 }
 
 /// Room for the longest of the names, as high for all.
