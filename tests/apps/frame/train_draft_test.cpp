@@ -95,6 +95,18 @@ TEST_SUITE("frame session")
         CHECK(session.model().moving_loads.trains == before);
     }
 
+    TEST_CASE("A file that is dropped while trains are edited waits until that is done")
+    {
+        Workspace workspace = workspace_with("bridge.json");
+        const std::string file = workspace.session.path()->string();
+        workspace.trains.open(workspace.session);
+        workspace.open_dropped({file});
+        REQUIRE(workspace.session.notice);
+        CHECK(workspace.session.notice->sentence.sentence == "finish what is being made in the window first");
+        workspace.trains.cancel(workspace.session);
+        CHECK(!workspace.has_open_draft());
+    }
+
     TEST_CASE("A train keeps an axle or a uniform load")
     {
         Workspace workspace = workspace_with("portal.json");
