@@ -93,16 +93,21 @@ const drawing::EnvelopePicture* AskedEnvelope::picture(const Model& model, std::
     if (found_.generation != generation) found_ = {.generation = generation};
     if (found_.choice != choice_) {
         found_.choice = choice_;
+        found_.look.reset();
         found_.members.clear();
         found_.reactions.reset();
         found_.faults.clear();
     }
     if (!found_.faults.empty()) return nullptr;
+    const Look look{options.show, options.tr.language(), options.numbers};
+    if (found_.look == look) return &found_.picture;
     try {
         if (!found_.model) found_.model = std::make_shared<const Model>(model);
         if (!found_.analysis) found_.analysis = std::make_shared<femoop::influence::TrainAnalysis>(*found_.model);
         found_.envelope = envelope(*found_.model);
+        found_.brought = brought_by_trains();
         draw(options);
+        found_.look = look;
     } catch (const femoop::ModelError& error) {
         found_.faults = error.faults();
         return nullptr;
@@ -158,18 +163,24 @@ std::vector<TrainEffect> AskedEnvelope::at(const drawing::Cut& cut) const
     return found_.analysis->effects(found_.envelope, asked);
 }
 
-// What the analysis leaves of an effect that is none is rounding beside what the trains bring.
-double AskedEnvelope::noise(const MovingEffect& effect) const
+femoop::Magnitudes AskedEnvelope::brought_by_trains() const
 {
-    constexpr double rounding = 1e-9;
-    double largest = 0.0;
+    femoop::Magnitudes most;
     for (const femoop::TrainId id : found_.envelope.trains) {
         const Train& train = found_.model->moving_loads.trains[id.index];
         const double length = found_.analysis->path(train).length();
         const double force = weight(train, length) * std::abs(found_.envelope.factor);
-        largest = std::max(largest, femoop::influence::is_moment(effect) ? force * length : force);
+        most.force = std::max(most.force, force);
+        most.moment = std::max(most.moment, force * length);
     }
-    return rounding * largest;
+    return most;
+}
+
+// What the analysis leaves of an effect that is none is rounding beside what the trains bring.
+double AskedEnvelope::noise(const MovingEffect& effect) const
+{
+    constexpr double rounding = 1e-9;
+    return rounding * (femoop::influence::is_moment(effect) ? found_.brought.moment : found_.brought.force);
 }
 
 drawing::Bound AskedEnvelope::bound(double value, double noise, const Train& train) const

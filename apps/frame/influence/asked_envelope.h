@@ -13,6 +13,7 @@
 #include "femoop/methods/influence/train/train_analysis.h"
 #include "femoop/model/fault/fault.h"
 #include "femoop/model/model.h"
+#include "femoop/result/magnitudes.h"
 
 namespace frame {
 
@@ -60,20 +61,31 @@ public:
 
 private:
     using Members = std::vector<femoop::influence::MemberEnvelope>;
+    /// What a picture shows, and how it writes.
+    struct Look {
+        drawing::ShowSet show;
+        ui::Language language = ui::Language::English;
+        ui::NumberFormat numbers;
+
+        friend bool operator==(const Look&, const Look&) = default;
+    };
     struct Found {
         std::uint64_t generation = 0;
         std::shared_ptr<const femoop::Model> model; ///< as it was then
         std::shared_ptr<femoop::influence::TrainAnalysis> analysis;
         std::optional<Choice> choice;
         femoop::MovingEnvelope envelope;
+        femoop::Magnitudes brought;                         ///< by its trains at most
         std::map<femoop::MemberComponent, Members> members; ///< each when first asked for
         std::optional<std::vector<femoop::influence::TrainEffect>> reactions;
+        std::optional<Look> look; ///< of the picture, once it is drawn
         drawing::EnvelopePicture picture;
         std::vector<femoop::Fault> faults;
     };
     void draw(const drawing::DrawOptions& options) const;
     const std::vector<femoop::influence::TrainEffect>& reactions() const;
     drawing::Bound bound(double value, double noise, const femoop::Train& train) const;
+    femoop::Magnitudes brought_by_trains() const;
     double noise(const femoop::MovingEffect& effect) const;
     drawing::EnvelopeBands bands(femoop::MemberComponent component) const;
 

@@ -170,4 +170,14 @@ private:
     mutable Found found_;
 };
 
+/// The effect that is meant first at a section or at a node, as `AskedLine::ask` takes it; nothing where the model has
+/// not that part.
+template <class Place>
+std::optional<femoop::MovingEffect> foremost_effect(const femoop::Model& model, const Place& place)
+{
+    AskedLine line;
+    line.ask(model, place);
+    return line.effect(model);
+}
+
 } // namespace frame

@@ -15,10 +15,7 @@ bool shows_derivation(const Workspace& workspace) { return workspace.bottom.show
 // From the palette, where the pointer is on no number.
 std::optional<femoop::MovingEffect> pinned_number(const Session& session)
 {
-    if (!session.pin) return std::nullopt;
-    AskedLine line;
-    line.ask(session.model(), *session.pin);
-    return line.effect(session.model());
+    return session.pin ? foremost_effect(session.model(), *session.pin) : std::nullopt;
 }
 
 std::optional<femoop::MovingEffect> meant_number(const Workspace& workspace)

@@ -1,7 +1,8 @@
 #include "apps/frame/session/free_body_commands.h"
 
 #include <variant>
-#include <vector>
+
+#include "apps/frame/document/selected_members.h"
 
 namespace frame {
 
@@ -23,14 +24,6 @@ Reason needs_free_body(const Workspace& workspace)
     return translatable("no free body is shown; press B and click a member or a node");
 }
 
-std::vector<femoop::MemberId> selected_members(const Session& session)
-{
-    std::vector<femoop::MemberId> members;
-    for (const Part& part : session.selection.parts())
-        if (const auto* const member = std::get_if<femoop::MemberId>(&part)) members.push_back(*member);
-    return members;
-}
-
 std::optional<femoop::NodeId> selected_node(const Session& session)
 {
     const std::optional<Part> part = session.selection.only();
@@ -42,7 +35,7 @@ Reason why_not_lift(const Workspace& workspace)
 {
     const Session& session = workspace.session;
     if (auto reason = why_no_free_body(workspace)) return reason;
-    if (selected_node(session) || !selected_members(session).empty()) return std::nullopt;
+    if (selected_node(session) || !selected_members(session.selection).empty()) return std::nullopt;
     return translatable("no node and no member is selected");
 }
 
@@ -50,7 +43,7 @@ void lift_selected(Workspace& workspace)
 {
     Session& session = workspace.session;
     if (const auto node = selected_node(session)) session.free_body.lift(session.model(), *node);
-    else session.free_body.lift(session.model(), selected_members(session));
+    else session.free_body.lift(session.model(), selected_members(session.selection));
     session.selection.clear();
     workspace.tool_controller.select(ToolKind::FreeBody);
 }

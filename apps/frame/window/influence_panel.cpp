@@ -59,7 +59,7 @@ void choose_train(Session& session)
 {
     AskedLine& line = session.influence;
     const std::string now = line.train().name;
-    const std::vector<femoop::Train> trains = session.model().moving_loads.trains;
+    const std::vector<femoop::Train>& trains = session.model().moving_loads.trains;
     if (ImGui::RadioButton((session.tr()("no train") + "###no train").c_str(), now.empty() && !line.is_traced()))
         line.choose_train({});
     if (ImGui::RadioButton((session.tr()("unit load") + "###unit load").c_str(), line.is_traced())) line.trace();

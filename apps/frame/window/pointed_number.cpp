@@ -36,13 +36,6 @@ std::optional<MemberComponent> shown_component(const Subject::Plan& plan, ui::Po
     return panel->show.contains(Show::Deformed) ? std::optional(MemberComponent::v) : std::nullopt;
 }
 
-std::optional<MovingEffect> foremost(const femoop::Model& model, const auto& place)
-{
-    AskedLine line;
-    line.ask(model, place);
-    return line.effect(model);
-}
-
 } // namespace
 
 std::optional<MovingEffect> pointed_number(const Session& session, const NumbersOfPicture& picture, ui::Point at,
@@ -53,12 +46,12 @@ std::optional<MovingEffect> pointed_number(const Session& session, const Numbers
                              !session.influence.is_on(model);
     if (!has_numbers) return std::nullopt;
     if (const auto written = written_number(picture.grips, at)) return written;
-    if (under.node) return foremost(model, *under.node);
-    if (aim.support) return foremost(model, aim.support->node);
+    if (under.node) return foremost_effect(model, *under.node);
+    if (aim.support) return foremost_effect(model, aim.support->node);
     if (!under.cut) return std::nullopt;
     const auto component = shown_component(picture.plan, at, model.analysis);
     const double length = femoop::geometry_of(model, model[under.cut->member]).length;
-    return number_at_section(*under.cut, component.value_or(*foremost(model, *under.cut)->component), length);
+    return number_at_section(*under.cut, component.value_or(*foremost_effect(model, *under.cut)->component), length);
 }
 
 } // namespace frame

@@ -80,10 +80,6 @@ void deformation_slider(Session& session, const FactorLook& look)
         scale = is_automatic ? std::nullopt : std::optional(usual);
 }
 
-} // namespace
-
-namespace {
-
 void show_results(Workspace& workspace, const CommandTable& commands)
 {
     using enum Show;
