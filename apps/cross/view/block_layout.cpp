@@ -80,6 +80,8 @@ private:
         const bool is_flat = std::abs(place.along.y) < 0.5;
         const ui::Point wanted = is_flat ? ui::Point{0.0, down_} : place.joint - request_.middle;
         const ui::Point first = ui::dot(normal, wanted) >= -1e-6 ? normal : -normal;
+        if (is_flat && place.side != BeamSide::Either)
+            return {(first.y > 0.0) == (place.side == BeamSide::Below) ? first : -first};
         if (row > 0 && !is_flat && rows_.inside == Rows::Inside::Avoided) return {first};
         return {first, -first};
     }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <functional>
 #include <optional>
 #include <vector>
@@ -9,6 +10,9 @@
 
 namespace cross {
 
+/// Of a beam, where its column is to stand.
+enum class BeamSide : std::uint8_t { Either, Below, Above };
+
 /// One member end on the sheet, looking for room for its column of numbers.
 struct EndPlace {
     femoop::cross::EndId end;
@@ -17,6 +21,7 @@ struct EndPlace {
     double length = 0.0;     ///< of the member on the sheet
     std::size_t n_spare = 0; ///< lines that its column has less than the longest
     bool has_box = true;     ///< room for that of the factor, between name and numbers
+    BeamSide side = BeamSide::Either;
 };
 
 /// Where the columns stand.

@@ -60,28 +60,52 @@ std::vector<WrittenText> texts_of(const ui::Painter& painter)
     return std::move(collector.texts);
 }
 
-Arrangement of_beam(ui::Painter& painter, const drawing::StructureShape& shape, const Scene& scene)
+Arrangement with_columns(ui::Painter& painter, const drawing::StructureShape& shape, const Scene& scene,
+                         BeamColumns columns)
 {
-    Arrangement arrangement;
+    Arrangement arrangement{.columns = columns};
     const Panels whole = panels_for(shape, painter.size(), scene.look.full_theme(), arrangement);
     arrangement.bays = sheet_bays(painter, whole.sheet, scene);
-    arrangement.loaded = view_of_loads(whole.structure, scene, painter.fonts());
     return arrangement;
 }
 
-/// The small pictures stand over the sheet where only so its numbers are read from the last row, or more nearly.
+/// Columns stand above the beam too where only so all of them are read.
+Arrangement of_beam(ui::Painter& painter, const drawing::StructureShape& shape, const Scene& scene)
+{
+    const ui::Theme theme = scene.look.full_theme();
+    Arrangement below = with_columns(painter, shape, scene, BeamColumns::Below);
+    Arrangement in_turn = with_columns(painter, shape, scene, BeamColumns::InTurn);
+    Look look = scene.look;
+    look.zoom = {.is_of_sheet = true};
+    const Scene whole{scene.document, scene.solution, scene.state, scene.phase, {}, look};
+    const auto fits = [&](const Arrangement& one) {
+        return is_legible(painter, panels_for(shape, painter.size(), theme, one).sheet, whole);
+    };
+    Arrangement best = !fits(below) && fits(in_turn) ? std::move(in_turn) : std::move(below);
+    const Panels panels = panels_for(shape, painter.size(), theme, best);
+    best.loaded = view_of_loads(panels.structure, scene, painter.fonts());
+    return best;
+}
+
+/// The small pictures stand over the sheet, or are narrower, where only so its numbers are read from the last row, or
+/// more nearly.
 Arrangement of_frame(ui::Painter& painter, const drawing::StructureShape& shape, const Scene& scene)
 {
     const ui::Theme theme = scene.look.full_theme();
     Arrangement best{.small_share = share_of_small_pictures(shape)};
-    FittedSheet fitted = fitted_sheet(painter, panels_for(shape, painter.size(), theme, best).sheet, scene);
-    if (fitted.layout.type < legible_type(theme)) {
-        Arrangement above = best;
-        above.small = SmallPictures::Above;
-        FittedSheet other = fitted_sheet(painter, panels_for(shape, painter.size(), theme, above).sheet, scene);
-        if (is_better(other.layout, fitted.layout)) best = above, fitted = std::move(other);
+    const auto sheet_of = [&](const Arrangement& one) { return panels_for(shape, painter.size(), theme, one).sheet; };
+    FittedSheet fitted = fitted_sheet(painter, sheet_of(best), scene);
+    Arrangement above = best, narrow = best;
+    above.small = SmallPictures::Above;
+    narrow.small_share = 0.0;
+    narrow.small_ems = 9.0;
+    for (const Arrangement& one : {above, narrow}) {
+        if (fitted.layout.type >= legible_type(theme)) break;
+        FittedSheet other = fitted_sheet(painter, sheet_of(one), scene);
+        if (is_better(other.layout, fitted.layout)) best = one, fitted = std::move(other);
     }
     best.room = fitted.room;
+    best.storeys = fitted.storeys;
     best.loaded = view_of_loads(panels_for(shape, painter.size(), theme, best).structure, scene, painter.fonts());
     return best;
 }
@@ -89,6 +113,12 @@ Arrangement of_frame(ui::Painter& painter, const drawing::StructureShape& shape,
 Arrangement arrangement_of(ui::Painter& painter, const drawing::StructureShape& shape, const Scene& scene)
 {
     return is_beam(shape) ? of_beam(painter, shape, scene) : of_frame(painter, shape, scene);
+}
+
+void draw_forces(ui::Painter& painter, const Panel& panel, const Scene& scene)
+{
+    if (scene.look.shears) draw_shear_state(painter, panel, scene);
+    else draw_moment_state(painter, panel, scene);
 }
 
 } // namespace
@@ -132,8 +162,7 @@ Drawn draw(ui::Painter& painter, const Scene& scene)
     for (std::size_t n = 0; n < shape.nodes.size(); ++n)
         drawn.nodes.push_back({femoop::NodeId(n), panels.structure.at(shape.nodes[n])});
     if (panels.has_deformed()) draw_deformed_state(painter, panels.deformed, scene);
-    if (scene.look.shears) draw_shear_state(painter, panels.moments, scene);
-    else draw_moment_state(painter, panels.moments, scene);
+    if (panels.has_moments()) draw_forces(painter, panels.moments, scene);
     const DrawnSheet sheet = draw_sheet(painter, panels.sheet, scene);
     drawn.way_to_turn = sheet.way_to_turn;
     drawn.sheet_type = sheet.type;

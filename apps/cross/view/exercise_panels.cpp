@@ -71,9 +71,13 @@ Panels panels_without_zoom(const drawing::StructureShape& shape, ui::Size size, 
 
 } // namespace
 
-Panels exercise_panels(const drawing::StructureShape& shape, ui::Size size, const Scene& scene, const SheetRoom& room)
+Panels exercise_panels(const drawing::StructureShape& shape, ui::Size size, const Scene& scene, const SheetRoom& room,
+                       BeamColumns columns)
 {
     Panels panels = panels_without_zoom(shape, size, scene, room);
+    const ui::Theme theme = scene.look.full_theme();
+    if (columns == BeamColumns::InTurn)
+        let_columns_stand_in_turn(panels.sheet, shape, theme, lines_below(scene) * theme.type().normal);
     look_closer(panels, shape, {});
     return panels;
 }

@@ -101,7 +101,8 @@ private:
         return {.ems = column_width(type) / type,
                 .largest_type = type,
                 .least_type = least_cells,
-                .support = support_reach(theme_)};
+                .support = support_reach(theme_),
+                .n_rows = panel_.columns == BeamColumns::InTurn ? 2u : 1u};
     }
 
     double breadth_of_beam(const std::vector<Bay>& bays) const
@@ -510,16 +511,32 @@ void draw_cells(ui::Painter& painter, const Panel& panel, const Scene& scene, Dr
                     scene.look.tr("some cells have no room here; Tab reaches them, and the panel has them"));
 }
 
+/// Above the beam too where only so all cells are read from the last row.
+Panels best_beam(ui::Painter& painter, const Scene& scene, const drawing::StructureShape& shape)
+{
+    const auto panels_with = [&](BeamColumns columns) {
+        Drawn nothing;
+        Panels panels = exercise_panels(shape, painter.size(), scene, {}, columns);
+        panels.sheet.bays = WorksheetWriter(painter, panels.sheet, scene, nothing).bays();
+        return panels;
+    };
+    const auto is_read = [&](const Panels& panels) {
+        Drawn nothing;
+        const BlockLayout layout = WorksheetWriter(painter, panels.sheet, scene, nothing).layout();
+        const bool is_whole = std::ranges::all_of(layout.boxes, [](const auto& box) { return box.has_value(); });
+        return is_whole && layout.type >= legible_type(scene.look.full_theme());
+    };
+    Panels below = panels_with(BeamColumns::Below), in_turn = panels_with(BeamColumns::InTurn);
+    return !is_read(below) && is_read(in_turn) ? in_turn : below;
+}
+
 /// A frame is drawn smaller where that makes its cells larger.
 Panels best_panels(ui::Painter& painter, const Scene& scene)
 {
     const drawing::StructureShape shape = drawing::shape_of(scene.document.model);
+    if (is_beam(shape)) return best_beam(painter, scene, shape);
     Drawn nothing;
     Panels best = exercise_panels(shape, painter.size(), scene, {});
-    if (is_beam(shape)) {
-        best.sheet.bays = WorksheetWriter(painter, best.sheet, scene, nothing).bays();
-        return best;
-    }
     BlockLayout layout = WorksheetWriter(painter, best.sheet, scene, nothing).layout();
     for (const SheetRoom& room : rooms_tried(scene.look.full_theme())) {
         Panels other = exercise_panels(shape, painter.size(), scene, room);

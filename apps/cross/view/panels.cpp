@@ -4,6 +4,7 @@
 #include <array>
 #include <cstdint>
 #include <numeric>
+#include <span>
 #include <vector>
 
 #include "apps/cross/view/numbers.h"
@@ -67,15 +68,18 @@ void draw_out(Panel& panel, Extent extent, double em, const SheetRoom& room = {}
     if (natural > 0.0) panel.stretch = std::clamp(height / natural, least, most);
     extent.low.y *= panel.stretch;
     extent.high.y *= panel.stretch;
-    panel.camera = camera_over(extent, panel.box.size(), margins);
+    if (panel.storeys.is_to_scale()) panel.camera = camera_over(extent, panel.box.size(), margins);
+    else panel.camera.fit(std::array{extent.low, extent.high}, panel.box.size(), margins);
 }
 
 constexpr double lines_of_loads = 14.2; // title, value, arrows, beam, dimension lines
 
 /// What a beam's sheet lacks on a low projector for columns that the last row reads.
-double lacking(double height, const ui::Theme& theme)
+double lacking(double height, const ui::Theme& theme, BeamColumns columns)
 {
-    constexpr double lines = 12.2; // title, beam, head, three numbers and the sum
+    constexpr double below = 12.2;   // lines: title, beam, head, three numbers and the sum
+    constexpr double in_turn = 17.4; // title, beam, twice head, two numbers and the sum
+    const double lines = columns == BeamColumns::Below ? below : in_turn;
     return legible_type(theme) > 0.0 ? std::max(0.0, lines * theme.type().normal - height) : 0.0;
 }
 
@@ -83,37 +87,62 @@ using Heights = std::array<double, 3>; // of structure, deformed shape and momen
 
 double total(const Heights& heights) { return std::accumulate(heights.begin(), heights.end(), 0.0); }
 
-/// The pictures give so much of what they can spare.
-Heights spared(Heights heights, double wanted, const Heights& least)
+constexpr Heights least_lines{10.5, 4.7, 6.5}; // of type, in the pictures over a beam's sheet on a low projector
+
+/// Those that are shown, for a size of type.
+Heights at_least(Heights heights, double type)
+{
+    for (std::size_t i = 0; i < heights.size(); ++i)
+        if (heights[i] > 0.0) heights[i] = std::max(heights[i], type * least_lines[i]);
+    return heights;
+}
+
+/// The pictures give so much of what they can spare in a size of type.
+Heights spared(Heights heights, double wanted, double type)
 {
     Heights spare{};
-    for (std::size_t i = 0; i < heights.size(); ++i) spare[i] = std::max(0.0, heights[i] - least_afar * least[i]);
+    for (std::size_t i = 0; i < heights.size(); ++i) spare[i] = std::max(0.0, heights[i] - type * least_lines[i]);
     const double share = std::min(1.0, wanted / std::max(total(spare), 1e-9));
     for (std::size_t i = 0; i < heights.size(); ++i) heights[i] -= share * spare[i];
     return heights;
 }
 
-/// What the sheet lacks they give; a narrow one that lacks more, as between the panels, takes the deformed shape's room.
-Heights heights_above(ui::Size size, const ui::Theme& theme)
+/// What the sheet lacks they give, as long as their values are as large as the panels' text. Between the panels the
+/// deformed shape leaves its room to it where it lacks more, then the moments; where that is not enough, and in a
+/// whole window, values are as small as the last row reads.
+Heights heights_above(ui::Size size, const ui::Theme& theme, BeamColumns columns)
 {
-    constexpr Heights least{10.5, 4.7, 6.5}; // lines of type that the last row reads
-    constexpr double narrow = 40.0;          // ems
+    constexpr double narrow = 40.0; // ems
     const double height = size.height, em = theme.type().normal;
     const double first_share = std::clamp(lines_of_loads * em / height, 0.24, 0.305);
     const double less = 0.25 * (first_share - 0.24);
-    Heights usual{first_share * height, (0.16 - less) * height, (0.20 - less) * height};
-    const auto given = [&] { return spared(usual, lacking(height - total(usual), theme), least); };
-    const Heights heights = given();
-    if (lacking(height - total(heights), theme) <= 0.0 || size.width > narrow * em) return heights;
-    usual[1] = 0.0;
-    return given();
+    const Heights usual{first_share * height, (0.16 - less) * height, (0.20 - less) * height};
+    const bool is_narrow = size.width <= narrow * em;
+    const std::array fewer{usual, Heights{usual[0], 0.0, usual[2]}, Heights{usual[0], 0.0, 0.0}};
+    Heights heights = usual;
+    if (legible_type(theme) == 0.0) return heights;
+    for (const double type : {em, least_afar})
+        for (const Heights& some : std::span(fewer).first(is_narrow ? fewer.size() : 1)) {
+            const Heights all = at_least(some, type);
+            heights = spared(all, lacking(height - total(all), theme, columns), type);
+            if (lacking(height - total(heights), theme, columns) <= 0.0) return heights;
+        }
+    return heights;
 }
 
-Panels stacked(const Extent& extent, ui::Size sheet, const ui::Theme& theme)
+/// Below the heading.
+void put_beam(Panel& sheet, const Extent& extent, double margin, const ui::Theme& theme)
+{
+    constexpr double usual = 2.9, high = 2.45, long_title = 30.0; // ems below the top of the sheet, in width
+    const double em = theme.type().normal, height = sheet.box.height();
+    const bool is_low = lacking(height, theme, BeamColumns::Below) > 0.0 && sheet.box.width() > long_title * em;
+    sheet.camera = beam_camera(extent, sheet.box.size(), margin, (is_low ? high : usual) * em);
+}
+
+Panels stacked(const Extent& extent, ui::Size sheet, const ui::Theme& theme, BeamColumns columns)
 {
     const double em = theme.type().normal, margin = std::min(4.6 * em, 0.1 * sheet.width);
     constexpr double lines_below_beam = 7.1; // supports, dimension lines and the text of the lower one
-    constexpr double usual_beam = 2.9, high_beam = 2.45, long_title = 30.0; // ems below the top of the sheet, in width
     Panels panels{.is_stacked = true};
     double top = 0.0;
     const auto next = [&](Panel& panel, double height, double middle) {
@@ -121,24 +150,26 @@ Panels stacked(const Extent& extent, ui::Size sheet, const ui::Theme& theme)
         panel.camera = beam_camera(extent, panel.box.size(), margin, middle);
         top += height;
     };
-    const auto [first, second, third] = heights_above(sheet, theme); // dimension lines keep their size
+    const auto [first, second, third] = heights_above(sheet, theme, columns); // dimension lines keep their size
     next(panels.structure, first, first - lines_below_beam * std::min(em, first / lines_of_loads));
     next(panels.deformed, second, 0.56 * second);
     next(panels.moments, third, 0.56 * third);
-    const bool is_low = lacking(sheet.height - top, theme) > 0.0 && sheet.width > long_title * em;
-    next(panels.sheet, sheet.height - top, (is_low ? high_beam : usual_beam) * em);
-    panels.structure.ems_high = lines_of_loads;
-    panels.deformed.ems_high = 7.0;
-    panels.moments.ems_high = 9.0;
+    panels.sheet.box = {{0.0, top}, {sheet.width, sheet.height}};
+    put_beam(panels.sheet, extent, margin, theme);
+    const bool is_afar = legible_type(theme) > 0.0;
+    const Heights lines = is_afar ? Heights{least_lines[0], 6.0, least_lines[2]} : Heights{lines_of_loads, 7.0, 9.0};
+    panels.structure.ems_high = lines[0];
+    panels.deformed.ems_high = lines[1];
+    panels.moments.ems_high = lines[2];
     return panels;
 }
 
 /// Of the theme's type, where there is little room; on the projector the last row reads it.
 double share_of_type(const Panel& panel, const ui::Theme& theme)
 {
-    constexpr double enough = 24.0, least_type = 11.0; // of the panel's width in ems
-    const double em = theme.type().normal;
-    const double least = theme.name() == ui::ThemeName::Projector ? least_afar : least_type;
+    const bool is_afar = legible_type(theme) > 0.0;
+    const double enough = is_afar ? 21.0 : 24.0; // of the panel's width in ems
+    const double em = theme.type().normal, least = is_afar ? least_afar : 11.0;
     const double room = std::min(panel.box.width() / enough, panel.box.height() / panel.ems_high);
     return std::clamp(room / em, std::min(1.0, least / em), 1.0);
 }
@@ -146,9 +177,9 @@ double share_of_type(const Panel& panel, const ui::Theme& theme)
 /// The boxes of the three small pictures and of the sheet.
 Panels divided(ui::Size sheet, const ui::Theme& theme, const Arrangement& arrangement)
 {
-    constexpr double least = 10.0, share_of_row = 0.27; // ems of a small picture, of the height
+    constexpr double share_of_row = 0.27; // of the height
     const bool is_column = arrangement.small == SmallPictures::Left;
-    const double left = std::max(arrangement.small_share * sheet.width, least * theme.type().normal);
+    const double left = std::max(arrangement.small_share * sheet.width, arrangement.small_ems * theme.type().normal);
     const ui::Size size = is_column ? ui::Size{left, sheet.height / 3.0}
                                     : ui::Size{sheet.width / 3.0, share_of_row * sheet.height};
     const ui::Point next = is_column ? ui::Point{0.0, size.height} : ui::Point{size.width, 0.0};
@@ -165,14 +196,18 @@ Panels divided(ui::Size sheet, const ui::Theme& theme, const Arrangement& arrang
 Panels beside(const Extent& extent, ui::Size sheet, const ui::Theme& theme, const Arrangement& arrangement)
 {
     constexpr double usual_above = 5.2, moments_above = 6.6; // ems: fixed-end moments are the largest of all
+    constexpr double usual_side = 5.0, moments_side = 7.0;   // ems: a foot's value stands beyond its ordinate
     const double em = theme.type().normal;
     Panels panels = divided(sheet, theme, arrangement);
     for (Panel* const panel : {&panels.structure, &panels.deformed, &panels.moments}) {
         panel->ems_high = 13.0;
         const double own = share_of_type(*panel, theme) * em;
-        const double above = panel == &panels.moments ? moments_above : usual_above;
-        panel->camera = camera_over(extent, panel->box.size(), {5.0 * own, above * own, 5.0 * own, 3.4 * own});
+        const bool has_moments = panel == &panels.moments;
+        const double above = own * (has_moments ? moments_above : usual_above);
+        const double side = own * (has_moments ? moments_side : usual_side);
+        panel->camera = camera_over(extent, panel->box.size(), {side, above, side, 3.4 * own});
     }
+    panels.sheet.storeys = arrangement.storeys;
     draw_out(panels.sheet, extent, em, arrangement.room);
     return panels;
 }
@@ -214,6 +249,14 @@ Panel panel_alone(Part part, const drawing::StructureShape& shape, ui::Size shee
         panel.camera = camera_over(extent, sheet, {7.0 * em, 5.2 * em, 7.0 * em, foot});
     }
     return panel;
+}
+
+void let_columns_stand_in_turn(Panel& sheet, const drawing::StructureShape& shape, const ui::Theme& theme, double foot)
+{
+    constexpr double heading = 1.8, side = 0.6; // ems
+    const double em = theme.type().normal, middle = 0.5 * (heading * em + sheet.box.height() - foot);
+    sheet.columns = BeamColumns::InTurn;
+    sheet.camera = beam_camera(extent_of(shape), sheet.box.size(), side * em, middle);
 }
 
 bool is_beam(const drawing::StructureShape& shape) { return is_flat(extent_of(shape)); }
@@ -270,15 +313,15 @@ namespace {
 /// What was in the middle makes room for what the zoom looks at.
 void look_closer(Panel& panel, const Eigen::Vector2d& own, const Zoom& zoom)
 {
-    const ui::Point middle = panel.camera.to_sheet({panel.bays(own.x()), panel.stretch * own.y()});
+    const ui::Point middle = panel.camera.to_sheet({panel.bays(own.x()), panel.stretch * panel.storeys(own.y())});
     const Eigen::Vector2d at = zoom.middle.value_or(own);
     const double scale = zoom.factor * panel.camera.scale();
     const ui::Point corner = panel.box.min, end = panel.box.max - corner;
     const ui::World2 low = panel.camera.to_world({}), high = panel.camera.to_world(end);
     panel.is_zoomed = true;
     panel.zoom = zoom.factor;
-    panel.camera = ui::PlaneCamera({middle.x - scale * panel.bays(at.x()), middle.y + scale * panel.stretch * at.y()},
-                                   scale);
+    panel.camera = ui::PlaneCamera(
+        {middle.x - scale * panel.bays(at.x()), middle.y + scale * panel.stretch * panel.storeys(at.y())}, scale);
     panel.whole = {corner + panel.camera.to_sheet(low), corner + panel.camera.to_sheet(high)};
 }
 
@@ -294,7 +337,10 @@ Panels panels_for(const drawing::StructureShape& shape, ui::Size sheet, const ui
                   const Arrangement& arrangement)
 {
     const Extent extent = extent_of(shape);
-    Panels panels = is_flat(extent) ? stacked(extent, sheet, theme) : beside(extent, sheet, theme, arrangement);
+    Panels panels = is_flat(extent) ? stacked(extent, sheet, theme, arrangement.columns)
+                                    : beside(extent, sheet, theme, arrangement);
+    if (is_flat(extent) && arrangement.columns == BeamColumns::InTurn)
+        let_columns_stand_in_turn(panels.sheet, shape, theme);
     if (arrangement.loaded) panels.structure.take(*arrangement.loaded);
     panels.sheet.bays = arrangement.bays;
     look_closer(panels, shape, arrangement.zoom);
@@ -324,15 +370,19 @@ std::vector<SheetRoom> rooms_tried(const ui::Theme& theme)
 
 namespace {
 
-/// A beam's columns hang down from it and grow with the zoom, so its sheet moves up and down, as far as they reach.
+/// A beam's columns hang down from it, or stand on it too, and grow with the zoom, so its sheet moves up and down, as
+/// far as they reach.
 /// \returns how it was taken
 Zoom look_closer_at_columns(Panel& sheet, const Eigen::Vector2d& own, Zoom zoom)
 {
     const double height = sheet.box.height(), growth = std::max(1.0, zoom.factor);
-    const double scale = zoom.factor * sheet.camera.scale(), lowest = (growth - 1.0) * height / scale;
-    if (zoom.middle) zoom.middle->y() = std::clamp(zoom.middle->y(), own.y() - lowest, own.y());
+    const double scale = zoom.factor * sheet.camera.scale();
+    const double beam = sheet.camera.to_sheet({own.x(), own.y()}).y;
+    const double above = (growth - 1.0) * (sheet.columns == BeamColumns::InTurn ? beam : 0.0);
+    const double below = (growth - 1.0) * height - above;
+    if (zoom.middle) zoom.middle->y() = std::clamp(zoom.middle->y(), own.y() - below / scale, own.y() + above / scale);
     look_closer(sheet, own, zoom);
-    sheet.whole.min.y = sheet.box.min.y + (zoom.middle ? scale * (zoom.middle->y() - own.y()) : 0.0);
+    sheet.whole.min.y = sheet.box.min.y - above + (zoom.middle ? scale * (zoom.middle->y() - own.y()) : 0.0);
     sheet.whole.max.y = sheet.whole.min.y + growth * height;
     return zoom;
 }
@@ -392,7 +442,7 @@ ui::Theme theme_of_marks(const Panel& panel, const Look& look)
     return theme_in(panel, look).scaled(std::clamp(panel.zoom, 1.0, most));
 }
 
-Drawn::View view_of(const Panel& panel) { return {panel.box, panel.camera, panel.stretch, panel.bays}; }
+Drawn::View view_of(const Panel& panel) { return {panel.box, panel.camera, panel.stretch, panel.bays, panel.storeys}; }
 
 void draw_borders(ui::Painter& painter, const Panels& panels, const ui::Theme& theme)
 {
@@ -483,7 +533,8 @@ Sketched sketched(ui::Painter& painter, const Panel& panel, const Scene& scene, 
     femoop::Model model = scene.document.model;
     for (femoop::Node& node : model.nodes) {
         if (!panel.bays.is_to_scale()) node.at[0] = femoop::Quantity(panel.bays(node.at[0].value()));
-        if (panel.stretch != 1.0) node.at[1] = femoop::Quantity(panel.stretch * node.at[1].value());
+        if (panel.stretch != 1.0 || !panel.storeys.is_to_scale())
+            node.at[1] = femoop::Quantity(panel.stretch * panel.storeys(node.at[1].value()));
     }
     const drawing::StructureShape shape = drawing::shape_of(model);
     drawing::DrawOptions options;

@@ -18,12 +18,18 @@ struct LoadedView {
     double arrows = 1.0; ///< height of the largest load, of the usual
 };
 
+/// How the columns of a beam's sheet stand: all below it, or those of every second joint above it, so that more of
+/// them have room beside each other.
+enum class BeamColumns : std::uint8_t { Below, InTurn };
+
 /// Where one of the four pictures stands, and how it looks at the structure.
 struct Panel {
     ui::Box box;
     ui::PlaneCamera camera; ///< within the box
     double stretch = 1.0;   ///< of heights: a calculation's sketch need not be to scale
     BayScale bays;          ///< of lengths, likewise
+    BayScale storeys;       ///< of heights, likewise
+    BeamColumns columns = BeamColumns::Below;
     bool is_zoomed = false;
     double zoom = 1.0;     ///< how much larger than the whole structure would be
     ui::Box whole;         ///< what of the picture would be seen of the whole structure, at this zoom
@@ -31,10 +37,12 @@ struct Panel {
     double title = 0.0;    ///< height of its title, where it is known: labels stand below
     double arrows = 1.0;   ///< as in LoadedView
 
+    /// Columns take no more room than they need.
+    bool is_tight() const { return columns == BeamColumns::InTurn || !storeys.is_to_scale(); }
     void take(const LoadedView& loaded) { camera = loaded.camera, arrows = loaded.arrows; }
     ui::Point at(const Eigen::Vector3d& place) const
     {
-        return box.min + camera.to_sheet({bays(place.x()), stretch * place.y()});
+        return box.min + camera.to_sheet({bays(place.x()), stretch * storeys(place.y())});
     }
 };
 
@@ -44,8 +52,9 @@ struct Panels {
     Zoom zoom{};             ///< as far as there is something to see
 
     const Panel& operator[](Part part) const;
-    /// On a low projector a beam's sheet takes its room between the panels.
+    /// On a low projector a beam's sheet takes their room between the panels.
     bool has_deformed() const { return deformed.box.height() > 0.0; }
+    bool has_moments() const { return moments.box.height() > 0.0; }
 };
 
 /// The left share of the width that the small pictures of a frame take: less where the sheet has many columns.
@@ -67,9 +76,11 @@ enum class SmallPictures : std::uint8_t { Left, Above };
 /// What the pictures' arrangement depends on but for the structure and the room.
 struct Arrangement {
     Zoom zoom{};
-    double small_share = 0.34;
+    double small_share = 0.34, small_ems = 10.0; ///< breadth of a frame's small pictures, and at least
     SmallPictures small = SmallPictures::Left;
-    BayScale bays{};                    ///< of a beam's sheet
+    BayScale bays{}; ///< of a beam's sheet
+    BeamColumns columns = BeamColumns::Below;
+    BayScale storeys{};                 ///< of a frame's sheet
     SheetRoom room{};                   ///< of a frame's sheet
     std::optional<LoadedView> loaded{}; ///< where the marks are known
 };
@@ -83,6 +94,11 @@ void make_room_for_reactions(Panels& panels, const drawing::StructureShape& shap
 void make_room(Panel& sheet, const drawing::StructureShape& shape, const ui::Theme& theme, const SheetRoom& room);
 /// The middle of the structure's extent.
 Eigen::Vector2d middle_of(const drawing::StructureShape& shape);
+
+/// A beam in the middle of its sheet, over the whole breadth, so that columns have room above it too.
+/// \param foot  of the sheet, that they leave free [px]
+void let_columns_stand_in_turn(Panel& sheet, const drawing::StructureShape& shape, const ui::Theme& theme,
+                               double foot = 0.0);
 
 /// A structure so much longer than high that its pictures stand one below the other.
 bool is_beam(const drawing::StructureShape& shape);

@@ -77,12 +77,15 @@ struct Drawn {
         ui::Box box;
         ui::PlaneCamera camera;
         double stretch = 1.0;
-        BayScale bays;
+        BayScale bays, storeys;
 
         /// In lengths as the picture has them, which need not be the structure's.
         Eigen::Vector2d drawn_at(ui::Point at) const;
-        Eigen::Vector2d drawn(Eigen::Vector2d place) const { return {bays(place.x()), place.y()}; }
-        Eigen::Vector2d place(Eigen::Vector2d drawn) const { return {bays.inverse(drawn.x()), drawn.y()}; }
+        Eigen::Vector2d drawn(Eigen::Vector2d place) const { return {bays(place.x()), storeys(place.y())}; }
+        Eigen::Vector2d place(Eigen::Vector2d drawn) const
+        {
+            return {bays.inverse(drawn.x()), storeys.inverse(drawn.y())};
+        }
         Zoom drawn(const Zoom& zoom) const;
         Zoom place(const Zoom& zoom) const;
     };

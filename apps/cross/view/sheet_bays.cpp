@@ -70,7 +70,11 @@ std::vector<Bay> bays_of(const drawing::StructureShape& shape, const femoop::cro
     for (const femoop::cross::EndId end : ends) {
         if (!problem[end].member) continue;
         const drawing::MemberShape& member = shape[*problem[end].member];
-        for (Bay& bay : bays) bay.n_columns += is_filled_by(bay, member) ? 1 : 0;
+        for (Bay& bay : bays) {
+            if (!is_filled_by(bay, member)) continue;
+            ++bay.n_columns;
+            bay.is_overhang = problem.members[problem[end].member->index].is_overhang;
+        }
     }
     return bays;
 }
@@ -80,8 +84,10 @@ double breadth_needed(const Bay& bay, const ColumnNeeds& needs, double type)
     if (bay.n_columns == 0) return 0.0;
     const double gap = 0.55 * type; // then in steps of half the type
     const double steps = std::max(0.0, std::ceil((needs.support + 1.0 - gap) / (0.5 * type)));
-    const double beside = gap + 0.5 * steps * type, between = 0.2 * type;
-    return static_cast<double>(bay.n_columns) * needs.ems * type + 2.0 * beside + between;
+    const double by_support = gap + 0.5 * steps * type, between = 0.2 * type;
+    const double beside = by_support + (bay.is_overhang ? gap : by_support);
+    const std::size_t in_row = (bay.n_columns + needs.n_rows - 1) / needs.n_rows;
+    return static_cast<double>(in_row) * needs.ems * type + beside + between;
 }
 
 double breadth_needed(const std::vector<Bay>& bays, const ColumnNeeds& needs, double type)

@@ -12,13 +12,15 @@ struct ColumnNeeds {
     double ems = 5.0;           ///< breadth of a column, of its size of type
     double largest_type = 13.0; ///< of the numbers
     double least_type = 9.0;
-    double support = 12.0; ///< half a support's breadth, which columns keep off [px]
+    double support = 12.0;  ///< half a support's breadth, which columns keep off [px]
+    std::size_t n_rows = 1; ///< 2: below the beam and above it
 };
 
 /// One span of a beam's sheet.
 struct Bay {
     double start = 0.0, end = 0.0; ///< places along the beam
     std::size_t n_columns = 0;
+    bool is_overhang = false; ///< with a support at one end alone
 };
 
 /// Spans from node to node, with the columns that these ends have there.

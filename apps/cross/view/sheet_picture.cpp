@@ -10,6 +10,7 @@
 #include "apps/cross/view/sheet_bays.h"
 #include "apps/cross/view/sheet_parts.h"
 #include "apps/cross/view/sheet_places.h"
+#include "apps/cross/view/sheet_storeys.h"
 #include "apps/drawing/sheet/legend.h"
 #include "apps/drawing/structure/members.h"
 #include "apps/drawing/structure/supports.h"
@@ -24,12 +25,19 @@ namespace {
 
 constexpr std::size_t most_ends_at_once = 80;
 constexpr std::size_t least_lines = 4; // of a column, which grows by so many at once
+constexpr std::size_t shortest = 2;    // likewise, where longer ones have no room for the last row
 constexpr double most_magnified = 4.0; // of numbers that a zoom enlarges
 constexpr double usual_above = 1.8;    // ems that columns keep from the top, for the title
-constexpr double foot = 0.5;           // ems that a beam's columns keep from the bottom
+constexpr double border = 0.3;         // ems that columns keep from the edges of their picture
+constexpr double beam_foot = 0.5;      // likewise those below a beam from the bottom
 constexpr double balances_until = 0.6; // of a turn's phase; then the carry-overs fly
 
 std::string title_of(const Scene& scene, bool has_key);
+
+bool is_whole(const BlockLayout& layout)
+{
+    return std::ranges::all_of(layout.boxes, [](const auto& box) { return box.has_value(); });
+}
 
 /// Writes one sheet into its boxes.
 class SheetWriter {
@@ -80,12 +88,20 @@ public:
         return layout_;
     }
 
+    /// Of a column where there is little room.
+    double tight_width(double type)
+    {
+        widest_ = widest_foreseen();
+        return type * (widest_ + 0.6);
+    }
+
     ColumnNeeds column_needs() const
     {
         return {.ems = column_width(1.0),
                 .largest_type = largest_type(),
                 .least_type = BlockRequest().least_type,
-                .support = support_reach(theme_)};
+                .support = support_reach(theme_),
+                .n_rows = panel_.columns == BeamColumns::InTurn ? 2u : 1u};
     }
 
     DrawnSheet report() const
@@ -106,7 +122,7 @@ public:
     double legible() const
     {
         const double least = legible_type(scene_.look.full_theme());
-        return std::max(BlockRequest().least_type, is_beam(shape_) ? std::min(least, type_below_beam()) : least);
+        return std::max(BlockRequest().least_type, is_beam(shape_) ? std::min(least, type_beside_beam()) : least);
     }
 
 private:
@@ -160,7 +176,7 @@ private:
         const auto is_balanced = [this](const EndPlace& place) { return has_factor(place.end); };
         std::stable_partition(request.places.begin(), request.places.end(), is_balanced); // joints have most to write
         const double em = theme_in(panel_, scene_.look).type().normal;
-        request.room = panel_.whole.grown(-0.3 * em);
+        request.room = panel_.whole.grown(-border * em);
         request.room.min.y += std::max(usual_above, above_) * em;
         if (request.places.size() > most_ends_at_once) request.room = in_sight(request.room);
         request.walls = walls_in(panel_, shape_);
@@ -171,13 +187,17 @@ private:
         const bool is_enlarged = scene_.look.zoom.is_of_sheet; // a beam along its axis
         if (is_beam(shape_) && (is_read_from_afar() || is_enlarged)) request.n_rows = 1;
         if (is_beam(shape_) && is_enlarged)
-            request.room.max.y = std::min(request.room.max.y, panel_.box.max.y - foot * em);
+            request.room.max.y = std::min(request.room.max.y, panel_.box.max.y - foot() * em);
         if (is_beam(shape_)) request.hardly_smaller = 0.65; // columns of a beam are read along it
         request.most_lines = n_lines;
         request.fewest_lines = std::min(n_lines, fewest_lines());
         request.width_of = [this](double type) { return column_width(type); };
         request.middle = middle_of(panel_, shape_);
         layout_ = laid_out(request);
+        if (is_read_from_afar() && !is_whole(layout_)) {
+            request.fewest_lines = std::min(n_lines, shortest);
+            layout_ = laid_out(request);
+        }
         taken_ = std::move(request.obstacles);
         room_ = request.room;
         std::vector<std::optional<ui::Box>> by_end(problem_.ends.size());
@@ -185,13 +205,19 @@ private:
         layout_.boxes = std::move(by_end);
     }
 
-    /// Of the shortest columns that reach from a beam to the foot of its picture, which no zoom makes higher.
-    double type_below_beam() const
+    double foot() const { return panel_.columns == BeamColumns::InTurn ? border : beam_foot; }
+
+    /// Of the shortest columns that reach from a beam to the foot of its picture, which no zoom makes higher, and to the
+    /// heading where some stand above it.
+    double type_beside_beam() const
     {
-        const double em = theme_in(panel_, scene_.look).type().normal;
-        const double height = panel_.box.max.y - foot * em - panel_.at(shape_.nodes.front()).y;
-        const double ems = column_gap + head_height + line_height * static_cast<double>(fewest_lines()) + total_height;
-        return (height - 1.0) / ems; // a pixel to spare
+        const double em = theme_in(panel_, scene_.look).type().normal, beam = panel_.at(shape_.nodes.front()).y;
+        const bool is_in_turn = panel_.columns == BeamColumns::InTurn;
+        const double below = panel_.box.max.y - foot() * em - beam;
+        const double above = is_in_turn ? beam - panel_.box.min.y - (border + usual_above) * em : below;
+        const double lines = static_cast<double>(is_in_turn ? shortest : fewest_lines());
+        const double ems = column_gap + head_height + line_height * lines + total_height;
+        return (std::min(below, above) - (is_in_turn ? 0.1 : 1.0)) / ems; // something to spare
     }
 
     double largest_type() const
@@ -219,7 +245,7 @@ private:
     /// From afar rather in larger type than with more lines.
     std::size_t fewest_lines() const { return is_read_from_afar() ? least_lines - 1 : least_lines; }
 
-    double column_width(double type) const { return type * (widest_ + 0.9); }
+    double column_width(double type) const { return type * (widest_ + (panel_.is_tight() ? 0.6 : 0.9)); }
 
     /// The broadest number of the sheet, in ems.
     double widest() const
@@ -275,22 +301,32 @@ private:
     }
     std::size_t n_shown() const { return std::min(n_levels(), layout_.n_lines); }
 
+    /// Short columns have no line for what is gone: its sign stands beside the first number after it.
+    bool is_short() const { return layout_.n_lines < least_lines; }
+
     /// Lines above the first level that is still there: the fixed-end moment and one that says what is gone. In the
     /// shortest column the moment goes too after all joints at once, which leave a balance and a carry-over.
     std::size_t n_head_lines() const
     {
         const bool is_of_all = sheet_ != nullptr && !sheet_->steps.empty() && !sheet_->steps.back().joint;
-        return is_of_all && layout_.n_lines < least_lines ? 1 : 2;
+        if (!is_short()) return 2;
+        return is_of_all && layout_.n_lines <= shortest ? 0 : 1;
     }
 
-    /// First level below the fixed-end moments that is still there, for a joint's columns together.
-    std::size_t first_shown(const Column& column) const
+    /// Of a joint's columns together.
+    std::size_t n_used(const Column& column) const
     {
-        const std::size_t room = layout_.n_lines;
         std::size_t used = column.n_levels;
         if (const auto joint = problem_[column.end].joint)
             for (const fc::EndId end : problem_[*joint].ends) used = std::max(used, columns_[end.index].n_levels);
-        return used <= room ? 1 : used - (room - n_head_lines());
+        return used;
+    }
+    bool is_overfull(const Column& column) const { return n_used(column) > layout_.n_lines; }
+
+    /// First level below the fixed-end moments that is still there.
+    std::size_t first_shown(const Column& column) const
+    {
+        return is_overfull(column) ? n_used(column) - (layout_.n_lines - n_head_lines()) : 1;
     }
 
     /// Middle of the right end of a line.
@@ -304,14 +340,14 @@ private:
     ui::Point place_of(const Column& column, const Cell& cell) const
     {
         if (cell.level == 0) return line_at(column.end, 0.0);
-        const std::size_t first = first_shown(column), above = first > 1 ? n_head_lines() : 1;
+        const std::size_t first = first_shown(column), above = is_overfull(column) ? n_head_lines() : 1;
         return line_at(column.end, static_cast<double>(above + cell.level - first));
     }
 
     bool is_shown(const Column& column, const Cell& cell) const
     {
-        const std::size_t first = first_shown(column);
-        return cell.level >= first || (cell.level == 0 && (first == 1 || n_head_lines() > 1));
+        if (cell.level == 0) return !is_overfull(column) || n_head_lines() > 0;
+        return cell.level >= first_shown(column);
     }
 
     bool is_last_turn(const Cell& cell) const
@@ -347,10 +383,7 @@ private:
 
     void draw_cells(const Column& column)
     {
-        if (first_shown(column) > 1)
-            painter_.text(line_at(column.end, static_cast<double>(n_head_lines() - 1)) -
-                              ui::Point{0.8 * layout_.type, 0.0},
-                          "⋮", style(ui::Role::FaintLabel, ui::Anchor::Right));
+        if (is_overfull(column)) draw_gone(column);
         for (const Cell& cell : column.cells) {
             if (!is_shown(column, cell)) continue;
             const ui::Point at = place_of(column, cell);
@@ -358,6 +391,24 @@ private:
             if (!is_flying) write(column, cell, at);
             if (cell.kind == RowKind::Balance && !is_flying) underline(column, at);
         }
+    }
+
+    /// The sign of numbers that have left the column.
+    void draw_gone(const Column& column)
+    {
+        const ui::TextStyle sign = style(ui::Role::FaintLabel, ui::Anchor::Right);
+        const auto line = static_cast<double>(is_short() ? n_head_lines() : 1);
+        const double before = is_short() ? 0.3 * layout_.type + width_of_first(column) : 0.8 * layout_.type;
+        painter_.text(line_at(column.end, line) - ui::Point{before, 0.0}, "⋮", sign);
+    }
+
+    double width_of_first(const Column& column) const
+    {
+        const auto is_first = [&](const Cell& cell) { return cell.level == first_shown(column); };
+        const auto first = std::ranges::find_if(column.cells, is_first);
+        if (first == column.cells.end()) return 0.5 * layout_.type;
+        const ui::TextStyle bold = style(ui::Role::Label, ui::Anchor::Right, ui::Weight::Bold);
+        return painter_.measure(numbers_.moment(problem_[column.end], first->value), bold).width;
     }
 
     void write(const Column& column, const Cell& cell, ui::Point at, std::optional<ui::Color> plate = {})
@@ -716,6 +767,27 @@ DrawnSheet draw_sheet(ui::Painter& painter, const Panel& panel, const Scene& sce
 
 namespace {
 
+/// Short columns in storeys no higher than these need; nothing where they have no room.
+std::optional<FittedSheet> fitted_storeys(ui::Painter& painter, const Panel& whole, const Scene& scene, double type)
+{
+    const ui::Theme theme = scene.look.full_theme();
+    const drawing::StructureShape shape = drawing::shape_of(scene.document.model);
+    for (const std::size_t n_lines : {least_lines - 1, shortest})
+        for (const TopColumns top : {TopColumns::Above, TopColumns::Below}) {
+            const double width = SheetWriter(painter, whole, scene).tight_width(type);
+            const StoreyNeeds needs{.type = type, .width = width, .n_lines = n_lines, .top = top};
+            FittedSheet fitted{.room = tight_room(needs, theme)};
+            Panel tried = whole;
+            tried.storeys = storeys_to_scale(shape);
+            make_room(tried, shape, theme, fitted.room);
+            tried.storeys = fitted.storeys = storey_scale_for(shape, tried, needs);
+            if (tried.storeys.is_to_scale()) continue;
+            fitted.layout = SheetWriter(painter, tried, scene).short_columns(type);
+            if (is_whole(fitted.layout)) return fitted;
+        }
+    return std::nullopt;
+}
+
 FittedSheet fitted_sheet(ui::Painter& painter, const Panel& whole, const Scene& scene, double least_type)
 {
     const drawing::StructureShape shape = drawing::shape_of(scene.document.model);
@@ -724,7 +796,7 @@ FittedSheet fitted_sheet(ui::Painter& painter, const Panel& whole, const Scene& 
         Panel tried = whole;
         make_room(tried, shape, scene.look.full_theme(), room);
         const BlockLayout other = SheetWriter(painter, tried, scene).short_columns(least_type);
-        if (is_better(other, best.layout)) best = {room, other};
+        if (is_better(other, best.layout)) best = {.room = room, .storeys = {}, .layout = other};
     }
     return best;
 }
@@ -736,7 +808,8 @@ FittedSheet fitted_sheet(ui::Painter& painter, const Panel& whole, const Scene& 
     if (2 * scene.document.model.members.size() > most_ends_at_once) return {};
     if (const double legible = legible_type(scene.look.full_theme()); legible > 0.0) {
         FittedSheet fitted = fitted_sheet(painter, whole, scene, legible);
-        if (std::ranges::all_of(fitted.layout.boxes, [](const auto& box) { return box.has_value(); })) return fitted;
+        if (is_whole(fitted.layout)) return fitted;
+        if (auto tight = fitted_storeys(painter, whole, scene, legible)) return *std::move(tight);
     }
     return fitted_sheet(painter, whole, scene, BlockRequest().least_type);
 }

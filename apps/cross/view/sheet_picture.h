@@ -24,6 +24,7 @@ DrawnSheet draw_sheet(ui::Painter& painter, const Panel& panel, const Scene& sce
 /// What of the room a frame leaves to its columns, and how they stand there.
 struct FittedSheet {
     SheetRoom room{};
+    BayScale storeys{}; ///< heights, as the columns need them
     BlockLayout layout{};
 };
 FittedSheet fitted_sheet(ui::Painter& painter, const Panel& whole, const Scene& scene);

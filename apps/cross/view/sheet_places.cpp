@@ -27,6 +27,23 @@ void cover(const Panel& panel, const drawing::MemberShape& member, std::vector<u
 
 } // namespace
 
+namespace {
+
+/// Of a joint whose columns stand on the other side than its neighbours'.
+BeamSide side_in_turn(const drawing::StructureShape& shape, femoop::NodeId node)
+{
+    constexpr double one_place = 1e-6;
+    std::vector<double> before;
+    for (const Eigen::Vector3d& other : shape.nodes)
+        if (other.x() < shape[node].x() - one_place) before.push_back(other.x());
+    std::ranges::sort(before);
+    const auto are_one = [](double a, double b) { return b - a <= one_place; };
+    before.erase(std::unique(before.begin(), before.end(), are_one), before.end());
+    return before.size() % 2 == 1 ? BeamSide::Below : BeamSide::Above;
+}
+
+} // namespace
+
 double support_reach(const ui::Theme& theme) { return support_breadth * 15.0 * theme.symbol_scale(); }
 
 EndPlace place_of_end(const Panel& panel, const drawing::StructureShape& shape, const femoop::cross::Problem& problem,
@@ -34,11 +51,12 @@ EndPlace place_of_end(const Panel& panel, const drawing::StructureShape& shape, 
 {
     const femoop::cross::End& end = problem[id];
     const ui::Point joint = panel.at(shape[end.node]);
-    if (!end.member) return {id, joint, {0.0, 1.0}, 4.0 * theme.type().normal};
+    const BeamSide side = panel.columns == BeamColumns::InTurn ? side_in_turn(shape, end.node) : BeamSide::Either;
+    if (!end.member) return {.end = id, .joint = joint, .along = {0.0, 1.0}, .length = 4.0 * theme.type().normal};
     const drawing::MemberShape& member = shape[*end.member];
     const ui::Point a = panel.at(member.start_node), b = panel.at(member.end_node);
     const ui::Point along = end.which == 0 ? ui::direction(b - a) : ui::direction(a - b);
-    return {id, joint, along, ui::distance(a, b)};
+    return {.end = id, .joint = joint, .along = along, .length = ui::distance(a, b), .side = side};
 }
 
 std::vector<ui::Box> walls_in(const Panel& panel, const drawing::StructureShape& shape)

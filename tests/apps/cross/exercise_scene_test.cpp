@@ -2,6 +2,7 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 
 #include "apps/cross/document/file.h"
@@ -103,7 +104,7 @@ TEST_CASE("Cells of a portal's feet stand beside them, as high as the projector'
     }
 }
 
-TEST_CASE("Cells of a beam stand beside their joints, in one row")
+TEST_CASE("Cells of a beam stand beside their joints, below it or above")
 {
     for (const fc::Difficulty difficulty : {fc::Difficulty::Overhang, fc::Difficulty::SeveralSpans})
         for (const std::uint32_t seed : {1U, 2U, 3U})
@@ -121,15 +122,36 @@ TEST_CASE("Cells of a beam stand beside their joints, in one row")
                     const Drawn drawn = draw(painter, {document, solution, nullptr, 1.0, {}, look, &*worksheet});
                     const Drawn::View& sheet = drawn.views.back();
                     const double beam = sheet.box.min.y + sheet.camera.to_sheet({0.0, 0.0}).y;
-                    std::map<std::size_t, double> tops;
+                    std::map<std::size_t, double> gaps;
                     for (const CellMark& mark : drawn.cells) {
                         const std::size_t end = worksheet->form[mark.cell].end.index;
-                        const auto top = tops.try_emplace(end, mark.box.min.y).first;
-                        top->second = std::min(top->second, mark.box.min.y);
+                        const double gap = std::min(std::abs(mark.box.min.y - beam), std::abs(mark.box.max.y - beam));
+                        const auto least = gaps.try_emplace(end, gap).first;
+                        least->second = std::min(least->second, gap);
                         CHECK(mark.box.max.y < sheet.box.max.y);
                     }
-                    for (const auto& [end, top] : tops) CHECK(top - beam < 75.0);
+                    for (const auto& [end, gap] : gaps) CHECK(gap < 75.0);
                 }
+}
+
+TEST_CASE("Between the projector's panels every cell of a beam with an overhang is seen, as high as the panels' text")
+{
+    for (const std::uint32_t seed : {1U, 2U, 3U, 4U, 5U}) {
+        CAPTURE(seed);
+        const Document document = exercise(fc::Difficulty::Overhang, seed);
+        const Solution solution = solve(document);
+        const std::optional<Worksheet> worksheet = worksheet_of(document);
+        REQUIRE(worksheet);
+        const Look look{.theme = ui::ThemeName::Projector};
+        const ui::Fonts fonts;
+        ui::Painter painter({622.0, 742.0}, fonts);
+        const Drawn drawn = draw(painter, {document, solution, nullptr, 1.0, {}, look, &*worksheet});
+        CHECK(drawn.cells.size() == worksheet->form.blanks.size());
+        for (const CellMark& mark : drawn.cells) {
+            CHECK(mark.box.height() >= 1.2 * look.full_theme().type().normal);
+            CHECK(drawn.views.back().box.contains(mark.box));
+        }
+    }
 }
 
 TEST_CASE("No stiffness of an exercise's spans is written under the heading of its sheet")

@@ -6,6 +6,7 @@
 #include <sstream>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "apps/cross/document/file.h"
 #include "apps/cross/view/numbers.h"
@@ -224,6 +225,23 @@ TEST_CASE(
         }
 }
 
+namespace {
+
+/// The sizes of type in which words stand in a picture.
+std::vector<double> sizes_of(const std::string& words, const ui::Painter& painter)
+{
+    std::vector<double> sizes;
+    std::istringstream lines(ui::golden_text(painter.picture())); // (120.0, 46.5) center 13 "0.360"
+    for (std::string line, word; std::getline(lines, line);) {
+        if (!line.ends_with('"' + words + '"')) continue;
+        std::istringstream in(line);
+        in >> word >> word >> word >> sizes.emplace_back();
+    }
+    return sizes;
+}
+
+} // namespace
+
 TEST_CASE("The numbers of a beam's sheet grow with the wheel, on the projector too")
 {
     const auto size_of_factor = [](const Zoom& zoom) {
@@ -233,15 +251,8 @@ TEST_CASE("The numbers of a beam's sheet grow with the wheel, on the projector t
         const ui::Fonts fonts;
         ui::Painter painter({1280.0, 690.0}, fonts);
         draw(painter, {document, solution, nullptr, 1.0, {}, look});
-        std::istringstream lines(ui::golden_text(painter.picture())); // (120.0, 46.5) center 13 "0.360"
-        for (std::string line, word; std::getline(lines, line);) {
-            if (!line.ends_with("\"0.360\"")) continue;
-            std::istringstream words(line);
-            double size = 0.0;
-            words >> word >> word >> word >> size;
-            return size;
-        }
-        return 0.0;
+        const std::vector<double> sizes = sizes_of("0.360", painter);
+        return sizes.empty() ? 0.0 : sizes.front();
     };
     REQUIRE(size_of_factor({}) > 0.0);
     CHECK(size_of_factor({.factor = 2.0}) > 1.7 * size_of_factor({}));
@@ -298,6 +309,100 @@ TEST_CASE("On the projector no number of a sheet is smaller than the panels' tex
             CHECK(sheet.type >= panels);
             CHECK(sheet.n_without_room == 0);
         }
+}
+
+namespace {
+
+/// Overhangs of 1.5 m and 2 m beside the spans of a beam that is pinned at its left end.
+Document with_two_overhangs()
+{
+    Document document = read_document_file("examples/three_spans.json");
+    femoop::Model& model = document.model;
+    model.nodes[0].at[0] = femoop::Quantity(6.5);
+    model.nodes[0].support.reset();
+    model.nodes[1].support->kind = femoop::SupportKind::Pin;
+    model.nodes[3].support->kind = femoop::SupportKind::Roller;
+    femoop::Node end{.id = "E"};
+    end.at = {22.0, 0.0, 0.0};
+    femoop::Member overhang = model.members[2];
+    overhang.id = "DE";
+    overhang.nodes = {femoop::NodeId(3), model.add(std::move(end))};
+    femoop::MemberLoad load = model.load_cases.front().members[0];
+    load.member = model.add(std::move(overhang));
+    model.load_cases.front().members.push_back(std::move(load));
+    return document;
+}
+
+} // namespace
+
+TEST_CASE(
+    "Between the projector's panels a beam with two overhangs and a frame of two storeys have all columns in sight")
+{
+    const double panels = ui::Theme(ui::ThemeName::Projector).type().normal;
+    for (const Document& document : {with_two_overhangs(), read_document_file("tests/cases/own/staged-listed.json"),
+                                     read_document_file("tests/cases/own/staged-two-storeys.json")}) {
+        CAPTURE(document.model.title);
+        const Enlarged sheet = enlarged(document, {622.0, 690.0}, ui::ThemeName::Projector);
+        CHECK(sheet.zoom == 1.0);
+        CHECK(sheet.type >= panels);
+        CHECK(sheet.n_without_room == 0);
+    }
+}
+
+TEST_CASE("Between the panels of a projector the values over a beam's sheet are as large as the panels' text")
+{
+    const double panels = ui::Theme(ui::ThemeName::Projector).type().normal;
+    const Look look{.theme = ui::ThemeName::Projector};
+    for (const Document& document : {starting_document(), with_two_overhangs()})
+        for (const ui::Size size : {ui::Size{433.0, 490.0}, ui::Size{622.0, 690.0}, ui::Size{1262.0, 970.0}}) {
+            CAPTURE(size.width);
+            const Solution solution = solve(document);
+            const ui::Fonts fonts;
+            ui::Painter painter(size, fonts);
+            draw(painter, {document, solution, nullptr, 1.0, {}, look});
+            const std::vector<double> sizes = sizes_of("38 kN/m", painter);
+            REQUIRE(sizes.size() == 1);
+            CHECK(sizes.front() >= panels);
+        }
+}
+
+TEST_CASE("The largest moment of a swaying portal is written in its diagram and on its sheet, in every window")
+{
+    Document document = portal("W");
+    Solution solution = solve(document);
+    document.stage = 2;
+    work(solution, document);
+    const auto state = fc::state_results(document.model, solution.task->problem,
+                                         present_locks(document, solution, 1.0));
+    const ui::Fonts fonts;
+    for (const ui::ThemeName theme : {ui::ThemeName::Light, ui::ThemeName::Projector})
+        for (const ui::Size size : {ui::Size{657.0, 724.0}, ui::Size{1280.0, 694.0}, ui::Size{1285.0, 1005.0}}) {
+            CAPTURE(size.width);
+            const Look look{.theme = theme};
+            ui::Painter painter(size, fonts);
+            draw(painter, {document, solution, &state, 1.0, {}, look});
+            CHECK(sizes_of("32.59", painter).size() == 2);
+        }
+}
+
+TEST_CASE("A short column keeps the fixed-end moment, and tells what is gone beside the number after it")
+{
+    const Document document = [] {
+        Document worked = with_two_overhangs();
+        Solution solution = solve(worked);
+        take_turns(worked, solution, 4);
+        return worked;
+    }();
+    const Solution solution = solve(document);
+    const Look look{.theme = ui::ThemeName::Projector};
+    const ui::Fonts fonts;
+    ui::Painter painter({622.0, 690.0}, fonts);
+    draw(painter, {document, solution, nullptr, 1.0, {}, look});
+    const Numbers numbers(document, solution, look);
+    const fc::Problem& problem = solution.task->problem;
+    for (std::size_t e = 0; e < problem.ends.size(); ++e)
+        CHECK_FALSE(sizes_of(numbers.moment(problem.ends[e], problem.loading.fixed_end[e]), painter).empty());
+    CHECK_FALSE(sizes_of("⋮", painter).empty());
 }
 
 TEST_CASE("On a small projector every column of a beam has room, in type as large as its height allows")
