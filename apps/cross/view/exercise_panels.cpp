@@ -76,8 +76,9 @@ Panels exercise_panels(const drawing::StructureShape& shape, ui::Size size, cons
 {
     Panels panels = panels_without_zoom(shape, size, scene, room);
     const ui::Theme theme = scene.look.full_theme();
+    constexpr double of_lengths = 1.0; // lines of the legend, that those of a beam take in a narrow picture
     if (columns == BeamColumns::InTurn)
-        let_columns_stand_in_turn(panels.sheet, shape, theme, lines_below(scene) * theme.type().normal);
+        let_columns_stand_in_turn(panels.sheet, shape, theme, (lines_below(scene) + of_lengths) * theme.type().normal);
     look_closer(panels, shape, {});
     return panels;
 }

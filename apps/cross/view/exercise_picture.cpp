@@ -511,7 +511,7 @@ void draw_cells(ui::Painter& painter, const Panel& panel, const Scene& scene, Dr
                     scene.look.tr("some cells have no room here; Tab reaches them, and the panel has them"));
 }
 
-/// Above the beam too where only so all cells are read from the last row.
+/// Above the beam too where only so all cells are read from the last row, or are at least larger.
 Panels best_beam(ui::Painter& painter, const Scene& scene, const drawing::StructureShape& shape)
 {
     const auto panels_with = [&](BeamColumns columns) {
@@ -520,14 +520,17 @@ Panels best_beam(ui::Painter& painter, const Scene& scene, const drawing::Struct
         panels.sheet.bays = WorksheetWriter(painter, panels.sheet, scene, nothing).bays();
         return panels;
     };
-    const auto is_read = [&](const Panels& panels) {
+    const auto type_of_all = [&](const Panels& panels) { // 0: some have no room
         Drawn nothing;
         const BlockLayout layout = WorksheetWriter(painter, panels.sheet, scene, nothing).layout();
         const bool is_whole = std::ranges::all_of(layout.boxes, [](const auto& box) { return box.has_value(); });
-        return is_whole && layout.type >= legible_type(scene.look.full_theme());
+        return is_whole ? layout.type : 0.0;
     };
-    Panels below = panels_with(BeamColumns::Below), in_turn = panels_with(BeamColumns::InTurn);
-    return !is_read(below) && is_read(in_turn) ? in_turn : below;
+    Panels below = panels_with(BeamColumns::Below);
+    const double type_below = type_of_all(below);
+    if (type_below >= legible_type(scene.look.full_theme())) return below;
+    Panels in_turn = panels_with(BeamColumns::InTurn);
+    return type_of_all(in_turn) > type_below ? in_turn : below;
 }
 
 /// A frame is drawn smaller where that makes its cells larger.

@@ -87,7 +87,7 @@ using Heights = std::array<double, 3>; // of structure, deformed shape and momen
 
 double total(const Heights& heights) { return std::accumulate(heights.begin(), heights.end(), 0.0); }
 
-constexpr Heights least_lines{10.5, 4.7, 6.5}; // of type, in the pictures over a beam's sheet on a low projector
+constexpr Heights least_lines{10.4, 4.7, 6.5}; // of type, in the pictures over a beam's sheet on a low projector
 
 /// Those that are shown, for a size of type.
 Heights at_least(Heights heights, double type)
@@ -482,7 +482,7 @@ Title title_in(const ui::Painter& painter, const Panel& panel, const std::string
 
 } // namespace
 
-double draw_title(ui::Painter& painter, const Panel& panel, const std::string& title, const ui::Theme& theme)
+ui::Box draw_title(ui::Painter& painter, const Panel& panel, const std::string& title, const ui::Theme& theme)
 {
     const auto [style, lines] = title_in(painter, panel, title, theme);
     const ui::LayerScope layer(painter, panel.is_zoomed ? ui::Layer::Overlay : ui::Layer::Labels);
@@ -491,7 +491,7 @@ double draw_title(ui::Painter& painter, const Panel& panel, const std::string& t
         painter.text(at, line, style);
         at.y += 1.15 * style.size;
     }
-    return at.y - panel.box.min.y + 0.35 * style.size;
+    return title_box(painter, panel, title, theme);
 }
 
 ui::Box title_box(const ui::Painter& painter, const Panel& panel, const std::string& title, const ui::Theme& theme)
@@ -546,14 +546,14 @@ Sketched sketched(ui::Painter& painter, const Panel& panel, const Scene& scene, 
     const drawing::Projection projection(panel.camera, panel.box.min);
     const drawing::LevelOfDetail detail(shape, projection);
     ui::Box room = panel.box.grown(-edge);
-    const double em = theme_in(panel, scene.look).type().normal;
-    room.min.y += std::max(panel.title - 0.2 * em, title_ems * em); // labels need less of a gap
+    if (!panel.title) room.min.y += title_ems * theme_in(panel, scene.look).type().normal;
     drawing::Sketch sketch({.painter = &painter,
                             .theme = &theme,
                             .room = room,
                             .symbol_factor = detail.symbol_share(),
                             .is_reduced = detail.is_reduced(),
                             .is_measured = pass == Pass::Measure});
+    if (panel.title) sketch.reserve(*panel.title);
     options.load_factor = panel.arrows * load_factor(shape, projection, sketch.px(usual_arrow));
     const ui::DisplayUnits units = units_of(scene.document.model, scene.look.tr);
     marks({model, shape, projection, options, state, units, sketch, detail, look.show});

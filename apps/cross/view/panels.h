@@ -31,11 +31,11 @@ struct Panel {
     BayScale storeys;       ///< of heights, likewise
     BeamColumns columns = BeamColumns::Below;
     bool is_zoomed = false;
-    double zoom = 1.0;     ///< how much larger than the whole structure would be
-    ui::Box whole;         ///< what of the picture would be seen of the whole structure, at this zoom
-    double ems_high = 1.0; ///< how many of the usual lines of type its marks need
-    double title = 0.0;    ///< height of its title, where it is known: labels stand below
-    double arrows = 1.0;   ///< as in LoadedView
+    double zoom = 1.0;            ///< how much larger than the whole structure would be
+    ui::Box whole;                ///< what of the picture would be seen of the whole structure, at this zoom
+    double ems_high = 1.0;        ///< how many of the usual lines of type its marks need
+    std::optional<ui::Box> title; ///< where it is known: labels keep clear of it, else below its line
+    double arrows = 1.0;          ///< as in LoadedView
 
     /// Columns take no more room than they need.
     bool is_tight() const { return columns == BeamColumns::InTurn || !storeys.is_to_scale(); }
@@ -120,8 +120,8 @@ Drawn::View view_of(const Panel& panel);
 
 /// The lines between the pictures.
 void draw_borders(ui::Painter& painter, const Panels& panels, const ui::Theme& theme);
-/// What a picture shows, at its top left. \returns its height
-double draw_title(ui::Painter& painter, const Panel& panel, const std::string& title, const ui::Theme& theme);
+/// What a picture shows, at its top left. \returns where it is written
+ui::Box draw_title(ui::Painter& painter, const Panel& panel, const std::string& title, const ui::Theme& theme);
 /// Where it is written.
 ui::Box title_box(const ui::Painter& painter, const Panel& panel, const std::string& title, const ui::Theme& theme);
 

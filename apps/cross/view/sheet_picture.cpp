@@ -158,9 +158,8 @@ private:
     /// Which has several lines in a narrow picture.
     void make_room_for_long_title()
     {
-        ui::Painter scratch(panel_.box.size(), painter_.fonts());
         const ui::Theme theme = theme_in(panel_, scene_.look);
-        above_ = draw_title(scratch, panel_, title_of(scene_, false), theme) / theme.type().normal;
+        above_ = title_box(painter_, panel_, title_of(scene_, false), theme).height() / theme.type().normal;
         if (above_ > usual_above) lay_out(wanted_lines(), legible());
     }
 

@@ -202,7 +202,8 @@ void write_remark(ui::Painter& painter, const Panel& panel, const Scene& scene)
     ui::TextStyle style = theme.text(ui::Role::Error, ui::Anchor::TopLeft);
     style.plate = theme.background();
     const ui::LayerScope layer(painter, ui::Layer::Overlay);
-    ui::Point at = panel.box.min + ui::Point{0.6 * style.size, std::max(2.0 * style.size, panel.title)};
+    ui::Point at = panel.box.min +
+                   ui::Point{0.6 * style.size, std::max(2.0 * style.size, panel.title ? panel.title->height() : 0.0)};
     const std::string words = fault_text(scene.solution.task->remarks.front(), scene.look.tr);
     for (const std::string& line :
          ui::wrapped_lines(painter.fonts(), words, style, panel.box.width() - 1.2 * style.size)) {
