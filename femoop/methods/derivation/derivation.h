@@ -31,9 +31,15 @@ enum class StepKind : std::uint8_t {
     Superposition,    ///< what the ends' motion brings, and what the loads bring between held ends
     Reaction,         ///< forces of the members on the node less the loads on it
     TurnedSupport,    ///< from the axes of a turned support to a global one
-    Held              ///< a displacement that a support imposes
+    Held,             ///< a displacement that a support imposes
+    // of the force method (femoop/methods/force_method/force_method.h)
+    Redundants,         ///< what is released, and how indeterminate the structure is without it
+    State,              ///< forces of the primary structure under the loads, or under one redundant
+    Flexibility,        ///< the gaps at one release in every state, by virtual work
+    RedundantEquations, ///< delta X = c - delta_0
+    StateSuperposition  ///< S = S0 + X1 S1 + ..
 };
-inline constexpr std::size_t n_step_kinds = 17;
+inline constexpr std::size_t n_step_kinds = 22;
 
 /// Numbers as on paper, with what stands beside their rows and above their columns: names of displacements ("B.ux",
 /// "B.ux'"), of members, or symbols that courseware/reference/command-line.md explains.
@@ -51,6 +57,7 @@ struct Step {
     std::vector<NamedMatrix> matrices;
     bool is_whole = false;            ///< of equations: none is left out
     std::vector<Eigen::Index> rows{}; ///< of the system, that it is about
+    std::size_t state = 0;            ///< of the force method: 0 of the loads, i of its i-th redundant
 };
 
 /// The way from the data to one number: every step with its numbers, the last of which is the number.
@@ -64,6 +71,8 @@ struct Derivation {
     double closing_error = 0.0; ///< by which the last step's sum, in 16 digits, is off; the analysis may carry more
     std::vector<Step> steps;
     SystemTrace system{}; ///< of which the steps write what matters
+    /// By the force method: all its redundants, of which the first is the number; else none.
+    std::vector<MovingEffect> redundants{};
 };
 
 /// Systems of no more unknowns are written as a whole.

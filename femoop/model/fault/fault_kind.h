@@ -229,6 +229,16 @@ enum class FaultKind : std::uint8_t {
     EnvelopeWithoutTrains, ///< {0} place
     EffectNotMoving,       ///< {0} place, {1} quantity, {2} those that move with a load
 
+    // redundants of the force method
+    RedundantNoForce,     ///< {0} place, {1} effect
+    RedundantReleased,    ///< {0} place, {1} effect
+    RedundantInsideBar,   ///< {0} place, {1} effect
+    RedundantTwice,       ///< {0} place, {1} effect
+    RedundantsTooMany,    ///< {0} degree of static indeterminacy, {1} most that are chosen
+    RedundantsNone,       ///< the structure is determinate
+    RedundantsUnstrained, ///< {0} redundants
+    PrimaryMoves,         ///< {0} redundants
+
     // how well the analysis could solve it
     InaccurateCase,     ///< {0} case, {1} how many digits hold
     IllConditionedCase, ///< {0} case

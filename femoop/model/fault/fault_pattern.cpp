@@ -389,6 +389,23 @@ std::string_view pattern(FaultKind kind)
     case FaultKind::WrongRangeSize: return "{0}: found a list of {1}, wanted 2 lengths; give the least and the most";
     case FaultKind::EnvelopeWithoutTrains: return "{0}: names no train; name one or more";
     case FaultKind::EffectNotMoving: return "{0}: \"{1}\" is no effect of a moving load; ask for {2}";
+
+    case FaultKind::RedundantNoForce:
+        return "{0}: {1} is no force that could be released; name a reaction or a section force";
+    case FaultKind::RedundantReleased:
+        return "{0}: {1} is released already, nothing holds there; name a force that the structure carries";
+    case FaultKind::RedundantInsideBar:
+        return "{0}: {1} is inside a bar, whose parts could turn once it is cut there; cut it at one of its ends";
+    case FaultKind::RedundantTwice: return "{0}: {1} is named twice; name another force, or leave it out";
+    case FaultKind::RedundantsTooMany:
+        return "the structure is {0} times statically indeterminate; more than {1} redundants are not chosen by the "
+               "program: name those to release";
+    case FaultKind::RedundantsNone:
+        return "the structure is statically determinate: it has no redundants, equilibrium alone gives all forces";
+    case FaultKind::RedundantsUnstrained:
+        return "{0} strain nothing in the primary structure, so that no equation gives them; release other forces, or "
+               "give inextensible and rigid members a stiffness";
+    case FaultKind::PrimaryMoves: return "without {0} the structure can move; release other forces";
     }
     return "";
 }
