@@ -13,6 +13,7 @@
 #include "apps/cli/argument.h"
 #include "apps/cli/asked_body.h"
 #include "apps/cli/asked_effect.h"
+#include "apps/cli/asked_redundants.h"
 #include "apps/cli/model_input.h"
 #include "apps/cli/output_file.h"
 #include "apps/cli/solver_trace.h"
@@ -72,6 +73,7 @@ private:
     bool is_json_ = false, is_timed_ = false, is_refined_ = false, is_described_ = false;
     SolverTraceOptions solver_trace_;
     AskedBody body_;
+    AskedRedundants redundants_;
 };
 
 HelpText Solve::help(const ui::Catalogue& tr) const
@@ -95,6 +97,10 @@ HelpText Solve::help(const ui::Catalogue& tr) const
           tr("Where this moment comes from, step by step from the data: matrices, equations, end forces.")},
          {"cremona solve examples/portal.json --virtual-work node=C,component=ux",
           tr("The sway as the work of a unit load's forces on the strains: integrals of M m / EI and their sum.")},
+         {"cremona solve examples/portal.json --force-method automatic",
+          tr("The force method: redundants, primary structure, its states, the gaps by virtual work, equations, sum.")},
+         {"cremona solve examples/portal.json --force-method node=D,component=mz --force-method node=A,component=mz",
+          tr("The same with the moments at both feet released: hinges, whose rotations the redundants close.")},
          {"cremona solve examples/portal.json --free-body cut=BC@2,beside=A --about 0,4.5",
           tr("The forces on the part left of a cut, and its equations of equilibrium.")},
          {"cremona solve examples/storey_frame.json --trace-solver",
@@ -143,6 +149,7 @@ void Solve::declare(CLI::App& app, const ui::Catalogue& tr)
                       "the strains, integrated along each member. node=N,component=ux or member=M,at=X,component=v; of "
                       "the first load case, or that of --case"))
         ->option_text("WHAT");
+    redundants_.declare(app, tr);
     body_.declare(app, tr);
     solver_trace_.declare(app, tr);
     app.add_flag("--describe", is_described_,
@@ -192,6 +199,7 @@ void Solve::require_one_output(const ui::Catalogue& tr) const
                              Output{traced_member_.has_value(), "--trace", false, false},
                              Output{asked_number_.has_value(), "--why", true, false},
                              Output{worked_displacement_.has_value(), "--virtual-work", true, false},
+                             Output{redundants_.are_asked(), "--force-method", true, false},
                              Output{body_.is_asked(), "--free-body", true, false},
                              Output{is_described_, "--describe", true, true}};
     for (std::size_t i = 0; i < outputs.size(); ++i) {
@@ -262,6 +270,7 @@ std::string Solve::output(const Model& model, const Results& results, const Sele
     if (traced_member_) return trace(model, tr);
     if (asked_number_) return derivation(model, results, tr);
     if (worked_displacement_) return virtual_work(model, results, tr);
+    if (redundants_.are_asked()) return redundants_.output(model, results, followed_case(model, tr), is_json_, tr);
     if (body_.is_asked()) return body_.output(model, results, followed_case(model, tr), is_json_, tr);
     if (is_described_) return description(model, results, selection, tr);
     if (!is_json_) return tables(model, results, selection, tr);
@@ -366,7 +375,7 @@ ExitStatus Solve::run(Console& console)
         if (solver_trace_.are_given()) solver_trace_.show(*model, options.solver.kind, is_json_, console);
         else console.print(output(*model, results, selected, tr));
     } catch (const femoop::MechanismError& error) {
-        console.message(tr("under the unit load of --virtual-work:"));
+        if (worked_displacement_) console.message(tr("under the unit load of --virtual-work:"));
         return report_unsolved(error, file, console);
     }
     if (csv_folder_) write_csv(*model, results, selected, console);

@@ -14,11 +14,28 @@ namespace {
 
 using Layout = JsonWriter::Layout;
 
-constexpr std::array<std::string_view, n_step_kinds> step_names{
-    "combination",       "extreme",    "member",        "local_stiffness", "transformation",
-    "stiffness",         "fixed_end",  "stiffness_row", "load_row",        "equations",
-    "end_displacements", "end_forces", "node_forces",   "superposition",   "reaction",
-    "turned_support",    "held"};
+constexpr std::array<std::string_view, n_step_kinds> step_names{"combination",
+                                                                "extreme",
+                                                                "member",
+                                                                "local_stiffness",
+                                                                "transformation",
+                                                                "stiffness",
+                                                                "fixed_end",
+                                                                "stiffness_row",
+                                                                "load_row",
+                                                                "equations",
+                                                                "end_displacements",
+                                                                "end_forces",
+                                                                "node_forces",
+                                                                "superposition",
+                                                                "reaction",
+                                                                "turned_support",
+                                                                "held",
+                                                                "redundants",
+                                                                "state",
+                                                                "flexibility",
+                                                                "redundant_equations",
+                                                                "state_superposition"};
 
 void write_names(JsonWriter& json, std::string_view key, const std::vector<std::string>& names)
 {
@@ -42,12 +59,20 @@ void write_step(JsonWriter& json, const Step& step, const Model& model, const Tr
     if (step.member) json.member("member", model[*step.member].id);
     if (step.node) json.member("node", model[*step.node].id);
     if (step.load_case) json.member("case", model.case_name(*step.load_case));
+    if (step.kind == StepKind::State || step.kind == StepKind::Flexibility) json.member("state", step.state);
     json.member("sentence", sentence(step, model, tr)).key("matrices").begin_array(Layout::Block);
     for (const NamedMatrix& matrix : step.matrices) write_matrix(json, matrix);
     json.end().end();
 }
 
 } // namespace
+
+void write_steps(JsonWriter& json, const Derivation& derivation, const Model& model, const Translator& tr)
+{
+    json.key("steps").begin_array(Layout::Block);
+    for (const Step& step : derivation.steps) write_step(json, step, model, tr);
+    json.end();
+}
 
 std::string derivation_json(const Derivation& derivation, const Model& model, const Translator& tr)
 {
@@ -57,9 +82,8 @@ std::string derivation_json(const Derivation& derivation, const Model& model, co
     influence::write_effect(json, model, derivation.effect);
     json.member("case", model.case_name(derivation.load_case)).member("value", derivation.value);
     json.member("closing_error", derivation.closing_error);
-    json.key("steps").begin_array(Layout::Block);
-    for (const Step& step : derivation.steps) write_step(json, step, model, tr);
-    json.end().end().end();
+    write_steps(json, derivation, model, tr);
+    json.end().end();
     return json.take();
 }
 

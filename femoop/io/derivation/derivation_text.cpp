@@ -109,6 +109,25 @@ std::string sentence(const Step& step, const Model& model, const Translator& tr)
                     {node});
     case StepKind::TurnedSupport:
         return fill(tr("From the axes of the support of node {0}, which is turned, to the global ones."), {node});
+    case StepKind::Redundants:
+        return tr(
+            "The structure is n times statically indeterminate. These forces X are released; the primary structure "
+            "that is left is n0 times so, 0 is determinate. c: what a released support is displaced by, 1/k: a "
+            "spring that the force goes through.");
+    case StepKind::State:
+        if (step.state == 0)
+            return tr("State 0: the loads alone on the primary structure. Section forces S0, reactions R0.");
+        return fill(tr("State {0}: X{0} = 1 alone on the primary structure."), {std::to_string(step.state)});
+    case StepKind::Flexibility:
+        return fill(
+            tr("By how much release {0} opens in every state: the work of the forces of state {0} on the strains of "
+               "each state, part by part."),
+            {std::to_string(step.state)});
+    case StepKind::RedundantEquations: return tr("The redundants X close every release again: delta X = c - delta_0.");
+    case StepKind::StateSuperposition:
+        return tr(
+            "The states add up, each times its redundant: S = S0 + X1 S1 + X2 S2 .. Below, the redundants beside those "
+            "of the stiffness method.");
     case StepKind::Held: break;
     }
     return fill(tr("Node {0} is held in this direction: no unknown, but what its support imposes."), {node});
@@ -116,6 +135,7 @@ std::string sentence(const Step& step, const Model& model, const Translator& tr)
 
 std::string derivation_title(const Derivation& derivation, const Model& model, const Translator& tr)
 {
+    if (!derivation.redundants.empty()) return fill(tr("Force method in {0}"), {model.case_name(derivation.load_case)});
     const std::string unit = with_product_dots(unit_text(influence::dimension_of(derivation.effect), model.units));
     return fill(tr("{0} = {1} in {2}: where it comes from"),
                 {influence::effect_name(model, derivation.effect), six_digits(derivation.value, tr) + " " + unit,

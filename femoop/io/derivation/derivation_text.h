@@ -5,12 +5,16 @@
 #include "femoop/methods/derivation/derivation.h"
 #include "femoop/model/fault/translator.h"
 
+namespace femoop {
+class JsonWriter;
+}
+
 namespace femoop::derivation {
 
 /// What a step does, in a sentence or two.
 std::string sentence(const Step& step, const Model& model, const Translator& tr);
 
-/// "M(BC, 50%) = 12.5 kN·m in wind: where it comes from"
+/// "M(BC, 50%) = 12.5 kN·m in wind: where it comes from", or "Force method in wind"
 std::string derivation_title(const Derivation& derivation, const Model& model, const Translator& tr);
 /// In which units its matrices are.
 std::string derivation_units(const Model& model, const Translator& tr);
@@ -23,5 +27,6 @@ std::string derivation_latex(const Derivation& derivation, const Model& model, c
 
 /// The same for a program, with every digit; the sentences are in the language of `tr`.
 std::string derivation_json(const Derivation& derivation, const Model& model, const Translator& tr);
+void write_steps(JsonWriter& json, const Derivation& derivation, const Model& model, const Translator& tr);
 
 } // namespace femoop::derivation

@@ -36,18 +36,24 @@ std::string_view stiffness_name(const std::optional<MemberComponent>& force)
     }
 }
 
-/// The tables of one displacement.
+/// Of the largest of its parts.
+double size_of(const Work& work)
+{
+    double size = 0.0;
+    for (const WorkIntegral& one : work.integrals) size = std::max(size, std::abs(one.value));
+    for (const JointWork& one : work.joints) size = std::max(size, std::abs(one.value));
+    for (const SupportWork& one : work.supports) size = std::max(size, std::abs(one.value));
+    return size;
+}
+
+/// The tables of one work.
 class Tables {
 public:
-    Tables(const VirtualWork& of, const Model& model, const Translator& tr)
-        : of_(of), model_(model), tr_(tr), unit_(unit_text(influence::dimension_of(of.displacement), model.units))
-    {
-        for (const WorkIntegral& one : of.work.integrals) size_ = std::max(size_, std::abs(one.value));
-        for (const JointWork& one : of.work.joints) size_ = std::max(size_, std::abs(one.value));
-        for (const SupportWork& one : of.work.supports) size_ = std::max(size_, std::abs(one.value));
-    }
+    Tables(const Work& of, const WorkCaptions& captions, const Model& model, const Translator& tr)
+        : of_(of), captions_(captions), model_(model), tr_(tr), size_(size_of(of))
+    {}
 
-    std::string all() const { return heading() + integrals() + joints() + supports() + sum(); }
+    std::string all() const { return integrals() + joints() + supports(); }
 
 private:
     std::string force_name(const std::optional<MemberComponent>& force) const
@@ -59,21 +65,6 @@ private:
     std::string shown(const tabular::Table& table) const
     {
         return tabular::plain_text(table, {indent, decimal_mark(tr_)});
-    }
-
-    std::string heading() const
-    {
-        const std::string title = fill(tr_("{0} = {1} in {2}: by virtual work"),
-                                       {influence::effect_name(model_, of_.displacement),
-                                        value_text(of_.value) + " " + with_product_dots(unit_),
-                                        model_.case_name(of_.load_case)});
-        return title + "\n" + std::string(tabular::shown_width(title), '=') + "\n" +
-               fill(tr_("Lengths in {0}, forces in {1}, rotations in rad."),
-                    {std::string(name(model_.units.length)), std::string(name(model_.units.force))}) +
-               "\n" +
-               tr_("A unit load stands where the displacement is asked for, and along it. Its forces work on what the "
-                   "loads strain: the displacement is the sum of that work.") +
-               "\n";
     }
 
     std::string formula(const Polynomial& p, const WorkIntegral& on) const
@@ -90,18 +81,18 @@ private:
 
     std::string integrals() const
     {
-        const auto& all = of_.work.integrals;
+        const auto& all = of_.integrals;
         if (all.empty()) return {};
         const bool is_strained = std::ranges::any_of(all, [](const WorkIntegral& one) { return one.strain != 0.0; });
         std::vector<tabular::Column> columns{tr_("member"),
                                              "F",
                                              {tr_("from"), length_unit()},
                                              {tr_("to"), length_unit()},
-                                             tr_("under the loads, F(x)"),
-                                             tr_("under the unit load, f(x)"),
+                                             captions_.real + "(x)",
+                                             captions_.unit + "(x)",
                                              tr_("stiffness")};
         if (is_strained) columns.emplace_back(tr_("imposed strain ε"), "", tabular::Alignment::Right);
-        columns.emplace_back(tr_("work"), unit_, tabular::Alignment::Right);
+        columns.emplace_back(tr_("work"), captions_.unit_of_work, tabular::Alignment::Right);
         tabular::Table table(std::move(columns));
         for (const WorkIntegral& one : all) {
             std::vector<tabular::Cell> cells{model_[one.member].id,  force_name(one.force),  one.from,      one.to,
@@ -120,15 +111,15 @@ private:
 
     std::string joints() const
     {
-        if (of_.work.joints.empty()) return {};
+        if (of_.joints.empty()) return {};
         tabular::Table table({tr_("member"),
                               tr_("node"),
                               "F",
-                              {tr_("under the loads, F"), "", tabular::Alignment::Right},
-                              {tr_("under the unit load, f"), "", tabular::Alignment::Right},
+                              {captions_.real, "", tabular::Alignment::Right},
+                              {captions_.unit, "", tabular::Alignment::Right},
                               {tr_("stiffness"), "", tabular::Alignment::Right},
-                              {tr_("work"), unit_, tabular::Alignment::Right}});
-        for (const JointWork& one : of_.work.joints)
+                              {tr_("work"), captions_.unit_of_work, tabular::Alignment::Right}});
+        for (const JointWork& one : of_.joints)
             table.add_row({model_[one.member].id, model_[model_[one.member].nodes.at(one.end)].id,
                            force_name(one.force), six_digits(one.real, tr_), six_digits(one.unit, tr_),
                            six_digits(one.stiffness, tr_), value_text(one.value)});
@@ -137,38 +128,52 @@ private:
 
     std::string supports() const
     {
-        if (of_.work.supports.empty()) return {};
+        if (of_.supports.empty()) return {};
         tabular::Table table({tr_("node"),
                               tr_("direction"),
                               {tr_("displacement c"), "", tabular::Alignment::Right},
                               {tr_("reaction r to the unit load"), "", tabular::Alignment::Right},
-                              {tr_("work"), unit_, tabular::Alignment::Right}});
-        for (const SupportWork& one : of_.work.supports)
+                              {tr_("work"), captions_.unit_of_work, tabular::Alignment::Right}});
+        for (const SupportWork& one : of_.supports)
             table.add_row({model_[one.node].id, std::string(name(one.dof)), six_digits(one.displacement, tr_),
                            six_digits(one.reaction, tr_), value_text(one.value)});
         return "\n" + tr_("Supports that move, by springs or settlements: -r c.") + "\n" + shown(table);
     }
 
-    std::string sum() const
-    {
-        return "\n" +
-               fill(tr_("Sum: {0} {1}; the analysis has {2}."),
-                    {value_text(of_.sum), with_product_dots(unit_), value_text(of_.value)}) +
-               "\n";
-    }
-
-    const VirtualWork& of_;
+    const Work& of_;
+    const WorkCaptions& captions_;
     const Model& model_;
     const Translator& tr_;
-    std::string unit_;
     double size_ = 0.0; ///< of the largest work
 };
 
 } // namespace
 
+std::string work_text(const Work& work, const WorkCaptions& captions, const Model& model, const Translator& tr)
+{
+    return Tables(work, captions, model, tr).all();
+}
+
 std::string virtual_work_text(const VirtualWork& work, const Model& model, const Translator& tr)
 {
-    return Tables(work, model, tr).all();
+    const std::string unit = unit_text(influence::dimension_of(work.displacement), model.units);
+    const double size = size_of(work.work);
+    const auto value = [&](double number) { return six_digits(without_rounding(number, size), tr); };
+    const std::string title = fill(tr("{0} = {1} in {2}: by virtual work"),
+                                   {influence::effect_name(model, work.displacement),
+                                    value(work.value) + " " + with_product_dots(unit),
+                                    model.case_name(work.load_case)});
+    return title + "\n" + std::string(tabular::shown_width(title), '=') + "\n" +
+           fill(tr("Lengths in {0}, forces in {1}, rotations in rad."),
+                {std::string(name(model.units.length)), std::string(name(model.units.force))}) +
+           "\n" +
+           tr("A unit load stands where the displacement is asked for, and along it. Its forces work on what the loads "
+              "strain: the displacement is the sum of that work.") +
+           "\n" + work_text(work.work, {tr("under the loads, F"), tr("under the unit load, f"), unit}, model, tr) +
+           "\n" +
+           fill(tr("Sum: {0} {1}; the analysis has {2}."),
+                {value(work.sum), with_product_dots(unit), value(work.value)}) +
+           "\n";
 }
 
 } // namespace femoop::virtual_work

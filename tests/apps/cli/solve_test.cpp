@@ -274,6 +274,55 @@ TEST_CASE("--virtual-work asks for a displacement, and refuses what goes with so
     CHECK(has(both.err, "--virtual-work and --describe print different things"));
 }
 
+/// A beam clamped at A on a roller at B, under q.
+std::string propped_cantilever()
+{
+    return R"({"cremona": 1, "analysis": "frame2d", "units": {"length": "m", "force": "kN"},
+      "materials": [{"id": "m", "E": 2e8}], "sections": [{"id": "s", "A": 0.01, "Iz": 1e-4}],
+      "nodes": [{"id": "A", "at": [0, 0], "support": "fixed"}, {"id": "B", "at": [8, 0], "support": "roller"}],
+      "members": [{"id": "AB", "nodes": ["A", "B"], "material": "m", "section": "s"}],
+      "load_cases": [{"id": "G", "members": [{"member": "AB", "kind": "distributed", "qy": -6}]}]})";
+}
+
+TEST_CASE("--force-method finds the prop's 3 q L / 8 with the program's redundant, and with any other")
+{
+    constexpr double span = 8.0, load = 6.0;
+    const Run run = cremona({"solve", "-", "--force-method", "automatic", "--json"}, propped_cantilever());
+    REQUIRE(run.status == 0);
+    const json method = json::parse(run.out)["force_method"];
+    CHECK(method["degree"] == 1);
+    CHECK(method["degree_of_primary"] == 0);
+    REQUIRE(method["redundants"].size() == 1);
+    CHECK(method["redundants"][0]["node"] == "B");
+    CHECK(method["redundants"][0]["value"].get<double>() == doctest::Approx(3.0 * load * span / 8.0));
+    CHECK(method["steps"].size() == 6);
+    const Run hinge = cremona({"solve", "-", "--force-method", "member=AB,at=0,component=M", "--lang", "pt"},
+                              propped_cantilever());
+    REQUIRE(hinge.status == 0);
+    CHECK(has(hinge.out, "Método das forças em G"));
+    CHECK(has(hinge.out, "X1 = M(AB, 0)"));
+}
+
+TEST_CASE("--force-method refuses what cannot be released, and says how the structure moves without it")
+{
+    const auto refused = [](const std::vector<std::string>& redundants) {
+        std::vector<std::string> words{"solve", "-"};
+        for (const std::string& one : redundants) words.insert(words.end(), {"--force-method", one});
+        return cremona(words, propped_cantilever());
+    };
+    const Run moves = refused({"node=A,component=fx"});
+    CHECK(moves.status == 3);
+    CHECK(has(moves.err, "without fx(A) the structure can move; release other forces"));
+    CHECK(moves.out.empty());
+    const Run free = refused({"node=B,component=fx"});
+    CHECK(free.status == 2);
+    CHECK(has(free.err, "--force-method: fx(B) is released already"));
+    CHECK(has(refused({"node=B,component=uy"}).err, "uy(B) is no force that could be released"));
+    CHECK(has(refused({"node=B,component=fy", "node=B,component=fy"}).err, "fy(B) is named twice"));
+    CHECK(has(refused({"automatic", "node=B,component=fy"}).err, "automatic chooses every redundant"));
+    CHECK(has(refused({"all"}).err, "--force-method: \"all\" asks for nothing"));
+}
+
 TEST_CASE("--trace-solver tells the four orders with their costs, the chosen one, the fronts and the pattern of L")
 {
     const Run run = cremona({"solve", "examples/pratt_truss.json", "--trace-solver"});

@@ -1,0 +1,56 @@
+#include "apps/cli/asked_redundants.h"
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+
+#include "apps/cli/asked_effect.h"
+#include "femoop/io/force_method/force_method_text.h"
+#include "femoop/methods/force_method/force_method.h"
+
+namespace cli {
+
+namespace {
+
+constexpr const char* option = "--force-method";
+constexpr const char* automatic = "automatic";
+
+} // namespace
+
+void AskedRedundants::declare(CLI::App& app, const ui::Catalogue& tr)
+{
+    app.add_option(
+           option, what_,
+           tr("solve by the force method, instead of printing the results: the redundant to release, "
+              "node=N,component=fy or member=M,at=X,component=M, once for each; or automatic: the program chooses as "
+              "many as the degree of indeterminacy; of the first load case, or that of --case"))
+        ->option_text("WHAT|automatic")
+        ->expected(1)
+        ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+}
+
+std::vector<femoop::MovingEffect> AskedRedundants::redundants(const femoop::Model& model, const ui::Catalogue& tr) const
+{
+    std::vector<femoop::MovingEffect> all;
+    if (what_ == std::vector<std::string>{automatic}) return all;
+    for (const std::string& one : what_) {
+        if (one == automatic)
+            throw UsageError(
+                tr("{option}: automatic chooses every redundant; name none beside it", {{"option", option}}));
+        AskedEffect asked;
+        asked.take(option, one, tr);
+        asked.require_sensible(tr);
+        all.push_back(asked.sound_effect(model, tr));
+    }
+    if (auto faults = femoop::force_method::check_redundants(model, all, option); !faults.empty())
+        throw femoop::ModelError(std::move(faults));
+    return all;
+}
+
+std::string AskedRedundants::output(const femoop::Model& model, const femoop::Results& results,
+                                    femoop::CaseId load_case, bool is_json, const ui::Catalogue& tr) const
+{
+    const auto method = femoop::force_method::solve(model, results, load_case, redundants(model, tr));
+    return is_json ? force_method_json(method, model, tr) : force_method_text(method, model, tr);
+}
+
+} // namespace cli

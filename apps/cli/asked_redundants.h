@@ -1,0 +1,33 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "apps/cli/argument.h"
+#include "femoop/result/results.h"
+
+namespace CLI { // NOLINT(readability-identifier-naming): the name that its authors gave it
+class App;
+}
+
+namespace cli {
+
+/// The force method with the redundants that `solve --force-method WHAT` asks for, once for each, or `automatic`.
+class AskedRedundants {
+public:
+    void declare(CLI::App& app, const ui::Catalogue& tr);
+
+    bool are_asked() const { return !what_.empty(); }
+
+    /// In words, or as JSON. \throws UsageError, ModelError where what was typed is none of the model's or cannot be
+    /// released, MechanismError where the structure can move without
+    std::string output(const femoop::Model& model, const femoop::Results& results, femoop::CaseId load_case,
+                       bool is_json, const ui::Catalogue& tr) const;
+
+private:
+    std::vector<femoop::MovingEffect> redundants(const femoop::Model& model, const ui::Catalogue& tr) const;
+
+    std::vector<std::string> what_;
+};
+
+} // namespace cli
