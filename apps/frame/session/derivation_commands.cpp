@@ -1,6 +1,12 @@
 #include "apps/frame/session/derivation_commands.h"
 
+#include <algorithm>
+#include <cmath>
 #include <functional>
+#include <vector>
+
+#include "femoop/geometry/member_geometry.h"
+#include "femoop/load/place_along.h"
 
 namespace frame {
 
@@ -39,6 +45,59 @@ Reason why_not_derive(const Workspace& workspace)
     return workspace.derivation.n_steps() > 0 ? std::nullopt : workspace.derivation.why_none();
 }
 
+Reason why_no_force_method(const Workspace& workspace)
+{
+    if (const auto reason = workspace.session.why_no_results()) return reason;
+    if (!workspace.session.view.is_envelope) return std::nullopt;
+    return translatable("an envelope has the numbers of several cases; choose one of them first");
+}
+
+Reason why_not_release_force(const Workspace& workspace)
+{
+    if (auto reason = why_no_force_method(workspace)) return reason;
+    if (meant_number(workspace)) return std::nullopt;
+    return translatable("point at a support, or at a section of a diagram first");
+}
+
+constexpr double same_section = 0.025; ///< of the member's length: sections that are nearer are one to the hand
+
+double place_along(const femoop::Model& model, const femoop::MovingEffect& section)
+{
+    const double length = femoop::geometry_of(model, model[*section.member]).length;
+    return femoop::along(*section.at, length) / length;
+}
+
+bool is_same_force(const femoop::Model& model, const femoop::MovingEffect& a, const femoop::MovingEffect& b)
+{
+    if (a.member != b.member || a.node != b.node || a.component != b.component || a.dof != b.dof) return false;
+    return !a.at || !b.at || std::abs(place_along(model, a) - place_along(model, b)) <= same_section;
+}
+
+/// Redundants are released one by one; one that is released already is held again.
+void release_or_hold(Workspace& workspace)
+{
+    const femoop::MovingEffect force = *meant_number(workspace);
+    std::vector<femoop::MovingEffect> redundants;
+    if (const auto* const method = workspace.derivation.force_method(); method && shows_derivation(workspace))
+        redundants = method->redundants;
+    const auto released = std::ranges::find_if(redundants, [&](const femoop::MovingEffect& one) {
+        return is_same_force(workspace.session.model(), one, force);
+    });
+    if (released == redundants.end()) redundants.push_back(force);
+    else redundants.erase(released);
+    if (redundants.empty()) return close_derivation(workspace);
+    if (const auto refusal = why_not_release(workspace.session, redundants)) return workspace.notify(*refusal);
+    explain_force_method(workspace, redundants);
+}
+
+void open_player(Workspace& workspace)
+{
+    workspace.bottom = {.is_open = true,
+                        .table = workspace.bottom.table,
+                        .content = BottomContent::Derivation,
+                        .asks_for_keyboard = true};
+}
+
 std::function<void(Workspace&)> on_show(void (*move)(DerivationShow&))
 {
     return [move](Workspace& workspace) {
@@ -57,10 +116,13 @@ std::function<void(Workspace&)> asks_for(Request request)
 void explain(Workspace& workspace, const femoop::MovingEffect& effect)
 {
     workspace.derivation.ask(workspace.session, effect);
-    workspace.bottom = {.is_open = true,
-                        .table = workspace.bottom.table,
-                        .content = BottomContent::Derivation,
-                        .asks_for_keyboard = true};
+    open_player(workspace);
+}
+
+void explain_force_method(Workspace& workspace, std::span<const femoop::MovingEffect> redundants)
+{
+    workspace.derivation.ask_force_method(workspace.session, redundants);
+    open_player(workspace);
 }
 
 void close_derivation(Workspace& workspace)
@@ -73,10 +135,15 @@ void close_derivation(Workspace& workspace)
 
 void add_derivation_commands(CommandTable& table)
 {
-    Menu(table, translatable("View"))
-        .step(
-            {"view.why", translatable("Why this number?"), {{Key::W, {}}}},
-            [](Workspace& workspace) { explain(workspace, *meant_number(workspace)); }, why_not_explain);
+    Menu menu(table, translatable("View"));
+    menu.step(
+        {"view.why", translatable("Why this number?"), {{Key::W, {}}}},
+        [](Workspace& workspace) { explain(workspace, *meant_number(workspace)); }, why_not_explain);
+    menu.step({"view.release", translatable("Release this force, or hold it again"), {{Key::W, ui::shift}}},
+              release_or_hold, why_not_release_force);
+    menu.step(
+        {"view.force_method", translatable("Force method")},
+        [](Workspace& workspace) { explain_force_method(workspace, {}); }, why_no_force_method);
     Menu unlisted(table, {});
     unlisted.step({"derivation.first", translatable("First step of the derivation")},
                   on_show([](DerivationShow& show) { show.go_to(0); }), why_not_derive);

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <span>
+
 #include "apps/frame/session/commands.h"
 
 namespace frame {
@@ -9,6 +11,8 @@ void add_derivation_commands(CommandTable& table);
 
 /// Opens the player for a number of the results.
 void explain(Workspace& workspace, const femoop::MovingEffect& effect);
+/// Opens it for the force method with these redundants; none: those that the program chooses.
+void explain_force_method(Workspace& workspace, std::span<const femoop::MovingEffect> redundants);
 /// Closes the panel, where it shows one.
 void close_derivation(Workspace& workspace);
 

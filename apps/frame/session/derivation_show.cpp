@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "femoop/methods/force_method/force_steps.h"
 #include "femoop/methods/influence/effect_name.h"
 #include "femoop/methods/influence/usual_path.h"
 #include "femoop/model/fault/fault.h"
@@ -39,7 +40,46 @@ std::vector<MovingEffect> numbers_of_member(const femoop::Model& model, MovingEf
     return numbers;
 }
 
+/// Why what is shown of a session is not followed from the data to numbers.
+std::optional<ui::Message> why_no_numbers(const Session& session)
+{
+    if (const auto reason = session.why_no_results()) return reason;
+    if (session.model().n_cases() == 0) return translatable("The model has no load case.");
+    if (session.view.is_envelope)
+        return translatable(
+            "An envelope has the numbers of several cases; choose the one that governs to see where its number comes "
+            "from.");
+    return std::nullopt;
+}
+
+ui::Message sentences(const std::vector<femoop::Fault>& faults, const ui::Catalogue& tr)
+{
+    std::string text;
+    for (const femoop::Fault& fault : faults) text += (text.empty() ? "" : "; ") + femoop::message(fault, tr);
+    return {text};
+}
+
+femoop::force_method::ForceMethod solved(const Session& session, std::span<const MovingEffect> redundants)
+{
+    const femoop::Model model = solved_model(session.model(), session.solution());
+    return femoop::force_method::solve(model, *session.solution().results, session.view.load_case, redundants);
+}
+
 } // namespace
+
+std::optional<ui::Message> why_not_release(const Session& session, std::span<const MovingEffect> redundants)
+{
+    if (auto reason = why_no_numbers(session)) return reason;
+    const std::string place = session.tr()("force method");
+    const auto faults = femoop::force_method::check_redundants(session.model(), redundants, place);
+    if (!faults.empty()) return sentences(faults, session.tr());
+    try {
+        solved(session, redundants);
+        return std::nullopt;
+    } catch (const femoop::ModelError& error) {
+        return sentences(error.faults(), session.tr());
+    }
+}
 
 std::vector<MovingEffect> numbers_beside(const femoop::Model& model, const MovingEffect& effect)
 {
@@ -48,7 +88,19 @@ std::vector<MovingEffect> numbers_beside(const femoop::Model& model, const Movin
 
 void DerivationShow::ask(const Session& session, const MovingEffect& effect)
 {
+    redundants_.reset();
     asked_ = NamedEffect(session.model(), effect);
+    session_ = session.number();
+    made_for_.reset();
+    step_ = 0;
+    follow(session);
+}
+
+void DerivationShow::ask_force_method(const Session& session, std::span<const MovingEffect> redundants)
+{
+    asked_.reset();
+    redundants_.emplace();
+    for (const MovingEffect& one : redundants) redundants_->emplace_back(session.model(), one);
     session_ = session.number();
     made_for_.reset();
     step_ = 0;
@@ -59,14 +111,10 @@ void DerivationShow::clear() { *this = DerivationShow(); }
 
 std::optional<ui::Message> DerivationShow::why_not_derive(const Session& session)
 {
-    if (!asked_) return translatable("Point at a number of the results and press W.");
+    if (!is_asked()) return translatable("Point at a number of the results and press W.");
     if (session_ != session.number()) return translatable("The number that is explained belongs to another tab.");
-    if (const auto reason = session.why_no_results()) return reason;
-    if (session.model().n_cases() == 0) return translatable("The model has no load case.");
-    if (session.view.is_envelope)
-        return translatable(
-            "An envelope has the numbers of several cases; choose the one that governs to see where its number comes "
-            "from.");
+    if (auto reason = why_no_numbers(session)) return reason;
+    if (redundants_) return std::nullopt;
     const auto constrained = femoop::derivation::constrained_member(session.model());
     if (!constrained) return std::nullopt;
     return ui::Message(translatable("Member {member} is inextensible or rigid: a constraint stands where its stiffness "
@@ -85,28 +133,54 @@ void DerivationShow::follow(const Session& session)
     if (is_at(session)) return;
     made_for_ = state_of(session);
     derivation_.reset();
+    force_method_.reset();
     choices_.clear();
     why_none_ = why_not_derive(session);
-    if (!asked_ || session_ != session.number()) return;
-    const auto effect = effect_in(session.model(), *asked_);
-    if (effect) choices_ = numbers_beside(session.model(), *effect);
-    is_lost_ = !effect || std::ranges::find(choices_, *effect) == choices_.end();
-    if (is_lost_ || why_none_) return;
+    if (!is_asked() || session_ != session.number()) return;
     try {
-        const femoop::Model model = solved_model(session.model(), session.solution());
-        derivation_ = femoop::derivation::derive(model, *session.solution().results, session.view.load_case, *effect);
-    } catch (const femoop::ModelError& error) { // a member that can move once it is taken out
-        why_none_ = ui::Message(std::string_view(error.what()));
+        if (redundants_) derive_force_method(session);
+        else derive_number(session);
+    } catch (const femoop::ModelError& error) { // what can move once something is taken out
+        why_none_ = sentences(error.faults(), session.tr());
     }
     if (n_steps() > 0) go_to(step_); // else it waits for the steps to come back
 }
 
+void DerivationShow::derive_number(const Session& session)
+{
+    const auto effect = effect_in(session.model(), *asked_);
+    if (effect) choices_ = numbers_beside(session.model(), *effect);
+    is_lost_ = !effect || std::ranges::find(choices_, *effect) == choices_.end();
+    if (is_lost_ || why_none_) return;
+    const femoop::Model model = solved_model(session.model(), session.solution());
+    derivation_ = femoop::derivation::derive(model, *session.solution().results, session.view.load_case, *effect);
+}
+
+void DerivationShow::derive_force_method(const Session& session)
+{
+    std::vector<MovingEffect> redundants;
+    is_lost_ = false;
+    for (const NamedEffect& one : *redundants_) {
+        const auto effect = effect_in(session.model(), one);
+        if (effect) redundants.push_back(*effect);
+        else gone_ = one;
+        is_lost_ = is_lost_ || !effect;
+    }
+    if (is_lost_ || why_none_) return;
+    const auto faults = femoop::force_method::check_redundants(session.model(), redundants,
+                                                               session.tr()("force method"));
+    if (!faults.empty()) throw femoop::ModelError(faults);
+    force_method_ = std::make_shared<const femoop::force_method::ForceMethod>(solved(session, redundants));
+    derivation_ = femoop::force_method::steps(*force_method_, session.model());
+}
+
 ui::Message DerivationShow::lost() const
 {
-    const bool is_of_member = !asked_->member.empty();
+    const NamedEffect& gone = redundants_ ? *gone_ : *asked_;
+    const bool is_of_member = !gone.member.empty();
     return {is_of_member ? translatable("The number that was explained is gone with member {part}.")
                          : translatable("The number that was explained is gone from node {part}."),
-            {{"part", is_of_member ? asked_->member : asked_->node}}};
+            {{"part", is_of_member ? gone.member : gone.node}}};
 }
 
 void DerivationShow::choose(std::size_t forward)

@@ -2,23 +2,29 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <optional>
+#include <span>
 #include <tuple>
 #include <vector>
 
 #include "apps/frame/document/named_effect.h"
 #include "apps/frame/session/session.h"
 #include "femoop/methods/derivation/derivation.h"
+#include "femoop/methods/force_method/force_method.h"
 #include "ui/text/message.h"
 
 namespace frame {
 
-/// The number that is explained: which one, and at which step of the way from the data to it. It follows the document
-/// and the load case that is shown; a step that is no more there becomes the last one.
+/// The number that is explained: which one, and at which step of the way from the data to it; or the force method, step
+/// by step. It follows the document and the load case that is shown; a step that is no more there becomes the last one.
 class DerivationShow {
 public:
     /// From its first step. \pre the effect is one of the session's model
     void ask(const Session& session, const femoop::MovingEffect& effect);
+    /// The force method with these redundants, from its first step; none: those that the program chooses.
+    /// \pre they are forces of the session's model
+    void ask_force_method(const Session& session, std::span<const femoop::MovingEffect> redundants);
     void clear();
 
     /// Derives it anew where the session's document, or what is shown of it, is another than before.
@@ -29,6 +35,8 @@ public:
 
     /// Null where nothing is explained: `why_none` says why.
     const femoop::derivation::Derivation* derivation() const { return derivation_ ? &*derivation_ : nullptr; }
+    /// With its states; null where a number is explained, or nothing.
+    const femoop::force_method::ForceMethod* force_method() const { return force_method_.get(); }
     const std::optional<ui::Message>& why_none() const { return why_none_; }
     /// Its node, its member or its support is gone from the document that it was asked of.
     bool is_lost() const { return is_lost_; }
@@ -56,10 +64,16 @@ private:
     using MadeFor = std::tuple<std::uint64_t, std::uint64_t, std::size_t, bool, bool>;
 
     static MadeFor state_of(const Session& session);
+    bool is_asked() const { return asked_ || redundants_; }
     std::optional<ui::Message> why_not_derive(const Session& session);
+    void derive_number(const Session& session);
+    void derive_force_method(const Session& session);
     void choose(std::size_t forward);
 
     std::optional<NamedEffect> asked_;
+    std::optional<std::vector<NamedEffect>> redundants_; ///< of the force method; empty: the program chooses
+    std::optional<NamedEffect> gone_;                    ///< the redundant whose part is lost
+    std::shared_ptr<const femoop::force_method::ForceMethod> force_method_;
     std::uint64_t session_ = 0; ///< that it was asked of
     std::optional<MadeFor> made_for_;
     std::optional<femoop::derivation::Derivation> derivation_;
@@ -68,6 +82,9 @@ private:
     bool is_lost_ = false;
     std::size_t step_ = 0;
 };
+
+/// Why no force method has these redundants: what cannot be released, or how the structure moves without them.
+std::optional<ui::Message> why_not_release(const Session& session, std::span<const femoop::MovingEffect> redundants);
 
 /// Every number of the results at the same place as one of them: of a member's section its section forces and
 /// displacements, of a whole member its extremes, of a node its reactions and displacements.

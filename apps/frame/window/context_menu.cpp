@@ -21,7 +21,7 @@ namespace {
 
 using Ids = std::span<const std::string_view>;
 
-constexpr std::array<std::string_view, 1> why{"view.why"};
+constexpr std::array<std::string_view, 2> why{"view.why", "view.release"};
 constexpr std::array<std::string_view, 6> beginnings{"edit.paste",  "edit.template", "case.new",
                                                      "draw.member", "draw.load",     "edit.select_all"};
 constexpr std::array<std::string_view, 4> changes{"edit.move", "edit.copy", "edit.rotate", "edit.mirror"};

@@ -7,6 +7,7 @@
 
 #include "apps/frame/session/derivation_commands.h"
 #include "apps/frame/view/derivation/derivation_picture.h"
+#include "apps/frame/view/derivation/state_pictures.h"
 #include "femoop/methods/influence/effect_name.h"
 #include "ui/widgets/tooltip.h"
 #include "ui/widgets/wrapped_text.h"
@@ -71,7 +72,15 @@ void show_close_button(Workspace& workspace)
     if (ImGui::Button("×###close", {side, side})) close_derivation(workspace);
 }
 
-void show_step(const Workspace& workspace, ui::ImGuiSession& gui, const ui::Fonts& fonts)
+/// What is left of the current window, in logical pixels.
+ui::Size room_left(const ui::ImGuiSession& gui)
+{
+    const ImVec2 room = ImGui::GetContentRegionAvail();
+    return {static_cast<double>(room.x) / gui.scale(), static_cast<double>(room.y) / gui.scale()};
+}
+
+/// \param width  0: all that is left
+void show_picture(const Workspace& workspace, ui::ImGuiSession& gui, const ui::Fonts& fonts, float width)
 {
     const Session& session = workspace.session;
     const femoop::derivation::Derivation& derivation = *workspace.derivation.derivation();
@@ -80,11 +89,10 @@ void show_step(const Workspace& workspace, ui::ImGuiSession& gui, const ui::Font
                               .units = session.units(),
                               .step = workspace.derivation.step()};
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {0.0F, 0.0F});
-    ImGui::BeginChild("###derivation", {0.0F, 0.0F}, false, ImGuiWindowFlags_HorizontalScrollbar);
-    const ImVec2 room = ImGui::GetContentRegionAvail(), corner = ImGui::GetCursorScreenPos();
+    ImGui::BeginChild("###derivation", {width, 0.0F}, false, ImGuiWindowFlags_HorizontalScrollbar);
+    const ImVec2 corner = ImGui::GetCursorScreenPos();
     const double scale = gui.scale();
-    const ui::Size seen{static_cast<double>(room.x) / scale, static_cast<double>(room.y) / scale};
-    if (seen.width >= 1.0 && seen.height >= 1.0) {
+    if (const ui::Size seen = room_left(gui); seen.width >= 1.0 && seen.height >= 1.0) {
         const ui::Size sheet = sheet_for(derivation, session.model(), look, seen, fonts);
         ui::Painter painter(sheet, fonts);
         draw_derivation(painter, derivation, session.model(), look);
@@ -94,6 +102,37 @@ void show_step(const Workspace& workspace, ui::ImGuiSession& gui, const ui::Font
     }
     ImGui::EndChild();
     ImGui::PopStyleVar();
+}
+
+constexpr float states_share = 0.5F; // of the panel's width, for the states of the force method
+
+// Every state of the force method as a picture of its own.
+void show_states(const Workspace& workspace, ui::ImGuiSession& gui, const ui::Fonts& fonts)
+{
+    const Session& session = workspace.session;
+    const auto& method = *workspace.derivation.force_method();
+    const StateLook look{.view = session.view, .step = *workspace.derivation.shown_step()};
+    const ImVec2 corner = ImGui::GetCursorScreenPos();
+    const double scale = gui.scale();
+    for (const StateCell& cell : state_cells(method, room_left(gui))) {
+        ui::Painter painter(cell.box.size(), fonts);
+        draw_state(painter, method, cell.state, look);
+        gui.show(painter.picture(), *ImGui::GetWindowDrawList(),
+                 {static_cast<double>(corner.x) + scale * cell.box.min.x,
+                  static_cast<double>(corner.y) + scale * cell.box.min.y});
+    }
+}
+
+/// The picture of the step; beside it that of the states, where it is one of the force method.
+void show_sheet(const Workspace& workspace, ui::ImGuiSession& gui, const ui::Fonts& fonts)
+{
+    if (workspace.derivation.force_method() == nullptr) return show_picture(workspace, gui, fonts, 0.0F);
+    show_picture(workspace, gui, fonts, (1.0F - states_share) * ImGui::GetContentRegionAvail().x);
+    ImGui::SameLine();
+    ImGui::BeginChild("###states", {0.0F, 0.0F});
+    if (const ui::Size room = room_left(gui); room.width >= 1.0 && room.height >= 1.0)
+        show_states(workspace, gui, fonts);
+    ImGui::EndChild();
 }
 
 } // namespace
@@ -115,7 +154,7 @@ void derivation_panel(Workspace& workspace, const CommandTable& commands, ui::Im
     if (!workspace.bottom.is_open) return;
     show.follow(workspace.session); // another number may have been chosen
     if (show.why_none()) ui::wrapped_text(workspace.tr()(*show.why_none()));
-    else if (show.n_steps() > 0) show_step(workspace, gui, fonts);
+    else if (show.n_steps() > 0) show_sheet(workspace, gui, fonts);
 }
 
 bool handle_presenter_key(Workspace& workspace, const ui::Chord& chord)

@@ -100,6 +100,58 @@ TEST_SUITE("frame session")
         CHECK(workspace.derivation.derivation()->steps.back().kind == StepKind::Combination);
     }
 
+    TEST_CASE("The force method is played as a derivation is, and follows the document")
+    {
+        Workspace workspace = workspace_with("portal.json");
+        CHECK(!run(workspace, "view.force_method"));
+        const DerivationShow& show = workspace.derivation;
+        REQUIRE(show.force_method() != nullptr);
+        CHECK(show.force_method()->n_redundants() == 3);
+        CHECK(show.shown_step()->kind == StepKind::Redundants);
+        CHECK(show.n_steps() == 10);
+        CHECK(!run(workspace, "derivation.last"));
+        CHECK(show.shown_step()->kind == StepKind::StateSuperposition);
+        Session& session = workspace.session;
+        session.change({"Pin it", [](Document& document) {
+                            for (femoop::Node& node : document.model.nodes)
+                                if (node.support) node.support->kind = femoop::SupportKind::Pin;
+                        }});
+        workspace.derivation.follow(session);
+        CHECK(show.force_method()->n_redundants() == 1);
+        explain(workspace, moment(session, "BC", 3.0));
+        CHECK(show.force_method() == nullptr);
+    }
+
+    TEST_CASE("Forces are released one by one where the pointer is, held again, and refused with the motion")
+    {
+        Workspace workspace = workspace_with("portal.json");
+        const Session& session = workspace.session;
+        CHECK(run(workspace, "view.release") == "point at a support, or at a section of a diagram first");
+        const auto release = [&](const MovingEffect& force) {
+            workspace.pointed_number = force;
+            CHECK(!run(workspace, "view.release"));
+        };
+        const auto released = [&] { return workspace.derivation.force_method()->redundants; };
+        const MovingEffect hinge = moment(session, "BC", 0.0), foot = reaction(session, "D", femoop::Dof::rz);
+        release(hinge);
+        release(foot);
+        CHECK(released() == std::vector{hinge, foot});
+        release(hinge);
+        CHECK(released() == std::vector{foot});
+        release(hinge);
+        release(moment(session, "BC", 4.0));
+        CHECK(released().size() == 3);
+        release(reaction(session, "A", femoop::Dof::rz));
+        CHECK(released().size() == 3); // a fourth hinge lets it move
+        REQUIRE(session.notice);
+        CHECK(ui::Catalogue()(session.notice->sentence).find("the structure can move") != std::string::npos);
+        release({.quantity = ExpectedQuantity::Displacement,
+                 .node = session.model().find_node("B"),
+                 .dof = femoop::Dof::ux});
+        CHECK(ui::Catalogue()(session.notice->sentence).find("is no force that could be released") !=
+              std::string::npos);
+    }
+
     TEST_CASE("A place beyond the end of a shorter member is its end; a number whose support is gone is lost")
     {
         Workspace workspace = workspace_with("portal.json");

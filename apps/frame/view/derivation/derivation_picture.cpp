@@ -44,6 +44,10 @@ MatrixBlock::Kind kind_of(const Step& step, const NamedMatrix& matrix)
     case TurnedSupport: return MatrixBlock::Kind::Sum;
     case EndForces: return MatrixBlock::Kind::List;
     case NodeForces: return MatrixBlock::Kind::List;
+    case Redundants:
+    case State:
+    case StateSuperposition: return MatrixBlock::Kind::List;
+    case Flexibility: return MatrixBlock::Kind::Sum;
     default: return MatrixBlock::Kind::Matrix;
     }
 }
@@ -78,15 +82,18 @@ public:
         draw_head(painter);
         for (std::size_t i = 0; i < blocks_.size(); ++i) {
             blocks_[i].draw(painter, places_[i]);
-            if (step_.kind == StepKind::Equations && i > 0) draw_sign(painter, i);
+            const bool is_system = step_.kind == StepKind::Equations || step_.kind == StepKind::RedundantEquations;
+            if (is_system && i > 0) draw_sign(painter, i);
         }
+        if (has_no_map()) return;
         const double left = sheet_.width - panel_margin - map_width();
         draw_stiffness_map(painter, derivation_, step_, model_, look_,
                            {{left, panel_margin}, {sheet_.width - panel_margin, sheet_.height - panel_margin}});
     }
 
 private:
-    double map_width() const { return std::min(map_share * sheet_.width, 1.25 * sheet_.height); }
+    bool has_no_map() const { return !derivation_.redundants.empty(); } ///< the force method has no K
+    double map_width() const { return has_no_map() ? 0.0 : std::min(map_share * sheet_.width, 1.25 * sheet_.height); }
     double room_right() const { return sheet_.width - map_width() - 3.0 * panel_margin; }
 
     ui::TextStyle title_style() const
@@ -101,6 +108,7 @@ private:
     std::string title() const
     {
         const auto& tr = look_.tr;
+        if (has_no_map()) return tr("Force method in {case}", {{"case", model_.case_name(derivation_.load_case)}});
         return tr("{number} = {value} in {case}",
                   {{"number", drawing::effect_text(model_, look_.units, derivation_.effect)},
                    {"value",

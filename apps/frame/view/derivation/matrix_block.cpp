@@ -34,7 +34,8 @@ void localize_place(std::string& text, const ui::Catalogue& tr)
 constexpr std::array words{translatable("data"),       translatable("entries"), translatable("place"),
                            translatable("factors"),    translatable("factor"),  translatable("value"),
                            translatable("extremes"),   translatable("max"),     translatable("min"),
-                           translatable("foundation"), translatable("spring"),  translatable("p at the node")};
+                           translatable("foundation"), translatable("spring"),  translatable("p at the node"),
+                           translatable("sum")};
 
 } // namespace
 
