@@ -106,20 +106,23 @@ void show_picture(const Workspace& workspace, ui::ImGuiSession& gui, const ui::F
 
 constexpr float states_share = 0.5F; // of the panel's width, for the states of the force method
 
-// Every state of the force method as a picture of its own.
+// The states of the force method, each as a picture of its own.
 void show_states(const Workspace& workspace, ui::ImGuiSession& gui, const ui::Fonts& fonts)
 {
     const Session& session = workspace.session;
     const auto& method = *workspace.derivation.force_method();
     const StateLook look{.view = session.view, .step = *workspace.derivation.shown_step()};
     const ImVec2 corner = ImGui::GetCursorScreenPos();
-    const double scale = gui.scale();
-    for (const StateCell& cell : state_cells(method, room_left(gui))) {
-        ui::Painter painter(cell.box.size(), fonts);
-        draw_state(painter, method, cell.state, look);
+    const auto show = [&](const ui::Box& box, const auto& draw, std::size_t state) {
+        ui::Painter painter(box.size(), fonts);
+        draw(painter, method, state, look);
         gui.show(painter.picture(), *ImGui::GetWindowDrawList(),
-                 {static_cast<double>(corner.x) + scale * cell.box.min.x,
-                  static_cast<double>(corner.y) + scale * cell.box.min.y});
+                 {static_cast<double>(corner.x) + gui.scale() * box.min.x,
+                  static_cast<double>(corner.y) + gui.scale() * box.min.y});
+    };
+    for (const StateCell& cell : state_cells(method, room_left(gui), look)) {
+        show(cell.picture, draw_state, cell.state);
+        show(cell.name, draw_state_name, cell.state);
     }
 }
 

@@ -9,6 +9,7 @@
 #include "femoop/analysis/linear_static.h"
 #include "femoop/edit/naming.h"
 #include "femoop/load/case_terms.h"
+#include "femoop/load/place_along.h"
 #include "femoop/methods/force_method/usual_redundants.h"
 #include "femoop/methods/influence/effect_name.h"
 #include "femoop/methods/influence/influence_line.h"
@@ -29,16 +30,35 @@ std::string names_of(const Model& model, std::span<const Redundant> redundants)
     return listed(names);
 }
 
-/// As the analysis of the whole has it, along the axes of its support.
-double analysed_value(const Model& model, const CaseResult& result, const Redundant& asked)
-{
-    const bool is_turned = asked.node && model[*asked.node].support->angle.value() != 0.0 && !is_rotation(*asked.dof);
-    if (!is_turned) return influence::effect_in(asked, result);
-    const NodeVector r = result.reaction(*asked.node);
-    const double angle = model[*asked.node].support->angle * std::numbers::pi / 180.0;
-    const double c = std::cos(angle), s = std::sin(angle);
-    return *asked.dof == Dof::ux ? c * r[0] + s * r[1] : c * r[1] - s * r[0];
-}
+/// What the analysis of the whole has for redundants: reactions along the axes of their supports, section forces at a
+/// member's end before what acts on that end.
+class AnalysedForces {
+public:
+    explicit AnalysedForces(const virtual_work::Loading& whole) : model_(whole.model), whole_(whole) {}
+
+    double of(const Redundant& asked) const { return asked.member ? section_force(asked) : reaction(asked); }
+
+private:
+    double reaction(const Redundant& asked) const
+    {
+        const double angle = model_[*asked.node].support->angle * std::numbers::pi / 180.0;
+        if (angle == 0.0 || is_rotation(*asked.dof)) return influence::effect_in(asked, whole_.result());
+        const NodeVector r = whole_.result().reaction(*asked.node);
+        const double c = std::cos(angle), s = std::sin(angle);
+        return *asked.dof == Dof::ux ? c * r[0] + s * r[1] : c * r[1] - s * r[0];
+    }
+
+    double section_force(const Redundant& asked) const
+    {
+        const Curve curve = whole_.result().curve(*asked.member);
+        const auto end = end_at(along(*asked.at, curve.length()), curve.length());
+        if (!end) return influence::effect_in(asked, whole_.result());
+        return virtual_work::force_in_joint(curve, whole_.span_loading(*asked.member), *end, *asked.component);
+    }
+
+    const Model& model_;
+    virtual_work::LoadedStructure whole_;
+};
 
 Combination state_0(const PrimaryStructure& primary, const CaseTerms& terms)
 {
@@ -135,8 +155,8 @@ ForceMethod solved(const Model& model, const Results& results, CaseId load_case,
     if (!X) throw ModelError({Fault{FaultKind::RedundantsUnstrained, {names}}});
     const CaseId superposition = add_superposition(primary.model, cases, *X);
     Eigen::VectorXd analysed(X->size());
-    for (Eigen::Index i = 0; i < X->size(); ++i)
-        analysed[i] = analysed_value(model, results[load_case], redundants[static_cast<std::size_t>(i)]);
+    const AnalysedForces whole({model, results, load_case});
+    for (Eigen::Index i = 0; i < X->size(); ++i) analysed[i] = whole.of(redundants[static_cast<std::size_t>(i)]);
     Results states = analysis.solve(primary.model);
     return {.load_case = load_case,
             .redundants = std::move(redundants),

@@ -13,6 +13,7 @@
 #include "femoop/load/place_along.h"
 #include "femoop/methods/influence/effect_name.h"
 #include "femoop/methods/unit_load_case.h"
+#include "femoop/methods/virtual_work/loaded_structure.h"
 #include "femoop/model/check/check.h"
 #include "femoop/model/fault/errors_among.h"
 
@@ -25,17 +26,7 @@ constexpr double nearness = 1e-9; ///< of a member's length: places that are nea
 double length_of(const Model& model, MemberId member) { return geometry_of(model, model[member]).length; }
 
 /// Of the member's end, what a section force works on.
-Dof dof_of(MemberComponent force)
-{
-    switch (force) {
-    case MemberComponent::N: return Dof::ux;
-    case MemberComponent::Vy: return Dof::uy;
-    case MemberComponent::Vz: return Dof::uz;
-    case MemberComponent::T: return Dof::rx;
-    case MemberComponent::My: return Dof::ry;
-    default: return Dof::rz;
-    }
-}
+Dof dof_of(MemberComponent force) { return all_dofs[index(virtual_work::axis_of(force))]; }
 
 /// Of a positive section force on the end whose face is +x'.
 double sign_on_second_end(Dof dof) { return dof == Dof::uy || dof == Dof::uz || dof == Dof::ry ? -1.0 : 1.0; }
@@ -46,13 +37,6 @@ bool holds(const Support& support, Dof dof, AnalysisKind kind)
 {
     const auto is_along = [&](const Spring& spring) { return spring.dof == dof; };
     return support.blocked(kind).contains(dof) || std::ranges::any_of(support.springs, is_along);
-}
-
-/// Which end of its member a section is at; none inside.
-std::optional<std::size_t> end_at(double x, double length)
-{
-    if (x <= nearness * length) return 0;
-    return x >= length * (1.0 - nearness) ? std::optional<std::size_t>(1) : std::nullopt;
 }
 
 std::optional<std::size_t> end_of(const Model& model, const Redundant& section)
@@ -212,6 +196,12 @@ std::vector<Component> global_components(AnalysisKind kind, const Eigen::Vector3
 }
 
 } // namespace
+
+std::optional<std::size_t> end_at(double x, double length)
+{
+    if (x <= nearness * length) return 0;
+    return x >= length * (1.0 - nearness) ? std::optional<std::size_t>(1) : std::nullopt;
+}
 
 std::vector<Fault> check_redundants(const Model& model, std::span<const Redundant> redundants, const std::string& place)
 {

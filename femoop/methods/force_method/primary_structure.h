@@ -13,7 +13,7 @@
 namespace femoop::force_method {
 
 /// A force that equilibrium alone does not give: a reaction, along the axes of its own support, or a section force of a
-/// member at a place.
+/// member at a place. At a member's end it is the one between the end and its node, before what acts on the very end.
 using Redundant = MovingEffect;
 
 /// Where a redundant is released in the primary structure, and where it acts there as a load instead.
@@ -48,6 +48,9 @@ struct PrimaryStructure {
     std::vector<std::vector<Part>> parts;     ///< of each member of the whole, from its first end on
     std::vector<std::vector<double>> imposed; ///< of every load case, for each release: its support's settlement
 };
+
+/// Which end of its member a section is at; none inside.
+std::optional<std::size_t> end_at(double x, double length);
 
 /// Everything that is wrong with these redundants: what is no force, what the structure does not carry there, what is
 /// named twice. `place` is how faults name them, an option or a table.

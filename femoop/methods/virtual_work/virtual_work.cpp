@@ -5,9 +5,6 @@
 #include <utility>
 
 #include "femoop/analysis/linear_static.h"
-#include "femoop/discretisation/case_loads.h"
-#include "femoop/discretisation/discretisation.h"
-#include "femoop/load/case_terms.h"
 #include "femoop/methods/influence/effect_name.h"
 #include "femoop/methods/influence/influence_line.h"
 #include "femoop/methods/influence/polynomial_terms.h"
@@ -49,62 +46,9 @@ double integral_of_product(const Polynomial& p, const Polynomial& q, double end)
 
 double integral_of(const Polynomial& p, double end) { return integral_of_product(p, {1.0}, end); }
 
-/// A loading, as far as its members and supports are asked.
-class LoadedStructure {
-public:
-    explicit LoadedStructure(const Loading& loading)
-        : structure_(discretise(loading.model)),
-          loads_(loads_of(loading.model, structure_)),
-          terms_(terms_of(loading.model, loading.load_case).terms),
-          result_(loading.results[loading.load_case]),
-          magnitudes_(result_.magnitudes())
-    {}
-
-    const Discretisation& structure() const { return structure_; }
-    const CaseResult& result() const { return result_; }
-    const Magnitudes& magnitudes() const { return magnitudes_; }
-
-    SpanLoading span_loading(MemberId member) const
-    {
-        std::vector<SpanLoading::Scaled> scaled;
-        for (const CaseTerms::Term& term : terms_)
-            scaled.push_back({.loads = loads_[term.load_case].of(member), .factor = term.factor});
-        SpanLoading loading;
-        loading.assign(structure_.geometry(member).length, scaled, SpanLoading::no_settling);
-        return loading;
-    }
-
-private:
-    Discretisation structure_;
-    std::vector<CaseLoads> loads_;
-    std::vector<CaseTerms::Term> terms_;
-    CaseResult result_;
-    Magnitudes magnitudes_;
-};
-
-/// The force that works on a displacement of a member's end, and which axis of it.
-struct EndForce {
-    MemberComponent force;
-    LocalAxis axis;
-};
-constexpr std::array<EndForce, 6> end_forces{{{MemberComponent::N, LocalAxis::x},
-                                              {MemberComponent::Vy, LocalAxis::y},
-                                              {MemberComponent::Vz, LocalAxis::z},
-                                              {MemberComponent::T, LocalAxis::rx},
-                                              {MemberComponent::My, LocalAxis::ry},
-                                              {MemberComponent::Mz, LocalAxis::rz}}};
-
-/// A section force inside a joint: before what acts on the member's very end.
-double force_in_joint(const Curve& curve, const SpanLoading& loading, std::size_t end, const EndForce& asked)
-{
-    // What a point load along an axis adds to the section force there: see Beam::after_jump and Bar.
-    const bool is_added = asked.force == MemberComponent::Vy || asked.force == MemberComponent::Vz ||
-                          asked.force == MemberComponent::My;
-    const double sign = is_added ? 1.0 : -1.0;
-    const std::size_t axis = index(asked.axis);
-    if (end == 0) return curve.value(asked.force, 0.0) - sign * loading.pieces().front().jump[axis];
-    return curve.value(asked.force, curve.length(), Side::Before) + sign * loading.last_jump()[axis];
-}
+/// The force that works on a displacement of a member's end.
+constexpr std::array<MemberComponent, 6> end_forces{MemberComponent::N, MemberComponent::Vy, MemberComponent::Vz,
+                                                    MemberComponent::T, MemberComponent::My, MemberComponent::Mz};
 
 /// All that works along one member.
 class MemberWork {
@@ -128,7 +72,7 @@ public:
         if (is_founded()) add_pressure();
         if (end_conditions_ == nullptr) return;
         for (std::size_t end = 0; end < 2; ++end)
-            for (const EndForce& force : end_forces) add_joint(end, force);
+            for (const MemberComponent force : end_forces) add_joint(end, force);
     }
 
 private:
@@ -235,16 +179,16 @@ private:
         work_.integrals.push_back(integral);
     }
 
-    void add_joint(std::size_t end, const EndForce& asked)
+    void add_joint(std::size_t end, MemberComponent force)
     {
-        const double stiffness = end_conditions_->joints[end][index(asked.axis)];
+        const double stiffness = end_conditions_->joints[end][index(axis_of(force))];
         if (!std::isfinite(stiffness) || stiffness == 0.0) return;
-        const double real = without_rounding(force_in_joint(real_, real_loading_, end, asked),
-                                             real_magnitudes_.of(asked.force));
-        const double unit = without_rounding(force_in_joint(unit_, unit_loading_, end, asked),
-                                             unit_magnitudes_.of(asked.force));
+        const double real = without_rounding(force_in_joint(real_, real_loading_, end, force),
+                                             real_magnitudes_.of(force));
+        const double unit = without_rounding(force_in_joint(unit_, unit_loading_, end, force),
+                                             unit_magnitudes_.of(force));
         if (real == 0.0 || unit == 0.0) return;
-        work_.joints.push_back({member_, end, asked.force, real, unit, stiffness, real * unit / stiffness});
+        work_.joints.push_back({member_, end, force, real, unit, stiffness, real * unit / stiffness});
     }
 
     MemberId member_;

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "femoop/element/polynomial.h"
+#include "femoop/methods/virtual_work/loaded_structure.h"
 #include "femoop/model/model.h"
 #include "femoop/result/results.h"
 
@@ -51,13 +52,6 @@ struct Work {
 
     double of(MemberId member) const; ///< its integrals and joints
     double sum() const;
-};
-
-/// A loading of a structure with its results. \pre both live as long as this
-struct Loading {
-    const Model& model;
-    const Results& results;
-    CaseId load_case;
 };
 
 /// By the principle of virtual forces the displacement, under `real`, that the unit load of `unit` works on:

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <string>
 
 #include "apps/drawing/draw.h"
@@ -18,12 +19,12 @@ std::size_t n_pictures(const ForceMethod& method) { return method.n_redundants()
 
 bool is_sum(const ForceMethod& method, std::size_t state) { return state == method.n_redundants() + 1; }
 
-/// Does the step speak of this state?
-bool is_meant(const ForceMethod& method, std::size_t state, const femoop::derivation::Step& step)
+/// That the step speaks of; nothing where it is of all of them.
+std::optional<std::size_t> state_meant(const ForceMethod& method, const femoop::derivation::Step& step)
 {
-    if (step.kind == StepKind::StateSuperposition) return is_sum(method, state);
+    if (step.kind == StepKind::StateSuperposition) return method.n_redundants() + 1;
     const bool speaks_of_one = step.kind == StepKind::State || step.kind == StepKind::Flexibility;
-    return speaks_of_one && step.state == state;
+    return speaks_of_one ? std::optional(step.state) : std::nullopt;
 }
 
 std::string title(const ForceMethod& method, std::size_t state, const ui::Catalogue& tr)
@@ -32,6 +33,13 @@ std::string title(const ForceMethod& method, std::size_t state, const ui::Catalo
     if (is_sum(method, state)) return tr("all states added up");
     return tr("state {n}: {redundant} = 1",
               {{"n", std::to_string(state)}, {"redundant", femoop::force_method::redundant_name(state)}});
+}
+
+std::string short_title(const ForceMethod& method, std::size_t state)
+{
+    if (is_sum(method, state)) return "Σ";
+    if (state == 0) return "X = 0";
+    return femoop::force_method::redundant_name(state) + " = 1";
 }
 
 DrawOptions options_for(const ForceMethod& method, std::size_t state, const DrawOptions& view)
@@ -49,32 +57,45 @@ DrawOptions options_for(const ForceMethod& method, std::size_t state, const Draw
 
 } // namespace
 
-std::vector<StateCell> state_cells(const ForceMethod& method, ui::Size room)
+std::vector<StateCell> state_cells(const ForceMethod& method, ui::Size room, const StateLook& look)
 {
+    constexpr double least_width = 12.0, least_height = 8.5, name_height = 1.5; // ems
+    const double em = ui::Theme(look.view.theme).type().normal;
     const auto n = static_cast<double>(n_pictures(method));
     const double columns = std::clamp(std::round(std::sqrt(n * room.width / (1.4 * std::max(room.height, 1.0)))), 1.0,
                                       n);
-    const double rows = std::ceil(n / columns);
-    const ui::Point size{room.width / columns, room.height / rows};
+    const ui::Point size{room.width / columns, room.height / std::ceil(n / columns)};
+    const auto cell = [&](std::size_t state, const ui::Box& box) {
+        const double foot = std::max(box.min.y, box.max.y - name_height * em);
+        return StateCell{state, {box.min, {box.max.x, foot}}, {{box.min.x, foot}, box.max}};
+    };
+    if (size.x < least_width * em || size.y < least_height * em)
+        return {cell(state_meant(method, look.step).value_or(0), {{}, {room.width, room.height}})};
     std::vector<StateCell> cells;
     for (std::size_t state = 0; state < n_pictures(method); ++state) {
         const double row = std::floor(static_cast<double>(state) / columns);
         const double column = static_cast<double>(state) - row * columns;
         const ui::Point corner{column * size.x, row * size.y};
-        cells.push_back({state, {corner, corner + size}});
+        cells.push_back(cell(state, {corner, corner + size}));
     }
     return cells;
 }
 
 void draw_state(ui::Painter& painter, const ForceMethod& method, std::size_t state, const StateLook& look)
 {
-    const DrawOptions options = options_for(method, state, look.view);
-    drawing::draw(painter, {.model = method.primary.model, .results = &method.states}, options);
-    const ui::Theme theme(look.view.theme);
-    ui::TextStyle style = theme.text(ui::Role::Label, ui::Anchor::BottomLeft);
-    if (is_meant(method, state, look.step)) style.weight = ui::Weight::Bold;
+    drawing::draw(painter, {.model = method.primary.model, .results = &method.states},
+                  options_for(method, state, look.view));
+}
+
+void draw_state_name(ui::Painter& painter, const ForceMethod& method, std::size_t state, const StateLook& look)
+{
+    ui::TextStyle style = ui::Theme(look.view.theme).text(ui::Role::Label, ui::Anchor::Center);
+    if (state_meant(method, look.step) == state) style.weight = ui::Weight::Bold;
+    const std::string whole = title(method, state, look.view.tr);
+    const bool has_room = painter.measure(whole, style).width <= painter.size().width;
     const ui::LayerScope layer(painter, ui::Layer::Labels);
-    painter.text({6.0, painter.size().height - 4.0}, title(method, state, look.view.tr), style);
+    painter.text({0.5 * painter.size().width, 0.5 * painter.size().height},
+                 has_room ? whole : short_title(method, state), style);
 }
 
 } // namespace frame
