@@ -146,7 +146,8 @@ void ExercisePanel::show_seed(Workspace& workspace)
     const ui::Catalogue& tr = workspace.tr();
     ui::wrapped_text(tr("Number of the exercise: the same number gives the same one"));
     const std::string text = std::to_string(workspace.next_exercise.seed);
-    const auto event = fields_.show("###seed", {.text = text, .exact_text = text, .value = std::nullopt});
+    const auto event = fields_.show("###seed",
+                                    {.text = text, .exact_text = text, .value = std::nullopt, .is_typed_only = true});
     if (event.kind != ui::NumberFieldEvent::Kind::Typed) return;
     const auto typed = ui::number_typed(event.text);
     constexpr double most = std::numeric_limits<std::uint32_t>::max();

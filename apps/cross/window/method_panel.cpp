@@ -148,8 +148,8 @@ void MethodPanel::show(Workspace& workspace, const CommandTable& commands)
 void MethodPanel::show_own_order(Workspace& workspace)
 {
     const std::string order = own_order(workspace.session.document().method);
-    const ui::NumberFieldEvent event = fields_.show("###order",
-                                                    {.text = order, .exact_text = order, .value = std::nullopt});
+    const ui::NumberFieldEvent event = fields_.show(
+        "###order", {.text = order, .exact_text = order, .value = std::nullopt, .is_typed_only = true});
     if (event.kind != ui::NumberFieldEvent::Kind::Typed) return;
     if (const auto reason = take_own_order(workspace.session, event.text))
         fields_.reject(event, workspace.tr()(*reason));
@@ -162,8 +162,8 @@ void MethodPanel::show_tolerance(Workspace& workspace)
     heading(units.label(session.tr()("Tolerance"), ui::Measure::Moment));
     const double shown = units.shown(session.sheet()->tolerance, ui::Measure::Moment);
     const std::string text = ui::number_text(shown, units.format());
-    const ui::NumberFieldEvent event = fields_.show("###tolerance",
-                                                    {.text = text, .exact_text = text, .value = std::nullopt});
+    const ui::NumberFieldEvent event = fields_.show(
+        "###tolerance", {.text = text, .exact_text = text, .value = std::nullopt, .is_typed_only = true});
     if (event.kind != ui::NumberFieldEvent::Kind::Typed) return;
     const auto typed = ui::number_typed(event.text);
     if (!typed || *typed <= 0.0) return fields_.reject(event, session.tr()("wanted a number above 0"));
