@@ -22,6 +22,11 @@ std::string size_text(const Model& model, const Translator& tr)
            counted(model.members.size(), tr("{0} member"), tr("{0} members"));
 }
 
+std::string title_and_size_text(const Model& model, const Translator& tr)
+{
+    return model.title.empty() ? size_text(model, tr) : model.title + ": " + size_text(model, tr);
+}
+
 std::string counted(std::size_t n, std::string_view one, std::string_view many)
 {
     return fill(n == 1 ? one : many, {std::to_string(n)});

@@ -126,6 +126,7 @@ void add_app_options(CLI::App& app, AppOptions& options, const OptionWords& word
 void complete(AppOptions& options, const std::optional<DraftFolder>& folder)
 {
     if (options.settings.theme == ThemeName::Projector) options.settings.has_panels = false; // as F5 would
+    options.asked_for = options.settings;
     if (folder && !options.is_headless())
         options.settings = options.settings.or_else(read_settings(settings_file(*folder)));
     options.settings = options.settings.or_else(

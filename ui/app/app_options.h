@@ -28,6 +28,7 @@ struct AppOptions {
     std::optional<std::filesystem::path> link;       ///< folder of a link with the program that has started this one
     double scale = 1.0;                              ///< physical pixels of a logical one, without a screen
     Settings settings;                               ///< that were asked for; after `complete` all but the units
+    Settings asked_for;                              ///< after `complete` those of them that were
 
     bool is_headless() const { return screenshot || play || describe; }
 };

@@ -55,8 +55,12 @@ public:
     const Workspace& workspace() const { return workspace_; }
     const Session& session() const { return workspace_.session; }
     const CommandTable<Workspace>& commands() const { return commands_; }
-    /// From now on the last files and drafts of unsaved work are kept there. Offers what was left behind.
-    void remember_in(const DraftFolder& folder) { session_store_ = SessionStore(folder); }
+    /// From now on the last files, drafts of unsaved work and settings are kept there, but for those that were asked for
+    /// this time alone. Offers what was left behind.
+    void remember_in(const DraftFolder& folder, const Settings& asked_for)
+    {
+        session_store_ = SessionStore(folder, asked_for);
+    }
     /// From now on changes are offered to the program at the other end, and those of that program here. The session
     /// knows `linked_text()`, `is_news(text)` and `adopt(text)`; what has them not has no links.
     void link_to(Link link);

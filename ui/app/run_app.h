@@ -46,7 +46,7 @@ MakeApp remembering_app_with(Session& session, const AppOptions& options, const 
     return [&session, options, folder, prepare](Context& context, const Fonts& fonts) {
         auto application = std::make_unique<Application>(context, fonts, std::move(session));
         begin_as_left(application->workspace(), options.settings);
-        if (folder) application->remember_in(*folder);
+        if (folder) application->remember_in(*folder, options.asked_for);
         if (folder && options.link) application->link_to(Link(*options.link));
         application->start_programs_by([](const ExportToApp& exported) { return start_program(exported); });
         if (prepare) prepare(*application);

@@ -13,13 +13,14 @@
 
 namespace ui {
 
-SessionStore::SessionStore(const std::optional<DraftFolder>& folder)
+SessionStore::SessionStore(const std::optional<DraftFolder>& folder, const Settings& asked_for)
 {
     if (!folder) return;
     autosave_.emplace(*folder);
     recent_.emplace(folder->path / "recent");
     recoverable_files_ = autosave_->new_recoverable_files();
     settings_ = kept_settings_ = read_settings(settings_file(*folder));
+    chosen_ = ChosenSettings(kept_settings_, asked_for);
 }
 
 std::optional<Message> SessionStore::keep(const std::function<std::vector<UnsavedDocument>()>& unsaved, double seconds)
@@ -35,11 +36,12 @@ void SessionStore::note(const std::optional<std::filesystem::path>& file)
 }
 
 // While a window is drawn larger nothing is written.
-void SessionStore::note(const Settings& settings, double seconds)
+void SessionStore::note(const Settings& now, double seconds)
 {
     constexpr double patience = 1.0; // s
-    unkept_ = settings == settings_ ? unkept_ + seconds : 0.0;
-    settings_ = settings;
+    const Settings& chosen = chosen_.take(now);
+    unkept_ = chosen == settings_ ? unkept_ + seconds : 0.0;
+    settings_ = chosen;
     if (unkept_ > patience) keep_settings();
 }
 

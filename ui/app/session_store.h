@@ -20,8 +20,9 @@ namespace ui {
 /// how it was left.
 class SessionStore {
 public:
-    /// \param folder where it is kept; without one nothing is
-    explicit SessionStore(const std::optional<DraftFolder>& folder);
+    /// \param folder     where it is kept; without one nothing is
+    /// \param asked_for  settings of this time alone
+    explicit SessionStore(const std::optional<DraftFolder>& folder, const Settings& asked_for = {});
 
     /// Call once a frame. `Workspace` is an app's own (workspace.h). \param window  its size [logical pixels]
     template <class Workspace> void tick(Workspace& workspace, Size window, double seconds)
@@ -64,7 +65,7 @@ private:
     }
     std::optional<Message> keep(const std::function<std::vector<UnsavedDocument>()>& unsaved, double seconds);
     void note(const std::optional<std::filesystem::path>& file);
-    void note(const Settings& settings, double seconds);
+    void note(const Settings& now, double seconds);
     void keep_settings();
     void look_for_recoverable_files(double seconds);
     bool shows_recoverable_files() const { return can_recover_ && !recoverable_files_.empty(); }
@@ -74,7 +75,8 @@ private:
     std::optional<Autosave> autosave_;
     std::optional<RecentFiles> recent_;
     std::vector<RecoverableFile> recoverable_files_;
-    Settings settings_, kept_settings_; ///< as they are now, and in their file
+    ChosenSettings chosen_;
+    Settings settings_, kept_settings_; ///< as they are chosen now, and in their file
     double unkept_ = 0.0;               ///< how long they have been other ones [s]
     double age_ = 0.0;                  ///< of the program [s]
     double looked_at_ = 0.0;            ///< when leftovers were looked for last

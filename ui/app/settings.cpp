@@ -56,6 +56,25 @@ Settings Settings::or_else(const Settings& others) const
             .tools = tools ? tools : others.tools};
 }
 
+template <class Value> void ChosenSettings::take(std::optional<Value> Settings::*setting, const Settings& now)
+{
+    std::optional<Value>& asked = asked_for_.*setting;
+    if (asked && asked == now.*setting) return;
+    asked.reset();
+    chosen_.*setting = now.*setting;
+}
+
+const Settings& ChosenSettings::take(const Settings& now)
+{
+    take(&Settings::theme, now);
+    take(&Settings::language, now);
+    take(&Settings::units, now);
+    take(&Settings::has_panels, now);
+    take(&Settings::window, now);
+    take(&Settings::tools, now);
+    return chosen_;
+}
+
 std::string settings_text(const Settings& settings)
 {
     std::ostringstream lines;

@@ -4,6 +4,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 
 #include "ui/paint/geometry.h"
 #include "ui/paint/theme.h"
@@ -35,6 +36,21 @@ std::string settings_text(const Settings& settings);
 Settings settings_of(std::string_view text);
 /// Those that are kept in a file; none where there is no file.
 Settings read_settings(const std::filesystem::path& file);
+
+/// Tells what a person chose from what the command line asked for: that is of one run, until it is changed there.
+class ChosenSettings {
+public:
+    ChosenSettings() = default;
+    ChosenSettings(Settings kept, Settings asked_for) : chosen_(std::move(kept)), asked_for_(std::move(asked_for)) {}
+
+    /// \returns what is to be kept of an app that is like this now
+    const Settings& take(const Settings& now);
+
+private:
+    template <class Value> void take(std::optional<Value> Settings::*setting, const Settings& now);
+
+    Settings chosen_, asked_for_;
+};
 
 /// An app's workspace begins as it was left: with its panels, or with the whole window for the picture, as on the
 /// projector.

@@ -347,7 +347,7 @@ std::string Session::name() const
 
 std::string Session::file_text() const { return femoop::write_model(model()); }
 
-std::string Session::about(const ui::Catalogue& in) const { return femoop::size_text(model(), in); }
+std::string Session::about(const ui::Catalogue& in) const { return femoop::title_and_size_text(model(), in); }
 
 ui::UnsavedDocument Session::unsaved() const
 {

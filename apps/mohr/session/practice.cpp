@@ -44,11 +44,13 @@ bool Practice::is_finished() const
     return true;
 }
 
-std::optional<std::size_t> Practice::first_open() const
+std::optional<std::size_t> Practice::next_to_answer() const
 {
-    const auto open = std::ranges::find(judgements_, Verdict::Open, &Judgement::verdict);
-    if (open == judgements_.end()) return std::nullopt;
-    return static_cast<std::size_t>(open - judgements_.begin());
+    for (const Verdict verdict : {Verdict::Open, Verdict::Wrong}) {
+        const auto first = std::ranges::find(judgements_, verdict, &Judgement::verdict);
+        if (first != judgements_.end()) return static_cast<std::size_t>(first - judgements_.begin());
+    }
+    return std::nullopt;
 }
 
 int Practice::points() const

@@ -27,7 +27,8 @@ public:
     }
 
     bool is_finished() const;                      ///< every answer is right, follows, or is shown
-    std::optional<std::size_t> first_open() const; ///< the first question without an answer
+    /// The first question without an answer, then the first whose answer is wrong.
+    std::optional<std::size_t> next_to_answer() const;
     int points() const;                            ///< one for each answer that was right the first time
     /// How far the construction may be shown without telling an answer.
     std::size_t steps_shown() const;

@@ -85,7 +85,7 @@ void ExercisesPanel::show_question(Workspace& workspace, std::size_t place)
     ui::wrapped_text(question(practice.exercise().asked[place], practice.exercise(), session.tr()));
     const auto& answer = practice.answers()[place];
     const std::string text = answer ? session.look.number(*answer) : "";
-    const bool begins = workspace.is_asking_next && practice.first_open() == place;
+    const bool begins = workspace.is_asking_next && practice.next_to_answer() == place;
     if (begins) workspace.is_asking_next = false;
     const auto event = fields_.show("###answer" + std::to_string(place), {.text = text,
                                                                           .exact_text = text,

@@ -61,6 +61,16 @@ TEST_SUITE("frame session")
         CHECK(names(workspace) == "portal.json *gerber_beam.json truss.json ");
     }
 
+    TEST_CASE("A draft is told by the title of its document, and by its size")
+    {
+        Workspace workspace = workspace_with("portal.json");
+        const auto told = [&] { return workspace.unsaved().at(0).about(ui::Catalogue(ui::Language::English)); };
+        workspace.session.change({"Title", [](Document& document) { set_title(document, "Roof over the market"); }});
+        CHECK(told() == "Roof over the market: 4 nodes, 3 members");
+        workspace.session.change({"Title", [](Document& document) { set_title(document, ""); }});
+        CHECK(told() == "4 nodes, 3 members");
+    }
+
     TEST_CASE("A tab without a file is called by its title, and tabs that would be called alike are told apart")
     {
         Workspace workspace = workspace_with("portal.json");
