@@ -283,10 +283,7 @@ std::string Session::file_text() const
     return write_document(whole);
 }
 
-std::string Session::about(const ui::Catalogue& tr) const
-{
-    return femoop::title_and_size_text(document().model, tr);
-}
+std::string Session::about(const ui::Catalogue& tr) const { return femoop::title_and_size_text(document().model, tr); }
 
 std::string Session::linked_text() const { return femoop::write_model(document().model); }
 

@@ -32,7 +32,8 @@ std::vector<NodeNumbers> node_numbers(const Workspace& workspace)
 {
     const auto* const step = explained_step(workspace);
     const femoop::Model& model = workspace.session.model();
-    if (step == nullptr || workspace.derivation.force_method() != nullptr || model.nodes.size() > most_numbered) return {};
+    if (step == nullptr || workspace.derivation.force_method() != nullptr || model.nodes.size() > most_numbered)
+        return {};
     const std::span<const femoop::Dof> dofs = femoop::model_dofs(model.analysis);
     std::vector<std::string> texts(model.nodes.size() * dofs.size(), "0");
     const auto& unknowns = workspace.derivation.derivation()->system.unknowns;

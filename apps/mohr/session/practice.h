@@ -26,10 +26,10 @@ public:
         return place < own_answers_.size() ? own_answers_[place] : std::nullopt;
     }
 
-    bool is_finished() const;                      ///< every answer is right, follows, or is shown
+    bool is_finished() const; ///< every answer is right, follows, or is shown
     /// The first question without an answer, then the first whose answer is wrong.
     std::optional<std::size_t> next_to_answer() const;
-    int points() const;                            ///< one for each answer that was right the first time
+    int points() const; ///< one for each answer that was right the first time
     /// How far the construction may be shown without telling an answer.
     std::size_t steps_shown() const;
 
