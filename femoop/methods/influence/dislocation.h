@@ -22,6 +22,7 @@ namespace femoop::influence {
 ///
 /// Assumes  no constraint takes from the member what the section force strains
 /// Source   Mueller-Breslau's principle [Kassimali, ch. 8]
+/// Lesson   courseware/03-influence-lines.md
 class Dislocation {
 public:
     Dislocation(const Discretisation& structure, MemberId member, MemberComponent force, double x);

@@ -60,6 +60,7 @@ double effect_in(const MovingEffect& effect, const CaseResult& result);
 ///           member is very short beside the structure and such loads contradict the line.
 /// Accuracy  that of `analyse`; along the path closed forms, nothing is sampled
 /// Source    [Kassimali, ch. 8-9]
+/// Lesson    courseware/03-influence-lines.md
 /// Reference courseware/reference/moving-loads.md
 class InfluenceAnalysis {
 public:

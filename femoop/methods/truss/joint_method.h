@@ -46,6 +46,7 @@ struct JointMethod {
 /// Joint by joint, at each turn the leftmost that has at most two unknown bars. Reactions come from the equilibrium of
 /// the whole, as the analysis has it.
 /// Source  [TimoshenkoYoung1965, ch. 2]
+/// Lesson  courseware/04-a-truss-by-three-methods.md
 JointMethod joint_method(const Truss& truss, const Arrangement& arrangement);
 
 } // namespace femoop::truss

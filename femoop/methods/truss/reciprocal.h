@@ -46,6 +46,7 @@ struct DiagramStep {
 /// Assumes  a planar truss with forces at joints of its outline alone; of a force whose line runs between bars it matters
 ///          between which spaces of the outline it lies
 /// Source   [Maxwell1864], [Cremona1872], [Bow1873]; [TimoshenkoYoung1965, ch. 2]
+/// Lesson   courseware/04-a-truss-by-three-methods.md
 struct Reciprocal {
     std::vector<Space> spaces;       ///< outside clockwise, then inside as they are found
     std::vector<std::size_t> forces; ///< of Truss::forces, clockwise: [i] lies between spaces i and i + 1

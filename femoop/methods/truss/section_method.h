@@ -42,6 +42,7 @@ std::optional<Refusal> why_no_cut(const Truss& truss, const std::vector<MemberId
 
 /// By Ritter. \pre why_no_cut says nothing
 /// Source  [TimoshenkoYoung1965, ch. 2]
+/// Lesson  courseware/04-a-truss-by-three-methods.md
 RitterCut ritter_cut(const Truss& truss, const std::vector<MemberId>& bars);
 
 /// A section that finds a bar where no joint has fewer than three unknown bars; nothing in a complex truss.
