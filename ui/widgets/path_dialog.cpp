@@ -83,8 +83,11 @@ void PathDialog::enter(const fs::path& folder)
 
 bool PathDialog::show_list()
 {
+    constexpr float most = 14.0F, least = 4.0F, others = 12.0F; // lines; those of the rest of the dialog
+    const float line = ImGui::GetTextLineHeightWithSpacing();
+    const float room = ImGui::GetMainViewport()->WorkSize.y / line - others;
     bool is_confirmed = false;
-    ImGui::BeginChild("###entries", {0.0F, 14.0F * ImGui::GetTextLineHeightWithSpacing()}, true);
+    ImGui::BeginChild("###entries", {0.0F, line * std::clamp(room, least, most)}, true);
     fs::path entered;
     if (folder_.has_parent_path() && folder_ != folder_.root_path() && ImGui::Selectable(".."))
         entered = folder_ / "..";
@@ -126,6 +129,11 @@ void PathDialog::show_endings()
     }
 }
 
+std::vector<std::string> PathDialog::wanted_endings() const
+{
+    return endings_.empty() ? std::vector<std::string>{extension_} : endings_;
+}
+
 std::optional<fs::path> PathDialog::confirm()
 {
     fs::path path = folder_ / expanded(typed_); // an absolute path stays as it is
@@ -137,7 +145,9 @@ std::optional<fs::path> PathDialog::confirm()
         return std::nullopt;
     }
     if (!path.has_extension()) path += extension_;
-    if (refusal_ = endings_.empty() ? std::nullopt : why_not_ending(path, endings_); refusal_) return std::nullopt;
+    const bool is_kept = path == start_; // a file may go on under the name that it came with
+    if (refusal_ = is_opening() || is_kept ? std::nullopt : why_not_ending(path, wanted_endings()); refusal_)
+        return std::nullopt;
     const bool would_overwrite = !is_opening() && path != start_ && fs::exists(path, error);
     if (would_overwrite && !must_confirm_overwrite_) {
         must_confirm_overwrite_ = true;

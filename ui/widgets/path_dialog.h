@@ -37,6 +37,7 @@ private:
 
     bool is_listed(const std::filesystem::path& file) const;
     void enter(const std::filesystem::path& folder);
+    std::vector<std::string> wanted_endings() const;
     std::optional<std::filesystem::path> confirm();
     bool show_list();
     void show_endings();

@@ -87,13 +87,13 @@ using Heights = std::array<double, 3>; // of structure, deformed shape and momen
 
 double total(const Heights& heights) { return std::accumulate(heights.begin(), heights.end(), 0.0); }
 
-constexpr Heights least_lines{10.4, 4.7, 6.5}; // of type, in the pictures over a beam's sheet on a low projector
+constexpr Heights lines_of_pictures{10.4, 4.7, 6.5}; // of type, in the pictures over a beam's sheet on a low projector
 
 /// Those that are shown, for a size of type.
 Heights at_least(Heights heights, double type)
 {
     for (std::size_t i = 0; i < heights.size(); ++i)
-        if (heights[i] > 0.0) heights[i] = std::max(heights[i], type * least_lines[i]);
+        if (heights[i] > 0.0) heights[i] = std::max(heights[i], type * lines_of_pictures[i]);
     return heights;
 }
 
@@ -101,7 +101,7 @@ Heights at_least(Heights heights, double type)
 Heights spared(Heights heights, double wanted, double type)
 {
     Heights spare{};
-    for (std::size_t i = 0; i < heights.size(); ++i) spare[i] = std::max(0.0, heights[i] - type * least_lines[i]);
+    for (std::size_t i = 0; i < heights.size(); ++i) spare[i] = std::max(0.0, heights[i] - type * lines_of_pictures[i]);
     const double share = std::min(1.0, wanted / std::max(total(spare), 1e-9));
     for (std::size_t i = 0; i < heights.size(); ++i) heights[i] -= share * spare[i];
     return heights;
@@ -157,7 +157,8 @@ Panels stacked(const Extent& extent, ui::Size sheet, const ui::Theme& theme, Bea
     panels.sheet.box = {{0.0, top}, {sheet.width, sheet.height}};
     put_beam(panels.sheet, extent, margin, theme);
     const bool is_afar = legible_type(theme) > 0.0;
-    const Heights lines = is_afar ? Heights{least_lines[0], 6.0, least_lines[2]} : Heights{lines_of_loads, 7.0, 9.0};
+    const Heights lines = is_afar ? Heights{lines_of_pictures[0], 6.0, lines_of_pictures[2]}
+                                  : Heights{lines_of_loads, 7.0, 9.0};
     panels.structure.ems_high = lines[0];
     panels.deformed.ems_high = lines[1];
     panels.moments.ems_high = lines[2];

@@ -138,7 +138,29 @@ Stand stand_of(const Scene& scene, femoop::NodeId node, const Vector3d& directio
 
 } // namespace
 
-void draw_node_load(const Scene& scene, const femoop::NodeLoad& load, const LoadScale& scale)
+namespace {
+
+/// Behind the arrows at a place that are drawn already, and their values. \returns how far
+double gap_behind(const Scene& scene, const Vector3d& away, double x, double length, LoadStack& points)
+{
+    constexpr double room_of_value = 20.0; // [px]
+    const double gap = points.height(away, {x, x});
+    points.raise(away, {x, x}, gap + length + scene.sketch.px(room_of_value));
+    return gap;
+}
+
+/// Around the curved arrows at a place that are drawn already. \returns by how many logical pixels
+double wider_around(const Vector3d& axis, double x, LoadStack& points)
+{
+    constexpr double apart = 7.0;
+    const double wider = points.height(axis, {x, x});
+    points.raise(axis, {x, x}, wider + apart);
+    return wider;
+}
+
+} // namespace
+
+void draw_node_load(const Scene& scene, const femoop::NodeLoad& load, const LoadScale& scale, LoadStack& points)
 {
     for (const femoop::Component& component : load.components) {
         const double value = scale.factor * component.value;
@@ -149,16 +171,18 @@ void draw_node_load(const Scene& scene, const femoop::NodeLoad& load, const Load
             draw_moment(scene, {.at = scene.shape[load.node],
                                 .axis = direction,
                                 .text = scene.text(std::abs(value), ui::Measure::Moment),
-                                .radius = 18.0,
+                                .radius = 18.0 + wider_around(direction, 0.0, points),
                                 .text_side = text_side(scene, load.node),
                                 .grip = GripOf{scale.load, component.dof}});
             continue;
         }
         const Stand stand = stand_of(scene, load.node, direction);
+        const double length = force_length(scene, value, scale.largest.force);
         draw_force(scene, {.at = stand.at,
                            .direction = direction,
-                           .length = force_length(scene, value, scale.largest.force),
+                           .length = length,
                            .touches = stand.touches,
+                           .gap = gap_behind(scene, direction, 0.0, length, points),
                            .text = scene.text(std::abs(value), ui::Measure::Force),
                            .grip = GripOf{scale.load, component.dof}});
     }
@@ -176,7 +200,8 @@ double place_of(const Scene& scene, const MemberShape& member, const femoop::Loa
 
 } // namespace
 
-void draw_point_load(const Scene& scene, const ShownLoad& shown, const LargestLoads& largest, const LoadStack& stack)
+void draw_point_load(const Scene& scene, const ShownLoad& shown, const LargestLoads& largest, const LoadStack& stack,
+                     LoadStack& points)
 {
     const femoop::LoadComponent& load = shown.component;
     if (load.start == 0.0) return;
@@ -189,13 +214,15 @@ void draw_point_load(const Scene& scene, const ShownLoad& shown, const LargestLo
         return draw_moment(scene, {.at = member.at(x),
                                    .axis = direction,
                                    .text = scene.text(std::abs(load.start), ui::Measure::Moment),
-                                   .radius = is_on_end ? 14.0 : 16.0,
+                                   .radius = (is_on_end ? 14.0 : 16.0) + wider_around(direction, x, points),
                                    .grip = grip});
     const double over = is_on_end ? 0.0 : stack.height(-direction, {x, x});
     const double least = over > 0.0 ? over + scene.sketch.px(20.0) : 0.0;
+    const double length = std::max(force_length(scene, load.start, largest.force), least);
     draw_force(scene, {.at = member.at(x),
                        .direction = direction,
-                       .length = std::max(force_length(scene, load.start, largest.force), least),
+                       .length = length,
+                       .gap = gap_behind(scene, direction, x, length, points),
                        .text = scene.text(std::abs(load.start), ui::Measure::Force),
                        .grip = grip});
 }

@@ -147,7 +147,7 @@ int turn_of(const LoadComponent& component)
 void draw_member_loads(const Scene& scene, const std::vector<Term>& terms, std::vector<ShownLoad> shown,
                        const LargestLoads& largest)
 {
-    std::map<femoop::MemberId, LoadStack> stacks;
+    std::map<femoop::MemberId, LoadStack> stacks, points;
     for_each_member_load(scene.model, terms, [&](const auto& load, double factor, const MemberLoadPlace& /*place*/) {
         if (const auto* const heat = std::get_if<femoop::TemperatureLoad>(&load.load))
             draw_temperature(scene, load.member, *heat, factor, stacks[load.member]);
@@ -159,7 +159,7 @@ void draw_member_loads(const Scene& scene, const std::vector<Term>& terms, std::
     std::ranges::stable_sort(shown, {}, [](const ShownLoad& load) { return turn_of(load.component); });
     for (const ShownLoad& load : shown) {
         if (load.component.kind == LoadComponent::Kind::Line) draw_line_load(scene, load, largest, stacks[load.member]);
-        else draw_point_load(scene, load, largest, stacks[load.member]);
+        else draw_point_load(scene, load, largest, stacks[load.member], points[load.member]);
     }
 }
 
@@ -173,10 +173,12 @@ void draw_loads(const Scene& scene)
     mark_repeats(scene, shown);
     const LargestLoads largest = largest_of(scene.model, terms, shown);
     draw_member_loads(scene, terms, std::move(shown), largest);
+    std::map<femoop::NodeId, LoadStack> points;
     for (const Term& term : terms) {
         const femoop::LoadCase& load_case = scene.model.load_cases[term.load_case];
         for (std::size_t i = 0; i < load_case.nodes.size(); ++i)
-            draw_node_load(scene, load_case.nodes[i], {largest, term.factor, NodeLoadPlace{term.load_case, i}});
+            draw_node_load(scene, load_case.nodes[i], {largest, term.factor, NodeLoadPlace{term.load_case, i}},
+                           points[load_case.nodes[i].node]);
         for (const auto& settlement : load_case.settlements) draw_settlement(scene, settlement, term.factor);
     }
 }

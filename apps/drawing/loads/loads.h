@@ -26,15 +26,18 @@ struct ShownLoad {
     bool is_repeat = false; ///< it goes on with the same value from a member whose value is written
 };
 void draw_line_load(const Scene& scene, const ShownLoad& load, const LargestLoads& largest, LoadStack& stack);
-/// Of a point or an end of the member.
-void draw_point_load(const Scene& scene, const ShownLoad& load, const LargestLoads& largest, const LoadStack& stack);
+/// Of a point or an end of the member; one that acts where another does stands behind it.
+/// \param points  those of the member that are drawn already
+void draw_point_load(const Scene& scene, const ShownLoad& load, const LargestLoads& largest, const LoadStack& stack,
+                     LoadStack& points);
 
 struct LoadScale {
     LargestLoads largest;
     double factor = 1.0; ///< of the case in the combination
     Part load;           ///< as above
 };
-void draw_node_load(const Scene& scene, const femoop::NodeLoad& load, const LoadScale& scale);
+/// \param points  those of the node that are drawn already
+void draw_node_load(const Scene& scene, const femoop::NodeLoad& load, const LoadScale& scale, LoadStack& points);
 void draw_settlement(const Scene& scene, const femoop::Settlement& settlement, double factor);
 void draw_temperature(const Scene& scene, femoop::MemberId member, const femoop::TemperatureLoad& load, double factor,
                       LoadStack& stack);

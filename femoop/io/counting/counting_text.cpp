@@ -99,11 +99,11 @@ std::string motion_text(const Counting& counting, const Translator& tr)
         return tr("It can move without strain in many ways, so that the count does not say what it holds");
     const std::size_t n = *counting.n_motions;
     const int total = counting.degree().total();
-    return fill(n == 1 ? tr("It can move without strain in {0} way: {1} = {2} states of "
-                            "self-stress − {0} motion")
-                       : tr("It can move without strain in {0} ways: {1} = {2} states of "
-                            "self-stress − {0} motions"),
-                {std::to_string(n), signed_text(total), std::to_string(total + static_cast<int>(n))});
+    const std::size_t n_states = static_cast<std::size_t>(total + static_cast<int>(n));
+    return fill(tr("It can move without strain in {0}: {1} = {2} − {3}"),
+                {counted(n, tr("{0} way"), tr("{0} ways")), signed_text(total),
+                 counted(n_states, tr("{0} state of self-stress"), tr("{0} states of self-stress")),
+                 counted(n, tr("{0} motion"), tr("{0} motions"))});
 }
 
 } // namespace

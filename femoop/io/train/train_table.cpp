@@ -204,8 +204,8 @@ private:
         for (const SearchProof::Entry& entry : proof.entries)
             table.add_row({entry.candidate.x, entry.reversed ? tr_("reversed") : tr_("forwards"),
                            name(entry.candidate.kind), entry.candidate.value});
-        std::string text = "\n" + fill(tr_("{0} {1}: candidates"), {which, effect_name(model_, effect)}) + "\n" +
-                           tabular::plain_text(table, {table_indent, decimal_mark(tr_)});
+        std::string text = "\n" + fill(tr_("{0} {1}: candidates"), {which, effect_name(model_, effect)}) + "\n";
+        if (!proof.entries.empty()) text += tabular::plain_text(table, {table_indent, decimal_mark(tr_)});
         if (proof.uniform != 0.0) text += "  + " + fill(tr_("{0} of the uniform load"), {number(proof.uniform)}) + "\n";
         if (proof.concentrated != 0.0)
             text += "  + " + fill(tr_("{0} of the single forces"), {number(proof.concentrated)}) + "\n";

@@ -23,9 +23,14 @@ constexpr double end_of_curve = 1e-9; // of its length
 constexpr double negligible = 1e-14;  // of the largest ordinate: a coefficient that adds less is rounding
 constexpr double doubtful = 1e-8;     // of the largest ordinate: a load on the path should not say more against it
 constexpr double least_effect = 1e-6; // of a unit load: a line with smaller ordinates is held against this
+constexpr double no_force = 1e-12;    // of a unit load: a line with no larger ordinates is rounding
 constexpr double golden_ratio = 0.6180339887498949;
 
 bool is_section_force(const MovingEffect& effect) { return effect.member && !is_displacement(*effect.component); }
+bool is_force(const MovingEffect& effect)
+{
+    return is_section_force(effect) || effect.quantity == ExpectedQuantity::Reaction;
+}
 
 /// The support's axes as rows, in global ones.
 double along_support_axis(const Discretisation::SupportRow& support, Dof axis, Dof global)
@@ -53,10 +58,11 @@ std::array<LocalDisplacement, 2> ends_of(const Curve& curve)
     return {curve.displacement(0.0), curve.displacement(curve.length(), Side::Before)};
 }
 
-/// Coefficients that rounding alone left are none.
-void clean(PiecewiseLine& line)
+/// Coefficients that rounding alone left are none, beside the line's largest ordinate and what a force of a unit load
+/// is. \param unit_force  0 of a displacement
+void clean(PiecewiseLine& line, double unit_force)
 {
-    const double rounding = negligible * line.largest();
+    const double rounding = std::max(negligible * line.largest(), no_force * unit_force);
     for (LinePiece& piece : line.pieces) {
         double power = 1.0;
         for (double& c : piece.coefficients) {
@@ -239,7 +245,7 @@ InfluenceLine InfluenceAnalysis::line_of(const PathLayout& path, const NodeVecto
                is_on_foundation(structure_, on.member),
                effect.member == on.member ? std::optional(on.s_of(place(effect))) : std::nullopt);
     }
-    clean(line.ordinates);
+    clean(line.ordinates, is_force(effect) ? unit_effect(effect, load) : 0.0);
     return line;
 }
 
@@ -330,7 +336,7 @@ InfluenceLine InfluenceAnalysis::direct_line(const PathLayout& path, const NodeV
         append(line, std::move(pieces), on.member, is_on_foundation(structure_, on.member),
                effect.member == on.member ? std::optional(on.s_of(place(effect))) : std::nullopt);
     }
-    clean(line.ordinates);
+    clean(line.ordinates, is_force(effect) ? unit_effect(effect, load) : 0.0);
     return line;
 }
 

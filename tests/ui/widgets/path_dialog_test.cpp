@@ -69,6 +69,24 @@ TEST_CASE("Saving begins with the old name selected: what is typed takes its pla
     CHECK(stage.chosen == folder.path() / "other.json");
 }
 
+TEST_CASE("A document is saved with its own ending alone, but under the name that it came with")
+{
+    if (!ui_test::has_renderer()) return;
+    const Folder folder;
+    DialogStage stage;
+    stage.dialog.open(ui::PathDialog::Purpose::Save, folder.path() / "came.txt", ".json");
+    stage.rest();
+    stage.type("frame.pdf");
+    stage.key(ui::Key::Enter);
+    CHECK(!stage.chosen);
+    CHECK(stage.dialog.is_open());
+    stage.dialog.open(ui::PathDialog::Purpose::Save, folder.path() / "came.txt", ".json");
+    stage.rest();
+    stage.type("came.txt");
+    stage.key(ui::Key::Enter);
+    CHECK(stage.chosen == folder.path() / "came.txt");
+}
+
 TEST_CASE("An export with a wrong ending keeps the dialog and the keyboard, and the ending can be mended")
 {
     if (!ui_test::has_renderer()) return;

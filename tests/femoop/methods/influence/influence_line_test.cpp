@@ -157,6 +157,17 @@ TEST_CASE("A line that is zero by nature is not rounding")
     CHECK(line.ordinates.largest() == 0.0);
 }
 
+TEST_CASE("At a hinge the moment's line is 0, not what rounding leaves of a motion")
+{
+    FrameMaker made;
+    made.node("A", 0, 0, SupportKind::Pin).node("B", 8, 0, SupportKind::Roller).node("E", 10, 0).node("F", 15, 0);
+    made.node("C", 17, 0, SupportKind::Roller).node("D", 25, 0, SupportKind::Roller);
+    made.member("A", "B").member("B", "E").member("E", "F").member("F", "C").member("C", "D");
+    made.model.nodes[2].hinge = made.model.nodes[3].hinge = true;
+    const InfluenceLine line = line_of(made.model, force(made.model, "EF", MemberComponent::Mz, 0.0));
+    CHECK(line.ordinates.largest() == 0.0);
+}
+
 TEST_CASE("A structure that moves under the load has no lines")
 {
     Model model = simple_beam();
