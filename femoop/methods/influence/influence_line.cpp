@@ -23,7 +23,7 @@ constexpr double end_of_curve = 1e-9; // of its length
 constexpr double negligible = 1e-14;  // of the largest ordinate: a coefficient that adds less is rounding
 constexpr double doubtful = 1e-8;     // of the largest ordinate: a load on the path should not say more against it
 constexpr double least_effect = 1e-6; // of a unit load: a line with smaller ordinates is held against this
-constexpr double no_force = 1e-12;    // of a unit load: a line with no larger ordinates is rounding
+constexpr double no_force = 1e-14;    // of a unit load: a line with no larger ordinates is rounding
 constexpr double golden_ratio = 0.6180339887498949;
 
 bool is_section_force(const MovingEffect& effect) { return effect.member && !is_displacement(*effect.component); }

@@ -56,7 +56,6 @@ TEST_CASE("What moves although the count allows it not to is said, and what coun
     made.node("A", 0, 0, Roller).node("B", 3, 0, Roller).node("C", 7, 0, Roller).node("X", 9, 9);
     made.member("A", "B").member("B", "C");
     const std::string text = text_of(made.model);
-    CHECK(text.find("It can move without strain in 1 way: 0 = 1 state of self-stress − 1 motion") !=
-          std::string::npos);
+    CHECK(text.find("It can move without strain in 1 way: 0 = 1 state of self-stress − 1 motion") != std::string::npos);
     CHECK(text.find("Nodes without members do not count: X") != std::string::npos);
 }
