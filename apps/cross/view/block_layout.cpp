@@ -219,4 +219,9 @@ BlockLayout laid_out(const BlockRequest& request)
     return layout;
 }
 
+bool is_whole(const BlockLayout& layout)
+{
+    return std::ranges::all_of(layout.boxes, [](const auto& box) { return box.has_value(); });
+}
+
 } // namespace cross

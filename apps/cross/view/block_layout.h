@@ -57,6 +57,8 @@ inline constexpr double total_height = 1.55;     ///< the sum
 /// As large and as long as they all find room beside their member ends; where even the smallest do not, the first ones
 /// get it.
 BlockLayout laid_out(const BlockRequest& request);
+
+bool is_whole(const BlockLayout& layout); ///< every place has its box
 /// More columns find room, each where it belongs, or in clearly larger type. \pre both are of the same places
 bool is_better(const BlockLayout& a, const BlockLayout& b);
 

@@ -73,15 +73,16 @@ Arrangement with_columns(ui::Painter& painter, const drawing::StructureShape& sh
 Arrangement of_beam(ui::Painter& painter, const drawing::StructureShape& shape, const Scene& scene)
 {
     const ui::Theme theme = scene.look.full_theme();
-    Arrangement below = with_columns(painter, shape, scene, BeamColumns::Below);
-    Arrangement in_turn = with_columns(painter, shape, scene, BeamColumns::InTurn);
     Look look = scene.look;
     look.zoom = {.is_of_sheet = true};
     const Scene whole{scene.document, scene.solution, scene.state, scene.phase, {}, look};
     const auto fits = [&](const Arrangement& one) {
         return is_legible(painter, panels_for(shape, painter.size(), theme, one).sheet, whole);
     };
-    Arrangement best = !fits(below) && fits(in_turn) ? std::move(in_turn) : std::move(below);
+    Arrangement best = with_columns(painter, shape, scene, BeamColumns::Below);
+    if (!fits(best))
+        if (Arrangement in_turn = with_columns(painter, shape, scene, BeamColumns::InTurn); fits(in_turn))
+            best = std::move(in_turn);
     const Panels panels = panels_for(shape, painter.size(), theme, best);
     best.loaded = view_of_loads(panels.structure, scene, painter.fonts());
     return best;

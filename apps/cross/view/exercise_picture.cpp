@@ -173,8 +173,7 @@ private:
             beside.largest_type = std::max(request.largest_type, largest_type());
             beside.least_type = !is_narrow ? least_broad() : is_beam(shape_) ? least_cells : 0.6 * request.largest_type;
             BlockLayout found = laid_out(beside);
-            const bool is_whole = std::ranges::all_of(found.boxes, [](const auto& box) { return box.has_value(); });
-            if (is_whole && found.n_lines == request.most_lines) return found;
+            if (is_whole(found) && found.n_lines == request.most_lines) return found;
         }
         return laid_out(request);
     }
@@ -523,8 +522,7 @@ Panels best_beam(ui::Painter& painter, const Scene& scene, const drawing::Struct
     const auto type_of_all = [&](const Panels& panels) { // 0: some have no room
         Drawn nothing;
         const BlockLayout layout = WorksheetWriter(painter, panels.sheet, scene, nothing).layout();
-        const bool is_whole = std::ranges::all_of(layout.boxes, [](const auto& box) { return box.has_value(); });
-        return is_whole ? layout.type : 0.0;
+        return is_whole(layout) ? layout.type : 0.0;
     };
     Panels below = panels_with(BeamColumns::Below);
     const double type_below = type_of_all(below);

@@ -34,11 +34,6 @@ constexpr double balances_until = 0.6; // of a turn's phase; then the carry-over
 
 std::string title_of(const Scene& scene, bool has_key);
 
-bool is_whole(const BlockLayout& layout)
-{
-    return std::ranges::all_of(layout.boxes, [](const auto& box) { return box.has_value(); });
-}
-
 /// Writes one sheet into its boxes.
 class SheetWriter {
 public:
