@@ -1,8 +1,6 @@
 #include "femoop/methods/force_method/force_method.h"
 
 #include <Eigen/Cholesky>
-#include <cmath>
-#include <numbers>
 #include <string>
 #include <utility>
 
@@ -34,18 +32,15 @@ std::string names_of(const Model& model, std::span<const Redundant> redundants)
 /// member's end before what acts on that end.
 class AnalysedForces {
 public:
-    explicit AnalysedForces(const virtual_work::Loading& whole) : model_(whole.model), whole_(whole) {}
+    explicit AnalysedForces(const virtual_work::Loading& whole) : whole_(whole) {}
 
     double of(const Redundant& asked) const { return asked.member ? section_force(asked) : reaction(asked); }
 
 private:
     double reaction(const Redundant& asked) const
     {
-        const double angle = model_[*asked.node].support->angle * std::numbers::pi / 180.0;
-        if (angle == 0.0 || is_rotation(*asked.dof)) return influence::effect_in(asked, whole_.result());
-        const NodeVector r = whole_.result().reaction(*asked.node);
-        const double c = std::cos(angle), s = std::sin(angle);
-        return *asked.dof == Dof::ux ? c * r[0] + s * r[1] : c * r[1] - s * r[0];
+        const Discretisation::SupportRow& support = *whole_.structure().support_of(*asked.node);
+        return virtual_work::in_axes_of(support, whole_.result().reaction(*asked.node))[index(*asked.dof)];
     }
 
     double section_force(const Redundant& asked) const
@@ -56,7 +51,6 @@ private:
         return virtual_work::force_in_joint(curve, whole_.span_loading(*asked.member), *end, *asked.component);
     }
 
-    const Model& model_;
     virtual_work::LoadedStructure whole_;
 };
 

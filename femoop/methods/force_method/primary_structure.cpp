@@ -33,12 +33,6 @@ double sign_on_second_end(Dof dof) { return dof == Dof::uy || dof == Dof::uz || 
 
 bool is_bar(const Model& model, MemberId member) { return model[member].bar || is_truss(model.analysis); }
 
-bool holds(const Support& support, Dof dof, AnalysisKind kind)
-{
-    const auto is_along = [&](const Spring& spring) { return spring.dof == dof; };
-    return support.blocked(kind).contains(dof) || std::ranges::any_of(support.springs, is_along);
-}
-
 std::optional<std::size_t> end_of(const Model& model, const Redundant& section)
 {
     const double length = length_of(model, *section.member);
@@ -196,6 +190,12 @@ std::vector<Component> global_components(AnalysisKind kind, const Eigen::Vector3
 }
 
 } // namespace
+
+bool holds(const Support& support, Dof dof, AnalysisKind kind)
+{
+    const auto is_along = [&](const Spring& spring) { return spring.dof == dof; };
+    return support.blocked(kind).contains(dof) || std::ranges::any_of(support.springs, is_along);
+}
 
 std::optional<std::size_t> end_at(double x, double length)
 {

@@ -49,6 +49,8 @@ struct PrimaryStructure {
     std::vector<std::vector<double>> imposed; ///< of every load case, for each release: its support's settlement
 };
 
+/// Blocked, or by a spring.
+bool holds(const Support& support, Dof dof, AnalysisKind kind);
 /// Which end of its member a section is at; none inside.
 std::optional<std::size_t> end_at(double x, double length);
 

@@ -35,11 +35,8 @@ std::vector<Held> supports(const Model& model)
             return std::ranges::find(one.nodes, NodeId(i)) != one.nodes.end();
         };
         Held held{NodeId(i), std::ranges::count_if(model.members, meets), {}};
-        for (const Dof dof : dof_list(model.analysis)) {
-            const auto is_along = [&](const Spring& spring) { return spring.dof == dof; };
-            if (support->blocked(model.analysis).contains(dof) || std::ranges::any_of(support->springs, is_along))
-                held.dofs.push_back(dof);
-        }
+        for (const Dof dof : dof_list(model.analysis))
+            if (holds(*support, dof, model.analysis)) held.dofs.push_back(dof);
         all.push_back(std::move(held));
     }
     std::ranges::stable_sort(all, [](const Held& a, const Held& b) {

@@ -1,5 +1,7 @@
 #include "femoop/methods/virtual_work/loaded_structure.h"
 
+#include <cmath>
+
 namespace femoop::virtual_work {
 
 LocalAxis axis_of(MemberComponent force)
@@ -40,6 +42,15 @@ double force_in_joint(const Curve& curve, const SpanLoading& loading, std::size_
     const std::size_t axis = index(axis_of(force));
     if (end == 0) return curve.value(force, 0.0) - sign * loading.pieces().front().jump[axis];
     return curve.value(force, curve.length(), Side::Before) + sign * loading.last_jump()[axis];
+}
+
+NodeVector in_axes_of(const Discretisation::SupportRow& support, NodeVector v)
+{
+    const double c = std::cos(support.angle), s = std::sin(support.angle);
+    const double x = v[index(Dof::ux)], y = v[index(Dof::uy)];
+    v[index(Dof::ux)] = c * x + s * y;
+    v[index(Dof::uy)] = c * y - s * x;
+    return v;
 }
 
 } // namespace femoop::virtual_work

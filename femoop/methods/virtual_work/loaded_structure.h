@@ -44,4 +44,7 @@ private:
 /// A section force between a member's end (0 or 1) and its node: before what acts on the very end.
 double force_in_joint(const Curve& curve, const SpanLoading& loading, std::size_t end, MemberComponent force);
 
+/// From global axes to those of a support.
+NodeVector in_axes_of(const Discretisation::SupportRow& support, NodeVector v);
+
 } // namespace femoop::virtual_work

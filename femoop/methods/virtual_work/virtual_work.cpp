@@ -200,16 +200,6 @@ private:
     const Magnitudes &real_magnitudes_, &unit_magnitudes_;
 };
 
-/// From global axes to those of a support.
-NodeVector in_axes_of(const Discretisation::SupportRow& support, NodeVector v)
-{
-    const double c = std::cos(support.angle), s = std::sin(support.angle);
-    const double x = v[index(Dof::ux)], y = v[index(Dof::uy)];
-    v[index(Dof::ux)] = c * x + s * y;
-    v[index(Dof::uy)] = c * y - s * x;
-    return v;
-}
-
 void add_support(const LoadedStructure& real, const LoadedStructure& unit, const Discretisation::SupportRow& support,
                  Work& work)
 {
