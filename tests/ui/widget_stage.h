@@ -12,9 +12,9 @@ namespace ui_test {
 
 /// A session on a small off-screen picture with one window in it, for tests to play with.
 struct WidgetStage {
-    explicit WidgetStage(double scale)
+    explicit WidgetStage(double scale, ui::ThemeName theme = ui::ThemeName::Light)
         : context({.size = {static_cast<int>(300 * scale), static_cast<int>(200 * scale)}, .scale = scale}),
-          session(context, fonts, ui::Theme(ui::ThemeName::Light))
+          session(context, fonts, ui::Theme(theme))
     {}
 
     /// One frame in which `widgets` stand in a window that fills the picture.

@@ -25,6 +25,7 @@ public:
     virtual bool wants_to_quit() const = 0;
     virtual std::string window_title() const = 0;
     virtual ImGuiSession& gui() = 0;
+    virtual const ImGuiSession& gui() const = 0;
 
 protected:
     App() = default;

@@ -5,11 +5,14 @@
 #include <string>
 #include <string_view>
 #include <utility>
+#include <variant>
 
 #include "ui/app/expectation.h"
 #include "ui/app/headless.h"
 #include "ui/command/command_table.h"
+#include "ui/context/imgui_session.h"
 #include "ui/context/offscreen.h"
+#include "ui/paint/geometry.h"
 #include "ui/scenario/player.h"
 
 namespace ui {
@@ -28,6 +31,14 @@ public:
         : application_(application), context_(context), keep_(std::move(keep))
     {}
 
+    Located find(std::string_view place) final
+    {
+        if (const auto pixel = pixel_place(place)) return *pixel;
+        const Found found = locate(place);
+        if (const auto* const wanted = std::get_if<std::string>(&found)) return *wanted;
+        const Point at = application_.gui().in_window(std::get<Point>(found));
+        return PointerPlace{at.x, at.y};
+    }
     std::optional<std::string> run_command(std::string_view id, std::string_view argument) override
     {
         if (id != "file.export" || argument.empty())
@@ -48,6 +59,10 @@ public:
     }
 
 protected:
+    /// A place of the app, as it draws [logical pixels of its ImGuiSession], or what was wanted instead of these words.
+    using Found = std::variant<Point, std::string>;
+    virtual Found locate(std::string_view place) = 0; ///< but for pixels, which every app knows
+
     Application& application() { return application_; }
 
 private:

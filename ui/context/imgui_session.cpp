@@ -92,7 +92,7 @@ ImGuiSession::ImGuiSession(Context& context, const Fonts& fonts, const Theme& th
     : context_(context),
       fonts_(fonts),
       theme_(theme),
-      scale_(context.scale()),
+      scale_(wanted_scale()),
       imgui_(ImGui::CreateContext()),
       renderer_(context),
       atlas_(fonts)
@@ -126,6 +126,17 @@ void ImGuiSession::set_theme(const Theme& theme)
 {
     theme_ = theme;
     is_stale_ = true;
+}
+
+double ImGuiSession::wanted_scale() const
+{
+    if (theme_.name() != ThemeName::Projector) return context_.scale();
+    constexpr Size roomy{1120.0, 720.0}; // for the projector's type
+    constexpr double least = 0.65;       // type is then as large as that of a desk
+    constexpr double step = 0.05;        // a window that is being made smaller does not load its type for each pixel
+    const Size window = logical_size(context_);
+    const double share = std::min({1.0, window.width / roomy.width, window.height / roomy.height});
+    return context_.scale() * std::max(least, step * std::floor(share / step + 1e-9));
 }
 
 void ImGuiSession::load_type()
@@ -175,7 +186,8 @@ void ImGuiSession::feed(const Input& input)
     io.DeltaTime = std::max(1e-4F, static_cast<float>(input.seconds));
     io.MousePos = {-FLT_MAX, -FLT_MAX};
     if (input.pointer)
-        io.MousePos = {static_cast<float>(scale_ * input.pointer->x), static_cast<float>(scale_ * input.pointer->y)};
+        io.MousePos = {static_cast<float>(context_.scale() * input.pointer->x),
+                       static_cast<float>(context_.scale() * input.pointer->y)};
     for (std::size_t i = 0; i < n_pointer_buttons; ++i)
         if (input.since_press && input.is_button_down[i] && !io.MouseDown[i])
             io.MouseClickedTime[i] = imgui_->Time + static_cast<double>(io.DeltaTime) - *input.since_press;
@@ -272,8 +284,8 @@ void ImGuiSession::begin_frame(const Input& input)
 {
     ImGui::SetCurrentContext(imgui_);
     atlas_.trim();
-    if (is_stale_ || context_.scale() != scale_) { // or the window went to another screen
-        scale_ = context_.scale();
+    if (is_stale_ || wanted_scale() != scale_) { // or the window went to another screen
+        scale_ = wanted_scale();
         load_type();
         set_style();
         is_stale_ = false;

@@ -4,6 +4,7 @@
 #include "ui/context/draw_list_renderer.h"
 #include "ui/context/input.h"
 #include "ui/context/typing.h"
+#include "ui/paint/geometry.h"
 #include "ui/paint/picture.h"
 #include "ui/paint/surface/glyph_atlas.h"
 #include "ui/paint/theme.h"
@@ -61,12 +62,17 @@ public:
     const std::string& unread_text() const { return unread_text_; }
     Typing::Reader reader() const;
 
+    /// Physical pixels of a logical one: the context's, but less in a small window on the projector, which then shows
+    /// what a larger one shows. The last row sees the share of the window's height, which stays the same.
     double scale() const { return scale_; }
+    /// A place of the session [logical pixels], in those of the context, as `Input` has the pointer.
+    Point in_window(Point place) const { return (scale_ / context_.scale()) * place; }
     ImFont* regular() const { return regular_; }
     ImFont* bold() const { return bold_; }
     ImFont* large() const { return large_; }
 
 private:
+    double wanted_scale() const;
     void load_type();
     void set_style();
     void feed(const Input& input);

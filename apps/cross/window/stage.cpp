@@ -59,13 +59,12 @@ std::optional<ui::Point> in_cell(const Application& application, const std::vect
 
 } // namespace
 
-ui::Stage::Located OffscreenStage::find(std::string_view place)
+OffscreenStage::Found OffscreenStage::locate(std::string_view place)
 {
-    if (const auto pixel = ui::pixel_place(place)) return *pixel;
     const auto words = ui::words_of(place);
-    if (const auto at = in_structure(application(), words)) return ui::PointerPlace{at->x, at->y};
+    if (const auto at = in_structure(application(), words)) return *at;
     if (!words.empty() && words[0] == "cell") {
-        if (const auto at = in_cell(application(), words)) return ui::PointerPlace{at->x, at->y};
+        if (const auto at = in_cell(application(), words)) return *at;
         return "a cell of the sheet that is seen, such as cell factor BA, cell balance 1 BA or cell sum BA";
     }
     const std::string what =
@@ -82,7 +81,7 @@ ui::Stage::Located OffscreenStage::find(std::string_view place)
     }
     const auto at = application().canvas().in_window(*joint, part);
     if (!at) return "one that is drawn";
-    return ui::PointerPlace{at->x, at->y};
+    return *at;
 }
 
 } // namespace cross

@@ -22,7 +22,7 @@ class OffscreenStage final : public ui::OffscreenStage<Application> {
 public:
     using ui::OffscreenStage<Application>::OffscreenStage;
 
-    Located find(std::string_view place) override;
+    Found locate(std::string_view place) override;
 };
 
 } // namespace cross

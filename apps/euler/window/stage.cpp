@@ -28,18 +28,14 @@ std::optional<topology::Point> point_in(std::string_view text)
 
 } // namespace
 
-ui::Stage::Located OffscreenStage::find(std::string_view place)
+OffscreenStage::Found OffscreenStage::locate(std::string_view place)
 {
-    if (const auto pixel = ui::pixel_place(place)) return *pixel;
-    if (const auto point = point_in(place)) {
-        const ui::Point at = application().canvas().in_window(application().session(), *point);
-        return ui::PointerPlace{at.x, at.y};
-    }
+    if (const auto point = point_in(place)) return application().canvas().in_window(application().session(), *point);
     const auto part = named_part(application().session().shown(), place);
     if (!part) return any_place;
     const auto at = application().canvas().in_window(*part);
     if (!at) return "one that is seen";
-    return ui::PointerPlace{at->x, at->y};
+    return *at;
 }
 
 } // namespace euler

@@ -55,13 +55,17 @@ Mismatch value(const Application& application, std::string_view text)
     return "value: found \"" + words[2] + "\", wanted one of " + names;
 }
 
-// Where it lies in the window; half a pixel is nothing.
-Mismatch at_pixel(std::string_view what, const std::optional<ui::Point>& found, const ui::PointerPlace& wanted)
+// Where a node lies in the window; half a pixel is nothing.
+Mismatch at_pixel(const Application& application, femoop::NodeId node, const ui::PointerPlace& wanted)
 {
-    if (!found) return std::string(what) + ": found no picture yet";
-    if (std::hypot(found->x - wanted.x, found->y - wanted.y) <= 0.5) return std::nullopt;
+    const femoop::Model& model = application.session().model();
+    const std::string what = "node " + model[node].id;
+    const auto drawn = application.canvas().in_window(shape_of(model)[node]);
+    if (!drawn) return what + ": found no picture yet";
+    const ui::Point found = application.gui().in_window(*drawn);
+    if (std::hypot(found.x - wanted.x, found.y - wanted.y) <= 0.5) return std::nullopt;
     std::ostringstream words;
-    words << what << ": found at pixel " << found->x << ' ' << found->y << ", wanted pixel " << wanted.x << ' '
+    words << what << ": found at pixel " << found.x << ' ' << found.y << ", wanted pixel " << wanted.x << ' '
           << wanted.y;
     return words.str();
 }
@@ -75,8 +79,7 @@ Mismatch node(const Application& application, std::string_view text)
     if (!id) return "node: found no node \"" + (words.empty() ? "" : words[0]) + "\" in the model";
     const std::string place_text = words.size() >= 3 && words[1] == "at" ? joined(words, 2) : "";
     const Eigen::Vector3d found = shape_of(model)[*id];
-    if (const auto pixel = ui::pixel_place(place_text))
-        return at_pixel("node " + words[0], application.canvas().in_window(found), *pixel);
+    if (const auto pixel = ui::pixel_place(place_text)) return at_pixel(application, *id, *pixel);
     const auto wanted = point_in(place_text);
     if (!wanted) return "node: wanted NAME at (X, Y) or NAME at pixel X Y";
     constexpr double tolerance = 1e-3; // places are written with few digits

@@ -24,11 +24,10 @@ template <class Part> std::string names(const std::vector<Part>& parts)
 
 } // namespace
 
-ui::Stage::Located OffscreenStage::find(std::string_view place)
+OffscreenStage::Found OffscreenStage::locate(std::string_view place)
 {
     const femoop::Model& model = application().session().model();
     const Canvas& canvas = application().canvas();
-    if (const auto pixel = ui::pixel_place(place)) return *pixel;
     const std::vector<std::string> words = ui::words_of(place);
     std::optional<ui::Point> at;
     if (words.size() == 2 && words[0] == "node") {
@@ -43,7 +42,7 @@ ui::Stage::Located OffscreenStage::find(std::string_view place)
         at = canvas.in_window(*point);
     }
     if (!at) return any_place;
-    return ui::PointerPlace{at->x, at->y};
+    return *at;
 }
 
 std::optional<std::string> OffscreenStage::run_command(std::string_view id, std::string_view argument)

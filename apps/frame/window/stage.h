@@ -20,7 +20,7 @@ class OffscreenStage final : public ui::OffscreenStage<Application> {
 public:
     using ui::OffscreenStage<Application>::OffscreenStage;
 
-    Located find(std::string_view place) override;
+    Found locate(std::string_view place) override;
     std::optional<std::string> run_command(std::string_view id, std::string_view argument) override;
 };
 

@@ -35,20 +35,17 @@ std::string names_of_places()
 
 } // namespace
 
-ui::Stage::Located OffscreenStage::find(std::string_view place)
+OffscreenStage::Found OffscreenStage::locate(std::string_view place)
 {
-    if (const auto pixel = ui::pixel_place(place)) return *pixel;
     const Canvas& canvas = application().canvas();
     if (place.starts_with("circle ("))
-        if (const auto p = ui::Argument{place, place.substr(7)}.numbers(2)) {
-            const ui::Point at = canvas.corner() + canvas.drawn().circle.to_sheet({p->at(0), p->at(1)});
-            return ui::PointerPlace{at.x, at.y};
-        }
+        if (const auto p = ui::Argument{place, place.substr(7)}.numbers(2))
+            return canvas.corner() + canvas.drawn().circle.to_sheet({p->at(0), p->at(1)});
     const auto named = std::ranges::find(handles, place, &NamedHandle::name);
     if (named == handles.end()) return names_of_places();
     const auto at = canvas.in_window(named->handle);
     if (!at) return "one that is drawn";
-    return ui::PointerPlace{at->x, at->y};
+    return *at;
 }
 
 } // namespace mohr

@@ -36,6 +36,47 @@ TEST_CASE("A press and a release over a button click it, at every scale")
     }
 }
 
+TEST_CASE("A small window on the projector is drawn smaller, and is pressed where it is drawn")
+{
+    if (!has_renderer()) return;
+    for (const double scale : {1.0, 2.0}) {
+        CAPTURE(scale);
+        Stage stage(scale, ui::ThemeName::Projector);
+        CHECK(stage.session.scale() == doctest::Approx(0.65 * scale));
+        ui::Point middle;
+        int n_clicks = 0;
+        const auto button = [&] {
+            if (ImGui::Button("Solve")) ++n_clicks;
+            const ImVec2 a = ImGui::GetItemRectMin(), b = ImGui::GetItemRectMax();
+            const ui::Point drawn = ui::Point{static_cast<double>(a.x + b.x), static_cast<double>(a.y + b.y)} /
+                                    (2.0 * stage.session.scale());
+            middle = stage.session.in_window(drawn);
+        };
+        stage.frame({}, button);
+        stage.frame({}, button);
+        ui::Input hover{.pointer = middle}, press = hover;
+        press.is_button_down[0] = true;
+        stage.frame(hover, button);
+        stage.frame(press, button);
+        stage.frame(hover, button);
+        CHECK(n_clicks == 1);
+    }
+}
+
+TEST_CASE("A window with room keeps the projector's type, and a theme of the desk any window's")
+{
+    if (!has_renderer()) return;
+    const ui::Fonts fonts;
+    const auto scale = [&](ui::PixelSize size, ui::ThemeName theme) {
+        ui::Offscreen context({.size = size, .scale = 1.0});
+        return ui::ImGuiSession(context, fonts, ui::Theme(theme)).scale();
+    };
+    CHECK(scale({1280, 800}, ui::ThemeName::Projector) == 1.0);
+    CHECK(scale({1920, 1080}, ui::ThemeName::Projector) == 1.0);
+    CHECK(scale({900, 540}, ui::ThemeName::Projector) == doctest::Approx(0.75));
+    CHECK(scale({900, 540}, ui::ThemeName::Light) == 1.0);
+}
+
 TEST_CASE("Two presses are a double click by the hand's time, however late the frames are")
 {
     if (!has_renderer()) return;
