@@ -42,7 +42,7 @@ public:
     using Session = decltype(Workspace::session);
 
     void frame(const Input& input) final;
-    bool is_moving() const final { return workspace_.is_moving(); }
+    bool is_moving() const final { return workspace_.is_moving() || awaited_export_; }
     void ask_to_quit() final { workspace_.leave_all(asks(Request::Quit)); }
     bool wants_to_quit() const final { return wants_to_quit_; }
     std::string window_title() const final
@@ -50,6 +50,7 @@ public:
         return (session().is_dirty() ? "*" : "") + workspace_.name() + " – " + session().tr()(face_.name);
     }
     ImGuiSession& gui() final { return gui_; }
+    const ImGuiSession& gui() const final { return gui_; }
 
     Workspace& workspace() { return workspace_; }
     const Workspace& workspace() const { return workspace_; }
@@ -133,6 +134,8 @@ private:
     void handle_requests();
     void handle_common_request(Request request);
     void take(const ChosenFile& file);
+    void begin_export(const std::filesystem::path& path);
+    void go_on_with_export();
     void hand_over(ExportToApp exported);
     void show_menu_bar();
     void show_dialogs();
@@ -159,6 +162,12 @@ private:
     std::optional<LinkedCopy> linked_;
     StartProgram start_program_;
     std::optional<ExportToApp> handed_;
+    /// It begins once it is seen that it does: a report of thousands of members takes a while.
+    struct AwaitedExport {
+        std::filesystem::path path;
+        int n_frames = 2; ///< until then: in the first one it is told, and that is seen before the second
+    };
+    std::optional<AwaitedExport> awaited_export_;
     bool wants_to_quit_ = false;
     bool had_popup_ = false; ///< in the last frame: Escape, which has closed it since, was for it
 };
@@ -186,6 +195,7 @@ template <class Workspace, class Topics> void show_topics(Workspace& workspace, 
 template <class Workspace> void DocumentApp<Workspace>::frame(const Input& input)
 {
     if (std::exchange(theme_, workspace_.theme()) != workspace_.theme()) gui_.set_theme(Theme(theme_));
+    go_on_with_export();
     workspace_.open_dropped(input.dropped_files);
     gui_.begin_frame(input);
     handle_keys(input);
@@ -271,10 +281,23 @@ template <class Workspace> void DocumentApp<Workspace>::take(const ChosenFile& f
     case Save:
         if (!workspace_.save_as(file.path)) dialogs_.refuse(workspace_.session.notice->sentence);
         break;
-    case Export:
-        if (const auto reason = export_as(file.path)) dialogs_.refuse(*reason);
-        break;
+    case Export: begin_export(file.path); break;
     }
+}
+
+template <class Workspace> void DocumentApp<Workspace>::begin_export(const std::filesystem::path& path)
+{
+    workspace_.notify({translatable("{file} is being written…"), {{"file", path.filename().string()}}});
+    awaited_export_ = AwaitedExport{path};
+}
+
+template <class Workspace> void DocumentApp<Workspace>::go_on_with_export()
+{
+    if (!awaited_export_ || --awaited_export_->n_frames > 0) return;
+    const auto reason = export_as(std::exchange(awaited_export_, std::nullopt)->path);
+    if (!reason) return;
+    workspace_.session.notice.reset();
+    dialogs_.refuse(*reason);
 }
 
 template <class Workspace> void DocumentApp<Workspace>::quit()
@@ -302,7 +325,7 @@ template <class Workspace> void DocumentApp<Workspace>::follow_links(double seco
         if (linked_)
             linked_->tick(seconds, {[this] { return session().linked_text(); },
                                     [this](const std::string& other) { return session().is_news(other); }});
-    workspace_.offer = linked_ && linked_->offered() ? translatable("the frame has changed") : "";
+    workspace_.offer = linked_ && linked_->offered() ? translatable("The frame has changed") : "";
 }
 
 template <class Workspace> void DocumentApp<Workspace>::answer_offer(Request request)

@@ -316,7 +316,7 @@ void Session::adopt(const std::string& text)
     next.model = std::move(*model);
     if (next.method.load_case.index >= next.model.n_cases()) next.method.load_case = femoop::CaseId(0);
     if (const Solution solution = solve(next); !solution.faults.empty())
-        return notify(translatable("moment distribution cannot do what the frame has now; it stays as it was"));
+        return notify(translatable("Moment distribution cannot do what the frame has now; it stays as it was"));
     is_playing = false;
     phase_ = 1.0;
     history_.apply(std::move(next), translatable("Take over from the frame"));

@@ -202,7 +202,7 @@ std::string_view LinkedPrograms::offering(const Workspace& workspace) const
     const Linked* const linked = offering_one(workspace);
     if (linked == nullptr) return {};
     if (linked->handed.program == circle) return translatable("Mohr's circle has changed the section");
-    return translatable("moment distribution has changed the structure");
+    return translatable("Moment distribution has changed the structure");
 }
 
 void LinkedPrograms::keep(const Workspace& workspace)
@@ -256,7 +256,7 @@ void LinkedPrograms::adopt_structure(Session& session, const Handed& handed, con
     auto model = model_of(text);
     if (!model) return;
     if (!handed.members.empty()) {
-        session.notify(translatable("moment distribution has a part of the structure alone, which is not taken back; "
+        session.notify(translatable("Moment distribution has a part of the structure alone, which is not taken back; "
                                     "hand over the whole structure instead"));
         return;
     }

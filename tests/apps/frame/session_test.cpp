@@ -559,7 +559,7 @@ TEST_CASE("Nothing can be taken over where no linked window offers a change")
         CAPTURE(id);
         CHECK(ui::why_not(*command_table().find(id), workspace));
     }
-    workspace.offer = "moment distribution has changed the structure";
+    workspace.offer = "Moment distribution has changed the structure";
     run(workspace, "edit.take_over");
     CHECK(workspace.asked == std::vector{ui::Request::TakeOver});
 }

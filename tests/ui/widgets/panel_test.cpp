@@ -42,7 +42,7 @@ TEST_CASE("Both answers to what a linked program offers stand whole in the windo
 {
     if (!ui_test::has_renderer()) return;
     ui_test::WidgetStage stage{1.0};
-    const ui::FootMessage offer = ui::offer_message("moment distribution has changed the structure", {});
+    const ui::FootMessage offer = ui::offer_message("Moment distribution has changed the structure", {});
     REQUIRE(offer.buttons.size() == 2);
     float beyond = 1.0F, hidden = 1.0F;
     for (int i = 0; i < 3; ++i)
