@@ -247,9 +247,26 @@ void Canvas::look(Session& session, ui::StandardView view)
     session.show_as(ViewKind::Space);
 }
 
+// Where panels come or go, what the hand has moved keeps its middle and its share of the sheet.
+void Canvas::follow_room(Session& session)
+{
+    const ui::Size before = std::exchange(room_, sheet());
+    if (session.is_fitted || before == sheet()) return;
+    const ui::Point shift = middle() - 0.5 * ui::Point{before.width, before.height};
+    const double factor = std::min(sheet().width / before.width, sheet().height / before.height);
+    const auto follow = [&](auto& camera) {
+        camera.pan(shift);
+        camera.zoom(middle(), factor);
+    };
+    follow(session.eye);
+    follow(session.map_eye);
+    follow(session.polygon_eye);
+}
+
 void Canvas::show(Session& session, ui::ImGuiSession& gui)
 {
     if (!begin(gui, any_button)) return;
+    follow_room(session);
     if (session.is_fitted) session.is_drawing() ? give_room_to_draw(session) : fit(session);
     if (!is_over() && !is_active()) line_start_.reset(); // released beside the picture
     else follow(session);

@@ -46,6 +46,7 @@ private:
     topology::Point place_under_pointer(const Session& session) const;
     void paint_drawing(const Session& session, ui::Painter& painter) const;
     void fit(Session& session);
+    void follow_room(Session& session);
     void give_room_to_draw(Session& session);
     void fit_view(Session& session);
     Shapes shapes_of(const Session& session, std::span<const Subject> subjects);
@@ -109,6 +110,7 @@ private:
     std::optional<ViewTransform> seen_;                        ///< that the shapes belong to
     std::optional<Painting> painted_;                          ///< that the picture shows; none of one that is drawn on
     std::optional<Fitting> fitted_;                            ///< last
+    ui::Size room_ = sheet();                                  ///< that the views were moved in
     Map map_, other_map_;                                      ///< of what is drawn, and of the other end of a step
     std::optional<topology::Point> line_start_{}, line_end_{}; ///< of a line that is being drawn
 };
