@@ -51,7 +51,7 @@ constexpr std::array criterion_entries{
 Reason why_not_another_state(const Workspace& workspace)
 {
     if (!workspace.session.practice()) return std::nullopt;
-    return exercise_keeps_state;
+    return workspace.session.why_state_stays();
 }
 
 Reason why_no_gauges(const Workspace& workspace)

@@ -49,10 +49,19 @@ bool Session::would_leave_exercise(const Document& next) const
     return next.subject != given.subject || next.state() != given.state() || next.elasticity != given.elasticity;
 }
 
+std::string_view Session::why_state_stays() const
+{
+    if (is_concealing())
+        return translatable(
+            "an exercise has this state; type the answers into its fields, or end it: Exercises, End the exercise");
+    return translatable(
+        "the exercise that was answered has this state; take another one, or end it: Exercises, End the exercise");
+}
+
 std::optional<Message> Session::apply(Edit edit, const Message& label)
 {
     path_time_.reset(); // what is done by hand ends what moves by itself
-    if (would_leave_exercise(edit.document)) return Message(exercise_keeps_state);
+    if (would_leave_exercise(edit.document)) return Message(why_state_stays());
     if (edit.fault) return edit.fault->reason;
     history_.apply(std::move(edit.document), label);
     solve_again();
@@ -85,7 +94,7 @@ void Session::drag_to(ui::Point at, bool is_fine) { drag(dragged(*grip_, at, is_
 
 std::optional<Message> Session::why_not_here() const
 {
-    if (would_leave_exercise(document())) return Message(exercise_keeps_state);
+    if (would_leave_exercise(document())) return Message(why_state_stays());
     return std::nullopt;
 }
 

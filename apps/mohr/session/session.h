@@ -15,10 +15,6 @@ namespace mohr {
 
 using ui::Notice;
 
-/// Why an exercise's state is not changed.
-inline constexpr std::string_view exercise_keeps_state = ui::translatable(
-    "an exercise has this state; type the answers into its fields, or end it: Exercises, End the exercise");
-
 /// What is open and how it is looked at: the app without its window.
 class Session : public ui::EditedDocument<Document> {
 public:
@@ -59,6 +55,7 @@ public:
     void give_up_exercise();
     void end_exercise() { practice_.reset(); }
     bool is_concealing() const { return practice_ && !practice_->is_finished(); }
+    std::string_view why_state_stays() const; ///< \pre there is an exercise, which has the state
 
     void new_document();
     /// A frame that has handed over a section goes on with it in its own window (ui/files/linked_copy.h): it is told
