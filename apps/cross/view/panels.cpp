@@ -474,7 +474,6 @@ Title title_in(const ui::Painter& painter, const Panel& panel, const std::string
     constexpr double least = 0.85; // of the size of type; else there are two lines
     ui::TextStyle style = theme.text(ui::Role::FaintLabel, ui::Anchor::TopLeft);
     style.weight = ui::Weight::Bold;
-    if (panel.is_zoomed) style.plate = theme.background(); // the structure may lie there
     const double room = panel.box.width() - 1.2 * style.size;
     const double shrunk = room / std::max(1.0, painter.measure(title, style).width);
     style.size *= std::clamp(shrunk, least, 1.0);
@@ -487,12 +486,15 @@ ui::Box draw_title(ui::Painter& painter, const Panel& panel, const std::string& 
 {
     const auto [style, lines] = title_in(painter, panel, title, theme);
     const ui::LayerScope layer(painter, panel.is_zoomed ? ui::Layer::Overlay : ui::Layer::Labels);
+    const ui::Box box = title_box(painter, panel, title, theme);
+    if (panel.is_zoomed) // columns that stand there would be half covered
+        painter.rectangle({panel.box.min, {panel.box.max.x, box.max.y}}, theme.background());
     ui::Point at = panel.box.min + ui::Point{0.6 * style.size, 0.4 * style.size};
     for (const std::string& line : lines) {
         painter.text(at, line, style);
         at.y += 1.15 * style.size;
     }
-    return title_box(painter, panel, title, theme);
+    return box;
 }
 
 ui::Box title_box(const ui::Painter& painter, const Panel& panel, const std::string& title, const ui::Theme& theme)
