@@ -43,7 +43,7 @@ public:
         return place_text(coordinates, tr_);
     }
 
-    std::string unit(Dimension dimension) const { return with_product_dots(unit_text(dimension, model_.units)); }
+    std::string unit(Dimension dimension) const { return printed_unit(dimension, model_.units); }
 
     /// Of a load along a degree of freedom. A moment per length is told as one, not as the force that it comes to.
     std::string load_unit(Dof dof, bool is_per_length) const

@@ -48,7 +48,7 @@ private:
                "\n\n";
     }
 
-    std::string unit() const { return with_product_dots(unit_text(dimension::moment, worked_.model.units)); }
+    std::string unit() const { return printed_unit(dimension::moment, worked_.model.units); }
 
     std::string factors(const Problem& half) const
     {

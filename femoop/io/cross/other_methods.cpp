@@ -42,7 +42,7 @@ double largest_of(const std::vector<double>& values)
 
 std::string heading(const Model& model, const Problem& problem, const std::string& what, const Translator& tr)
 {
-    const std::string unit = with_product_dots(unit_text(dimension::moment, model.units));
+    const std::string unit = printed_unit(dimension::moment, model.units);
     return fill(tr("{0}, case {1}: moments on the member ends in {2}, counter-clockwise positive"),
                 {what, model.case_name(problem.load_case), unit}) +
            "\n\n";

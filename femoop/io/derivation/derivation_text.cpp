@@ -136,7 +136,7 @@ std::string sentence(const Step& step, const Model& model, const Translator& tr)
 std::string derivation_title(const Derivation& derivation, const Model& model, const Translator& tr)
 {
     if (!derivation.redundants.empty()) return fill(tr("Force method in {0}"), {model.case_name(derivation.load_case)});
-    const std::string unit = with_product_dots(unit_text(influence::dimension_of(derivation.effect), model.units));
+    const std::string unit = printed_unit(influence::dimension_of(derivation.effect), model.units);
     return fill(tr("{0} = {1} in {2}: where it comes from"),
                 {influence::effect_name(model, derivation.effect), six_digits(derivation.value, tr) + " " + unit,
                  model.case_name(derivation.load_case)});

@@ -18,10 +18,7 @@ namespace {
 constexpr std::size_t indent = 2;
 constexpr double rounding = 1e-9; // of the largest thing that an equation sums
 
-std::string unit(Dimension dimension, const Model& model)
-{
-    return with_product_dots(unit_text(dimension, model.units));
-}
+std::string unit(Dimension dimension, const Model& model) { return printed_unit(dimension, model.units); }
 
 std::string length_text(double value, const Model& model, const Translator& tr)
 {

@@ -6,6 +6,7 @@
 #include "femoop/model/quantity/dimension.h"
 #include "femoop/model/quantity/number_text.h"
 #include "femoop/model/quantity/six_digits.h"
+#include "femoop/model/quantity/unit_signs.h"
 #include "femoop/result/magnitudes.h"
 #include "femoop/tabular/plain_text.h"
 
@@ -114,7 +115,7 @@ std::string lines_text(const Model& model, std::span<const InfluenceLineDefiniti
         const LineTables tables{.model = model,
                                 .line = lines[i],
                                 .length_unit = unit_text(dimension::length, model.units),
-                                .unit = unit_text(d, model.units),
+                                .unit = printed_unit(d, model.units),
                                 .tr = tr};
         text += text.empty() ? "" : "\n";
         text += fill(tr("Influence line {0}: {1}, unit load along {2}"),

@@ -24,7 +24,7 @@ constexpr std::size_t indent = 2;
 
 tabular::Column in_unit(std::string_view what, Dimension dimension, const Units& units)
 {
-    return {std::string(what), with_product_dots(unit_text(dimension, units))};
+    return {std::string(what), printed_unit(dimension, units)};
 }
 
 tabular::Column displacement_header(Dof dof, const Units& units)

@@ -9,6 +9,7 @@
 #include "femoop/model/quantity/dimension.h"
 #include "femoop/model/quantity/number_text.h"
 #include "femoop/model/quantity/six_digits.h"
+#include "femoop/model/quantity/unit_signs.h"
 #include "femoop/tabular/plain_text.h"
 
 namespace femoop::influence {
@@ -38,7 +39,7 @@ private:
 
     std::string component(const MovingEffect& effect) const { return component_name(model_.analysis, effect); }
     bool is_of_member(const MovingEffect& effect) const { return effect.member.has_value(); }
-    std::string unit(const MovingEffect& effect) const { return unit_text(dimension_of(effect), model_.units); }
+    std::string unit(const MovingEffect& effect) const { return printed_unit(dimension_of(effect), model_.units); }
     std::string length_unit() const { return unit_text(dimension::length, model_.units); }
 
     template <class Entry> std::vector<MovingEffect> components(const std::vector<Entry>& entries) const

@@ -156,12 +156,11 @@ std::string work_text(const Work& work, const WorkCaptions& captions, const Mode
 
 std::string virtual_work_text(const VirtualWork& work, const Model& model, const Translator& tr)
 {
-    const std::string unit = unit_text(influence::dimension_of(work.displacement), model.units);
+    const std::string unit = printed_unit(influence::dimension_of(work.displacement), model.units);
     const double size = size_of(work.work);
     const auto value = [&](double number) { return six_digits(without_rounding(number, size), tr); };
     const std::string title = fill(tr("{0} = {1} in {2}: by virtual work"),
-                                   {influence::effect_name(model, work.displacement),
-                                    value(work.value) + " " + with_product_dots(unit),
+                                   {influence::effect_name(model, work.displacement), value(work.value) + " " + unit,
                                     model.case_name(work.load_case)});
     return title + "\n" + std::string(tabular::shown_width(title), '=') + "\n" +
            fill(tr("Lengths in {0}, forces in {1}, rotations in rad."),
@@ -170,10 +169,7 @@ std::string virtual_work_text(const VirtualWork& work, const Model& model, const
            tr("A unit load stands where the displacement is asked for, and along it. Its forces work on what the loads "
               "strain: the displacement is the sum of that work.") +
            "\n" + work_text(work.work, {tr("under the loads, F"), tr("under the unit load, f"), unit}, model, tr) +
-           "\n" +
-           fill(tr("Sum: {0} {1}; the analysis has {2}."),
-                {value(work.sum), with_product_dots(unit), value(work.value)}) +
-           "\n";
+           "\n" + fill(tr("Sum: {0} {1}; the analysis has {2}."), {value(work.sum), unit, value(work.value)}) + "\n";
 }
 
 } // namespace femoop::virtual_work

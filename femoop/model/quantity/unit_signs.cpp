@@ -47,4 +47,9 @@ std::string with_product_dots(std::string_view in_file)
     return text;
 }
 
+std::string printed_unit(Dimension dimension, const Units& units)
+{
+    return with_product_dots(unit_text(dimension, units));
+}
+
 } // namespace femoop
