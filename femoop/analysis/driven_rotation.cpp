@@ -10,7 +10,7 @@ namespace femoop {
 
 namespace {
 
-constexpr double rounding = 1e-9; // of the moments that come to a node
+constexpr double rounding_of_moments = 1e-9; // of the moments that come to a node
 
 void add_node_loads(const CaseLoads& loads, std::vector<double>& moments)
 {
@@ -73,7 +73,7 @@ bool DrivenRotations::is_driven(const ArtificialRestraint& rotation, std::size_t
     const std::vector<double>& moments = moments_at_nodes(load_case);
     double largest = 0.0;
     for (const ArtificialRestraint::Part& part : rotation.parts) largest = std::max(largest, moments[part.node.index]);
-    return std::abs(moment) > rounding * largest;
+    return std::abs(moment) > rounding_of_moments * largest;
 }
 
 const std::vector<double>& DrivenRotations::moments_at_nodes(std::size_t load_case)

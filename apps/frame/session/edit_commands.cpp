@@ -1,5 +1,6 @@
 #include "apps/frame/session/edit_commands.h"
 
+#include <algorithm>
 #include <array>
 #include <vector>
 
@@ -129,10 +130,20 @@ void add_selection_commands(CommandTable& table)
               delete_selection, needs_something_to_delete);
 }
 
-void add_transform(Menu& menu, ui::CommandName name, Transform::Kind kind)
+void add_transform(Menu& menu, ui::CommandName name, Transform::Kind kind,
+                   Reason (*why_not)(const Workspace&) = needs_selection)
 {
     menu.step(
-        std::move(name), [kind](Workspace& workspace) { begin_transform(workspace, kind); }, needs_selection);
+        std::move(name), [kind](Workspace& workspace) { begin_transform(workspace, kind); }, why_not);
+}
+
+Reason why_not_bend(const Workspace& workspace)
+{
+    const Session& session = workspace.session;
+    if (is_truss(session.model().analysis)) return translatable("the bars of a truss stay straight");
+    const auto is_member = [](const Part& part) { return std::holds_alternative<femoop::MemberId>(part); };
+    if (std::ranges::any_of(session.selection.parts(), is_member)) return std::nullopt;
+    return translatable("select members first");
 }
 
 Reason why_not_accept(const Workspace& workspace)
@@ -150,6 +161,8 @@ void add_transform_commands(CommandTable& table)
     add_transform(menu, {"edit.rotate", translatable("Rotate…"), {{Key::R, ui::ctrl}}}, Kind::Rotate);
     add_transform(menu, {"edit.mirror", translatable("Mirror…"), {{Key::I, ui::ctrl}}}, Kind::Mirror);
     add_transform(menu, {"edit.scale", translatable("Scale…"), {{Key::E, ui::ctrl}}}, Kind::Scale);
+    add_transform(menu, {"edit.bend", translatable("Bend into an arch…"), {{Key::J, ui::ctrl}}}, Kind::Bend,
+                  why_not_bend);
     Menu(table, {}).step({"edit.accept", translatable("Accept"), {{Key::Enter, {}}}}, accept_transform, why_not_accept);
 }
 

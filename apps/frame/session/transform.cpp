@@ -8,6 +8,7 @@
 
 #include "apps/frame/document/drawing.h"
 #include "femoop/edit/member_line.h"
+#include "femoop/edit/short_number.h"
 #include "ui/text/catalogue.h"
 
 namespace frame {
@@ -24,9 +25,10 @@ std::string_view label(Transform::Kind kind)
     case Transform::Kind::Copy: return translatable("Copy the selection");
     case Transform::Kind::Rotate: return translatable("Rotate the selection");
     case Transform::Kind::Mirror: return translatable("Mirror the selection");
-    case Transform::Kind::Scale: break;
+    case Transform::Kind::Scale: return translatable("Scale the selection");
+    case Transform::Kind::Bend: break;
     }
-    return translatable("Scale the selection");
+    return translatable("Bend the members");
 }
 
 double radians(double degrees) { return degrees * std::numbers::pi / 180.0; }
@@ -39,7 +41,8 @@ femoop::Placement Transform::placement() const
     const Vector3d axis = WorkingPlane{.normal = normal}.normal_axis();
     switch (kind) {
     case Kind::Move:
-    case Kind::Copy: break;
+    case Kind::Copy:
+    case Kind::Bend: break;
     case Kind::Rotate: return femoop::turned(place, radians(angle), axis);
     case Kind::Mirror:
         if (is_in_space) return femoop::mirrored_at(place, axis);
@@ -49,8 +52,28 @@ femoop::Placement Transform::placement() const
     return femoop::moved_by(place);
 }
 
+// What comes of the members is selected, their first parts too.
+Change Transform::bending() const
+{
+    std::vector<femoop::MemberId> members;
+    for (const Part& part : parts)
+        if (const auto* const member = std::get_if<femoop::MemberId>(&part)) members.push_back(*member);
+    const auto make = [members, bend = bend](Document& document) {
+        for (const femoop::MemberId member : members) bend_member(document.model, member, bend);
+    };
+    const auto select = [members](Document&, Selection& added) {
+        Selection chain;
+        for (const femoop::MemberId member : members) chain.add(member);
+        for (const Part& part : added.parts())
+            if (std::holds_alternative<femoop::MemberId>(part)) chain.add(part);
+        added = chain;
+    };
+    return {label(kind), make, Step::Drag, select};
+}
+
 Change Transform::change(const femoop::Model& before) const
 {
+    if (kind == Kind::Bend) return bending();
     const auto as_placed = placement();
     if (!copies())
         return {label(kind),
@@ -69,10 +92,24 @@ Change Transform::change(const femoop::Model& before) const
     return {label(kind), make, Step::Drag, finish};
 }
 
+namespace {
+
+// Of the first member, a fifth of its length in round numbers: an arch that is seen to be one.
+double usual_rise(const femoop::Model& model, const std::vector<Part>& parts)
+{
+    for (const Part& part : parts)
+        if (const auto* const member = std::get_if<femoop::MemberId>(&part))
+            return femoop::short_number(0.2 * femoop::line_of(model, model[*member]).length, 1.0);
+    return 1.0;
+}
+
+} // namespace
+
 Transform transform_of(Transform::Kind kind, const femoop::Model& model, const Selection& selection)
 {
     Transform transform{.kind = kind};
     transform.parts.assign(selection.parts().begin(), selection.parts().end());
+    transform.bend.rise = usual_rise(model, transform.parts);
     const std::vector<femoop::NodeId> nodes = nodes_of(model, selection.parts());
     if (nodes.empty()) return transform;
     Vector3d least = femoop::position_of(model, nodes.front()), most = least;

@@ -7,13 +7,14 @@
 #include "apps/frame/document/change.h"
 #include "apps/frame/document/selection.h"
 #include "apps/frame/tools/working_plane.h"
+#include "femoop/edit/bend.h"
 #include "femoop/edit/place.h"
 
 namespace frame {
 
 /// A transformation of the selection by typed numbers.
 struct Transform {
-    enum class Kind : std::uint8_t { Move, Copy, Rotate, Mirror, Scale };
+    enum class Kind : std::uint8_t { Move, Copy, Rotate, Mirror, Scale, Bend };
 
     Kind kind = Kind::Move;
     /// Move, Copy: the shift. Others: the centre, or a place of the mirror. z stays 0 in a plane.
@@ -25,6 +26,7 @@ struct Transform {
     double factor = 2.0;         ///< Scale; > 0
     int times = 1;               ///< Copy; 1 to 100
     bool keeps_original = false; ///< Mirror, Rotate: what is turned is a copy
+    femoop::Bend bend{};         ///< Bend: of each member
     std::vector<Part> parts{};   ///< that are transformed
 
     femoop::Placement placement() const;
@@ -33,6 +35,9 @@ struct Transform {
     /// What it does to the parts, as part of a gesture, so that its numbers can still change: what comes of it is
     /// joined to what it meets and has its names, and copies are selected.
     Change change(const femoop::Model& before) const;
+
+private:
+    Change bending() const;
 };
 
 /// As the kind begins: about the middle of the parts, a copy beside them.

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <string>
 
 #include "apps/frame/session/edit_commands.h"
@@ -25,6 +26,7 @@ public:
     // True where a number was changed.
     bool show()
     {
+        if (transform_.kind == TransformKind::Bend) return show_bend();
         const bool is_mirror = transform_.kind == TransformKind::Mirror && transform_.is_in_space;
         if (is_mirror) normal(tr_("plane"), {"yz", "xz", "xy"});
         for (std::size_t i = 0; i < (transform_.is_in_space ? 3 : 2); ++i)
@@ -33,7 +35,7 @@ public:
         const bool turns = transform_.kind == TransformKind::Rotate || transform_.kind == TransformKind::Mirror;
         if (turns && !is_mirror) number(tr_("angle"), "angle", Measure::Angle, transform_.angle);
         if (transform_.kind == TransformKind::Scale) factor();
-        if (transform_.kind == TransformKind::Copy) times();
+        if (transform_.kind == TransformKind::Copy) count(tr_("times"), "###times", transform_.times, {1, 100});
         if (transform_.kind == TransformKind::Rotate || transform_.kind == TransformKind::Mirror) {
             is_changed_ |= ImGui::Checkbox((tr_("a copy") + "###copy").c_str(), &transform_.keeps_original);
             ImGui::SameLine();
@@ -42,6 +44,25 @@ public:
     }
 
 private:
+    bool show_bend()
+    {
+        const std::string arc = tr_("arc"), parabola = tr_("parabola");
+        int curve = static_cast<int>(transform_.bend.curve);
+        const std::array names{arc.c_str(), parabola.c_str()};
+        ImGui::SetNextItemWidth(7.0F * ImGui::GetFontSize());
+        is_changed_ |= ImGui::Combo("###curve", &curve, names.data(), static_cast<int>(names.size()));
+        transform_.bend.curve = static_cast<femoop::BendCurve>(curve);
+        ImGui::SameLine();
+        femoop::Quantity rise(transform_.bend.rise);
+        number(tr_("rise"), "rise", Measure::Length, rise);
+        if (std::abs(rise) > 0.0) transform_.bend.rise = rise;
+        int parts = static_cast<int>(transform_.bend.n_parts);
+        count(tr_("parts"), "###parts", parts,
+              {static_cast<int>(femoop::least_bend_parts), static_cast<int>(femoop::most_bend_parts)});
+        transform_.bend.n_parts = static_cast<std::size_t>(parts);
+        return is_changed_;
+    }
+
     static constexpr std::array<const char*, 3> axes{"x", "y", "z"};
 
     void coordinate(std::size_t i)
@@ -82,12 +103,15 @@ private:
         }
         ImGui::SameLine();
     }
-    void times()
+    struct Limits {
+        int least, most;
+    };
+    void count(const std::string& label, const char* id, int& value, Limits limits)
     {
-        name(tr_("times"));
+        name(label);
         ImGui::SetNextItemWidth(6.0F * ImGui::GetFontSize());
-        is_changed_ |= ImGui::InputInt("###times", &transform_.times);
-        transform_.times = std::clamp(transform_.times, 1, 100);
+        is_changed_ |= ImGui::InputInt(id, &value);
+        value = std::clamp(value, limits.least, limits.most);
         ImGui::SameLine();
     }
 
