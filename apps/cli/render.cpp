@@ -33,7 +33,7 @@ private:
     frame::CompanionReading companion(const Console& console, const femoop::Model& model) const;
 
     std::string file_, out_, theme_ = "light", size_ = "1280x800", scale_ = "1";
-    std::optional<std::string> show_, case_, view_, magnification_, mechanism_;
+    std::optional<std::string> show_, case_, view_, magnification_, units_, mechanism_;
     MovingPicture moving_;
     TrussPicture truss_;
 };
@@ -86,6 +86,11 @@ void Render::declare(CLI::App& app, const ui::Catalogue& tr)
         ->option_text("K");
     app.add_option("--theme", theme_, tr("light (default), dark, print or projector (large type, thick lines)"))
         ->option_text("NAME");
+    app.add_option(
+           "--unit", units_,
+           tr("units of single quantities, separated by commas, such as moment=kN*cm,length=cm; the others' follow "
+              "from the file's"))
+        ->option_text("QUANTITY=UNIT");
     app.add_option("--mechanism", mechanism_, tr("which motion is drawn of a structure that can move (default 1)"))
         ->option_text("N");
     moving_.declare(app, tr);
@@ -107,6 +112,24 @@ drawing::ShowSet shown(const std::string& list, const ui::Catalogue& tr)
     return set;
 }
 
+ui::UnitChoices unit_choices(const std::string& list, const ui::Catalogue& tr)
+{
+    ui::UnitChoices choices;
+    for (const std::string& word : comma_list(list)) {
+        const std::size_t sign = std::min(word.find('='), word.size());
+        const std::string quantity = word.substr(0, sign), unit = word.substr(std::min(sign + 1, word.size()));
+        if (!unit.empty() && choices.choose(quantity, unit)) continue;
+        std::vector<std::string> quantities, units;
+        for (const ui::QuantityUnits& known : ui::chosen_quantities()) {
+            quantities.emplace_back(known.code);
+            if (known.code == quantity) units.assign(known.names.begin(), known.names.end());
+        }
+        if (units.empty()) throw unknown_choice("--unit", quantity, quantities, tr);
+        throw unknown_choice("--unit " + quantity, unit, units, tr);
+    }
+    return choices;
+}
+
 PictureOrder Render::order(const ui::Catalogue& tr) const
 {
     if (out_.empty()) throw UsageError(tr("no output is given; add -o OUT.png, .svg or .pdf"));
@@ -115,6 +138,7 @@ PictureOrder Render::order(const ui::Catalogue& tr) const
         order.mechanism = static_cast<std::size_t>(whole_number("--mechanism", *mechanism_, {1, 1000}, tr) - 1);
     order.view.theme = theme_named(theme_, tr);
     if (show_) order.view.show = shown(*show_, tr);
+    if (units_) order.view.unit_choices = unit_choices(*units_, tr);
     if (magnification_) order.view.deformation_scale = positive_number("--magnify", *magnification_, tr);
     return order;
 }

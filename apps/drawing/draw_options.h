@@ -29,6 +29,7 @@ struct DrawOptions {
     ui::ThemeName theme = ui::ThemeName::Light;
     ui::Catalogue tr;                      ///< language of the words
     std::optional<ui::UnitSystem> units;   ///< kN, m, mm (or kip, ft, in) when absent
+    ui::UnitChoices unit_choices{};        ///< of single quantities, in place of those
     ui::NumberFormat numbers{.digits = 4}; ///< digits and decimal mark
     bool is_envelope = false; ///< of several cases instead of one: diagrams as bands, reactions as ranges, no loads
     /// Names of the load cases and combinations that the envelope is without; a name that the model lacks counts for

@@ -140,8 +140,7 @@ private:
         const ui::Stroke stroke = look_.theme.stroke(Role::Dimension);
         arrow({right - px(20), y}, {right, y}, stroke);
         if (train_.both_directions) arrow({right - px(4), y + px(7)}, {right - px(24), y + px(7)}, stroke);
-        std::string units = look_.tr("units {force}, {length}", {{"force", look_.units.unit(Measure::Force).name},
-                                                                 {"length", look_.units.unit(Measure::Length).name}});
+        std::string units = look_.tr("units {units}", {{"units", look_.units.summary()}});
         if (train_.impact != 1.0)
             units += "  ·  " +
                      look_.tr("axles × {factor}", {{"factor", look_.units.number(train_.impact, Measure::Plain)}});

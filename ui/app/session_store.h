@@ -37,6 +37,7 @@ public:
                           .units = now.units(),
                           .has_panels = now.has_panels,
                           .window = window};
+        if constexpr (requires { now.unit_choices(); }) settings.unit_choices = now.unit_choices();
         if constexpr (requires { now.kept_tools(); }) settings.tools = now.kept_tools();
         note(settings, seconds);
     }

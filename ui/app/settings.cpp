@@ -33,6 +33,13 @@ void understand(const std::string& line, Settings& settings)
         settings.window = window_size(words);
         return;
     }
+    if (name == "unit") {
+        UnitChoices choices = settings.unit_choices.value_or(UnitChoices());
+        std::string unit;
+        words >> word >> unit;
+        if (choices.choose(word, unit)) settings.unit_choices = choices;
+        return;
+    }
     if (name == "tools") {
         settings.tools = std::string(std::istreambuf_iterator<char>(words >> std::ws), {});
         return;
@@ -51,6 +58,7 @@ Settings Settings::or_else(const Settings& others) const
     return {.theme = theme ? theme : others.theme,
             .language = language ? language : others.language,
             .units = units ? units : others.units,
+            .unit_choices = unit_choices ? unit_choices : others.unit_choices,
             .has_panels = has_panels ? has_panels : others.has_panels,
             .window = window ? window : others.window,
             .tools = tools ? tools : others.tools};
@@ -69,6 +77,7 @@ const Settings& ChosenSettings::take(const Settings& now)
     take(&Settings::theme, now);
     take(&Settings::language, now);
     take(&Settings::units, now);
+    take(&Settings::unit_choices, now);
     take(&Settings::has_panels, now);
     take(&Settings::window, now);
     take(&Settings::tools, now);
@@ -81,6 +90,10 @@ std::string settings_text(const Settings& settings)
     if (settings.theme) lines << "theme " << text(*settings.theme) << '\n';
     if (settings.language) lines << "language " << code(*settings.language) << '\n';
     if (settings.units) lines << "units " << code(*settings.units) << '\n';
+    if (settings.unit_choices)
+        for (const QuantityUnits& quantity : chosen_quantities())
+            if (const auto unit = settings.unit_choices->of(quantity.measure); !unit.empty())
+                lines << "unit " << quantity.code << ' ' << unit << '\n';
     if (settings.has_panels) lines << "panels " << (*settings.has_panels ? shown : hidden) << '\n';
     if (settings.window) lines << "window " << settings.window->width << ' ' << settings.window->height << '\n';
     if (settings.tools) lines << "tools " << *settings.tools << '\n';

@@ -20,6 +20,7 @@ struct Settings {
     std::optional<ThemeName> theme{};
     std::optional<Language> language{};
     std::optional<UnitSystem> units{}; ///< absent: those that go with the document
+    std::optional<UnitChoices> unit_choices{};
     std::optional<bool> has_panels{};
     std::optional<Size> window{};       ///< [logical pixels]
     std::optional<std::string> tools{}; ///< how the app's own tools are set, a line in its own words

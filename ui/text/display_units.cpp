@@ -1,7 +1,11 @@
 #include "ui/text/display_units.h"
 
+#include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <utility>
+
+#include "ui/text/catalogue.h"
 
 namespace ui {
 
@@ -21,10 +25,11 @@ struct Choice {
     NamedUnit stress;  // a name of its own, or empty: force / length^2
 };
 
-constexpr NamedUnit newton{"N", 1.0}, kilonewton{"kN", 1.0e3}, kip{"kip", 4448.2216152605};
+constexpr double lbf = 4.4482216152605, kgf = 9.80665; // N
+constexpr NamedUnit newton{"N", 1.0}, kilonewton{"kN", 1.0e3}, kip{"kip", 1.0e3 * lbf};
 constexpr NamedUnit metre{"m", 1.0}, centimetre{"cm", 1.0e-2}, millimetre{"mm", 1.0e-3}, foot{"ft", 0.3048},
     inch{"in", 0.0254};
-constexpr NamedUnit megapascal{"MPa", 1.0e6}, ksi{"ksi", 4448.2216152605 / (0.0254 * 0.0254)}, derived{"", 0.0};
+constexpr NamedUnit megapascal{"MPa", 1.0e6}, ksi{"ksi", 1.0e3 * lbf / (0.0254 * 0.0254)}, derived{"", 0.0};
 
 Choice choice(UnitSystem system, const BaseUnits& base)
 {
@@ -49,11 +54,171 @@ DisplayUnit named(std::string name, double si, double stored_si) { return {std::
 
 } // namespace
 
-DisplayUnits::DisplayUnits(UnitSystem system, BaseUnits base, NumberFormat format)
-    : system_(system), base_(std::move(base)), format_(format)
+namespace {
+
+/// A unit that can be chosen, in N and m.
+constexpr std::array<NamedUnit, 52> sizes{{
+    {"mm", 1.0e-3},
+    {"cm", 1.0e-2},
+    {"m", 1.0},
+    {"in", 0.0254},
+    {"ft", 0.3048},
+    {"rad", 1.0},
+    {"mrad", 1.0e-3},
+    {"°", std::numbers::pi / 180.0},
+    {"N", 1.0},
+    {"kN", 1.0e3},
+    {"MN", 1.0e6},
+    {"kgf", kgf},
+    {"tf", 1.0e3 * kgf},
+    {"lbf", lbf},
+    {"kip", 1.0e3 * lbf},
+    {"N·mm", 1.0e-3},
+    {"N·m", 1.0},
+    {"kN·cm", 10.0},
+    {"kN·m", 1.0e3},
+    {"MN·m", 1.0e6},
+    {"kgf·m", kgf},
+    {"tf·m", 1.0e3 * kgf},
+    {"lbf·ft", 0.3048 * lbf},
+    {"kip·in", 25.4 * lbf},
+    {"kip·ft", 304.8 * lbf},
+    {"N/mm", 1.0e3},
+    {"N/m", 1.0},
+    {"kN/cm", 1.0e5},
+    {"kN/m", 1.0e3},
+    {"kgf/m", kgf},
+    {"tf/m", 1.0e3 * kgf},
+    {"lbf/ft", lbf / 0.3048},
+    {"kip/ft", 1.0e3 * lbf / 0.3048},
+    {"kip/in", 1.0e3 * lbf / 0.0254},
+    {"Pa", 1.0},
+    {"kPa", 1.0e3},
+    {"MPa", 1.0e6},
+    {"GPa", 1.0e9},
+    {"kN/cm²", 1.0e7},
+    {"kN/m²", 1.0e3},
+    {"kgf/cm²", 1.0e4 * kgf},
+    {"tf/m²", 1.0e3 * kgf},
+    {"psi", lbf / (0.0254 * 0.0254)},
+    {"ksi", 1.0e3 * lbf / (0.0254 * 0.0254)},
+    {"mm²", 1.0e-6},
+    {"cm²", 1.0e-4},
+    {"m²", 1.0},
+    {"in²", 0.0254 * 0.0254},
+    {"mm⁴", 1.0e-12},
+    {"cm⁴", 1.0e-8},
+    {"m⁴", 1.0},
+    {"in⁴", 0.0254 * 0.0254 * 0.0254 * 0.0254},
+}};
+
+constexpr std::string_view lengths[] = {"mm", "cm", "m", "in", "ft"};
+constexpr std::string_view rotations[] = {"rad", "mrad", "°"};
+constexpr std::string_view forces[] = {"N", "kN", "MN", "kgf", "tf", "lbf", "kip"};
+constexpr std::string_view moments[] = {"N·mm",  "N·m",  "kN·cm",  "kN·m",   "MN·m",
+                                        "kgf·m", "tf·m", "lbf·ft", "kip·in", "kip·ft"};
+constexpr std::string_view line_loads[] = {"N/mm", "N/m",    "kN/cm",  "kN/m",  "kgf/m",
+                                           "tf/m", "lbf/ft", "kip/ft", "kip/in"};
+constexpr std::string_view stresses[] = {"Pa",    "kPa",     "MPa",   "GPa", "kN/cm²",
+                                         "kN/m²", "kgf/cm²", "tf/m²", "psi", "ksi"};
+constexpr std::string_view areas[] = {"mm²", "cm²", "m²", "in²"};
+constexpr std::string_view second_moments[] = {"mm⁴", "cm⁴", "m⁴", "in⁴"};
+
+constexpr std::array quantities{
+    QuantityUnits{Measure::Length, "length", translatable("Length"), lengths},
+    QuantityUnits{Measure::Displacement, "displacement", translatable("Displacement"), lengths},
+    QuantityUnits{Measure::Rotation, "rotation", translatable("Rotation"), rotations},
+    QuantityUnits{Measure::Force, "force", translatable("Force"), forces},
+    QuantityUnits{Measure::Moment, "moment", translatable("Moment"), moments},
+    QuantityUnits{Measure::ForcePerLength, "line_load", translatable("Force per length"), line_loads},
+    QuantityUnits{Measure::Stress, "stress", translatable("Stress and modulus"), stresses},
+    QuantityUnits{Measure::SectionLength, "section", translatable("Dimensions of a section"), lengths},
+    QuantityUnits{Measure::Area, "area", translatable("Area"), areas},
+    QuantityUnits{Measure::SecondMoment, "inertia", translatable("Second moment of area"), second_moments},
+};
+
+double size_of(std::string_view name) { return std::ranges::find(sizes, name, &NamedUnit::name)->si; }
+
+/// As print has it: "kN·m", "cm⁴".
+std::string printed(std::string_view unit)
+{
+    constexpr std::array<std::pair<std::string_view, std::string_view>, 4> signs{
+        {{"*", "·"}, {"^2", "²"}, {"^4", "⁴"}, {"deg", "°"}}};
+    std::string text(unit);
+    for (const auto& [in_file, in_print] : signs)
+        if (const std::size_t at = text.find(in_file); at != std::string::npos)
+            text.replace(at, in_file.size(), in_print);
+    return text;
+}
+
+} // namespace
+
+std::span<const QuantityUnits> chosen_quantities() { return quantities; }
+
+bool UnitChoices::choose(std::string_view quantity, std::string_view unit)
+{
+    const auto found = std::ranges::find(quantities, quantity, &QuantityUnits::code);
+    if (found == quantities.end()) return false;
+    const auto name = std::ranges::find(found->names, printed(unit));
+    if (name == found->names.end() && !unit.empty()) return false;
+    names_[static_cast<std::size_t>(found->measure)] = unit.empty() ? std::string_view() : *name;
+    return true;
+}
+
+std::string UnitChoices::text() const
+{
+    std::string text;
+    for (const QuantityUnits& quantity : quantities)
+        if (const std::string_view unit = of(quantity.measure); !unit.empty())
+            text += (text.empty() ? "" : " ") + std::string(quantity.code) + '=' + std::string(unit);
+    return text;
+}
+
+DisplayUnits::DisplayUnits(UnitSystem system, BaseUnits base, NumberFormat format, UnitChoices choices)
+    : system_(system), base_(std::move(base)), format_(format), choices_(choices)
 {}
 
+namespace {
+
+// What the file counts in, in N and m.
+double stored_size(Measure measure, const BaseUnits& base)
+{
+    const double F = base.newtons, L = base.metres;
+    switch (measure) {
+    case Measure::Rotation: return 1.0;
+    case Measure::Force: return F;
+    case Measure::Moment: return F * L;
+    case Measure::ForcePerLength: return F / L;
+    case Measure::Stress: return F / (L * L);
+    case Measure::Area: return L * L;
+    case Measure::SecondMoment: return std::pow(L, 4);
+    default: return L;
+    }
+}
+
+} // namespace
+
 DisplayUnit DisplayUnits::unit(Measure measure) const
+{
+    const std::string_view chosen = choices_.of(measure);
+    if (chosen.empty()) return unit_of_system(measure);
+    return named(std::string(chosen), size_of(chosen), stored_size(measure, base_));
+}
+
+std::string DisplayUnits::summary() const
+{
+    std::string text = unit(Measure::Force).name + ", " + unit(Measure::Length).name;
+    const double force = unit(Measure::Force).factor, length = unit(Measure::Length).factor;
+    const auto add = [&](Measure measure, double following) {
+        const DisplayUnit own = unit(measure);
+        if (std::abs(own.factor / following - 1.0) > 1e-9) text += ", " + own.name;
+    };
+    add(Measure::Moment, force * length);
+    add(Measure::ForcePerLength, force / length);
+    return text;
+}
+
+DisplayUnit DisplayUnits::unit_of_system(Measure measure) const
 {
     const Choice c = choice(system_, base_);
     const auto [force, length] = std::pair(c.force, c.length);
@@ -95,7 +260,7 @@ std::string DisplayUnits::number(double stored, Measure measure) const
 std::string DisplayUnits::text(double stored, Measure measure) const
 {
     const std::string unit_name = unit(measure).name;
-    return number(stored, measure) + (unit_name.empty() || measure == Measure::Angle ? "" : " ") + unit_name;
+    return number(stored, measure) + (unit_name.empty() || unit_name == "°" ? "" : " ") + unit_name;
 }
 
 std::string DisplayUnits::label(std::string_view name, Measure measure) const

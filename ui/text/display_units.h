@@ -1,7 +1,10 @@
 #pragma once
 
+#include <array>
+#include <cstddef>
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 
@@ -31,6 +34,7 @@ enum class Measure : std::uint8_t {
     Temperature,
     Expansion
 };
+inline constexpr std::size_t n_measures = static_cast<std::size_t>(Measure::Expansion) + 1;
 
 /// Units that results and properties are shown in, whatever the file counts in.
 ///
@@ -46,6 +50,32 @@ inline constexpr UnitSystem all_unit_systems[] = {UnitSystem::File, UnitSystem::
 
 std::string_view code(UnitSystem system); ///< "file", "si", "kn-m", "kn-cm", "us"
 std::optional<UnitSystem> unit_system_named(std::string_view code);
+
+/// A quantity whose unit can be chosen by itself, and the units that it can have.
+struct QuantityUnits {
+    Measure measure;
+    std::string_view code;  ///< in settings and on the command line: "moment"
+    std::string_view label; ///< to be translated: "Moment"
+    std::span<const std::string_view> names;
+};
+std::span<const QuantityUnits> chosen_quantities();
+
+/// Units that were chosen quantity by quantity, in place of those of the system.
+class UnitChoices {
+public:
+    /// One of the names of the quantity's units, or empty: that of the system.
+    std::string_view of(Measure measure) const { return names_[static_cast<std::size_t>(measure)]; }
+    /// False for a quantity or a unit that is not among those that can be chosen. The unit is written as print or as a
+    /// file has it: "kN·m", "kN*m"; empty: the system's again.
+    bool choose(std::string_view quantity, std::string_view unit);
+    /// "moment=kN·cm stress=kN/cm²": by `choose`, each gives them again.
+    std::string text() const;
+
+    friend bool operator==(const UnitChoices&, const UnitChoices&) = default;
+
+private:
+    std::array<std::string_view, n_measures> names_{}; ///< of `chosen_quantities`
+};
 
 /// The base units of the file's numbers, as names and in SI.
 struct BaseUnits {
@@ -67,7 +97,7 @@ struct DisplayUnit {
 class DisplayUnits {
 public:
     DisplayUnits() = default;
-    DisplayUnits(UnitSystem system, BaseUnits base, NumberFormat format);
+    DisplayUnits(UnitSystem system, BaseUnits base, NumberFormat format, UnitChoices choices = {});
 
     UnitSystem system() const { return system_; }
     const NumberFormat& format() const { return format_; }
@@ -78,11 +108,17 @@ public:
     std::string text(double stored, Measure measure) const;   ///< "12.5 kN·m"
     /// A label with its unit in brackets: "Length [m]"; without one for a plain number.
     std::string label(std::string_view name, Measure measure) const;
+    /// Those that numbers without a unit are counted in: "kN, m", and what a person chose that does not follow from
+    /// these: "kN, m, kN·cm".
+    std::string summary() const;
 
 private:
+    DisplayUnit unit_of_system(Measure measure) const;
+
     UnitSystem system_ = UnitSystem::KnM;
     BaseUnits base_;
     NumberFormat format_;
+    UnitChoices choices_;
 };
 
 /// kip and ft for a file in lbf, kip, in or ft, else kN and m.

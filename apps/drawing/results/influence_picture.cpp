@@ -300,11 +300,11 @@ OrdinateUnit ordinate_unit(const ui::DisplayUnits& units, const InfluencePicture
     const ui::Measure effect = measure_of(picture.line.effect);
     const ui::Measure load = femoop::influence::is_couple(picture.load) ? ui::Measure::Moment : ui::Measure::Force;
     const ui::DisplayUnit over = units.unit(effect), under = units.unit(load);
-    const std::string length = units.unit(ui::Measure::Length).name;
+    const ui::DisplayUnit length = units.unit(ui::Measure::Length);
     OrdinateUnit unit{.name = over.name + "/" + under.name, .factor = over.factor / under.factor};
     if (effect == load) unit.name.clear();
-    else if (effect == ui::Measure::Moment) unit.name = length;
-    else if (effect == ui::Measure::Force) unit.name = "1/" + length;
+    else if (effect == ui::Measure::Moment && is_factor(length.factor)) unit.name = length.name;
+    else if (effect == ui::Measure::Force && is_factor(1.0 / length.factor)) unit.name = "1/" + length.name;
     return unit;
 }
 
@@ -313,6 +313,7 @@ std::string ordinate_text(const ui::DisplayUnits& units, const OrdinateUnit& uni
     return with_minus(units.number(value * unit.factor, ui::Measure::Plain)) + (unit.name.empty() ? "" : " ") +
            unit.name;
 }
+    const auto is_factor = [&](double factor) { return std::abs(unit.factor / factor - 1.0) < 1e-9; };
 
 namespace {
 

@@ -44,7 +44,8 @@ public:
     {
         constexpr std::size_t most_terms = 12;
         const double ordinate = ordinate_unit(units_, picture_).factor;
-        const double area = ordinate * units_.unit(ui::Measure::Length).factor;
+        const double area = units_.unit(measure_of(picture_.line.effect)).factor /
+                            units_.unit(ui::Measure::ForcePerLength).factor;
         std::vector<std::string> terms;
         for (const auto& force : picture_.forces)
             terms.push_back(product(force.force, ui::Measure::Force, force.ordinate * ordinate));

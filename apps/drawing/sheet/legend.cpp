@@ -59,9 +59,7 @@ std::string self_weight_text(const femoop::Model& model, const DrawOptions& opti
 
 std::string units_text(const femoop::Model& model, const DrawOptions& options)
 {
-    const ui::DisplayUnits units = display_units(model, options);
-    return options.tr("units {force}, {length}", {{"force", units.unit(ui::Measure::Force).name},
-                                                  {"length", units.unit(ui::Measure::Length).name}});
+    return options.tr("units {units}", {{"units", display_units(model, options).summary()}});
 }
 
 std::string indeterminacy_text(const femoop::Results& results, const ui::Catalogue& tr)

@@ -31,7 +31,7 @@ ui::DisplayUnits display_units(const femoop::Model& model, const DrawOptions& op
                              .metres = femoop::metres(units.length),
                              .force = std::string(femoop::name(units.force)),
                              .newtons = femoop::newtons(units.force)};
-    return {options.units.value_or(ui::preferred_system(base)), base, options.numbers};
+    return {options.units.value_or(ui::preferred_system(base)), base, options.numbers, options.unit_choices};
 }
 
 } // namespace drawing

@@ -241,6 +241,15 @@ constexpr std::array digits_entries{
 };
 
 void add_look_commands(CommandTable& table)
+// "moment kN·cm"; the quantity alone: the unit of the system again.
+Reason choose_unit(Workspace& workspace, const ui::Argument& argument)
+{
+    const std::string_view text = argument.text, quantity = text.substr(0, text.find(' '));
+    const std::string_view unit = text.substr(std::min(quantity.size() + 1, text.size()));
+    if (workspace.session.view.unit_choices.choose(quantity, unit)) return std::nullopt;
+    return translatable("there is no such quantity, or it has no such unit");
+}
+
 {
     ui::standard::add_themes(table);
     Menu menu(table, translatable("Units"));
@@ -248,6 +257,9 @@ void add_look_commands(CommandTable& table)
         unit_entries, [](const Workspace& workspace) { return workspace.session.units().system(); },
         [](Workspace& workspace, ui::UnitSystem system) { workspace.session.view.units = system; });
     menu.choices(
+    menu.step({"view.units.quantities", translatable("Quantity by quantity…"), {{Key::U, ui::shift}}},
+              [](Workspace& workspace) { workspace.requests.push_back(Request::UnitWindow); });
+    table.with_argument("view.unit", choose_unit);
         digits_entries, [](auto& workspace) -> auto& { return workspace.session.view.numbers.digits; });
     ui::standard::add_export_scales(table);
     ui::standard::add_languages(table);

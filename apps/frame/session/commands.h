@@ -34,6 +34,7 @@ enum class Request : std::uint8_t {
     ImportDialog,
     KeepView,
     ViewList,
+    UnitWindow,
     ExportTable,
     AskKind,        ///< of the structure that was begun
     EditTitle,      ///< of the model
@@ -54,6 +55,7 @@ struct Workspace : ui::Workspace {
     ui::ThemeName theme() const { return session.view.theme; }
     const ui::Catalogue& tr() const { return session.view.tr; }
     std::optional<ui::UnitSystem> units() const { return session.view.units; }
+    const ui::UnitChoices& unit_choices() const { return session.view.unit_choices; }
     void set_language(ui::Language language) { session.set_language(language); }
     std::string kept_tools() const { return kept_words(tool_controller.settings()); }
     void take_up_tools(std::string_view words) { take_up(tool_controller.settings(), words); }

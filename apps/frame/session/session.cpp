@@ -405,6 +405,8 @@ ui::DisplayUnits Session::units() const
     return {view.units.value_or(ui::preferred_system(base)), base, view.numbers};
 }
 
+ui::DisplayUnits Session::units() const { return drawing::display_units(model(), view); }
+
 void Session::set_language(ui::Language language)
 {
     view.tr = ui::Catalogue(language);

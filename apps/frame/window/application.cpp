@@ -91,7 +91,10 @@ bool Application::handle_typing(ui::Key key)
     return key == ui::Key::Backspace || key == ui::Key::Enter;
 }
 
-bool Application::close_topmost() { return DocumentApp::close_topmost() || view_list_.close() || cancel_gesture(); }
+bool Application::close_topmost()
+{
+    return DocumentApp::close_topmost() || view_list_.close() || unit_window_.close() || cancel_gesture();
+}
 
 bool Application::cancel_gesture()
 {
@@ -120,6 +123,7 @@ void Application::take(Request request)
     case Request::ExportTable: tables_.ask_for_file(workspace()); break;
     case Request::KeepView: keep_view(session, canvas_.region(session)); break;
     case Request::ViewList: view_list_.toggle(); break;
+    case Request::UnitWindow: unit_window_.toggle(); break;
     case Request::AskKind: kind_question_.open(); break;
     case Request::EditTitle:
         workspace().has_panels = true;
@@ -239,6 +243,7 @@ void Application::show_own_dialogs()
     design_window_.show(workspace(), fields_);
     train_window_.show(workspace(), gui(), fields_);
     view_list_.show(workspace());
+    unit_window_.show(workspace());
     context_menu_.show(workspace(), commands());
     kind_question_.show(workspace(), commands());
     tables_.show_dialog(workspace());

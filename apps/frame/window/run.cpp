@@ -25,6 +25,7 @@ Session begin(const Options& options)
     const bool is_truss = femoop::is_truss(session.model().analysis); // M says nothing there
     session.view.show = options.show.value_or(shown_by_default | ShowSet{is_truss ? Show::N : Show::M});
     session.view.units = options.settings.units;
+    session.view.unit_choices = options.settings.unit_choices.value_or(ui::UnitChoices());
     return session;
 }
 

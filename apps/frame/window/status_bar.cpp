@@ -77,8 +77,7 @@ void status_bar(const Workspace& workspace)
 {
     ui::begin_status_bar();
     const ui::DisplayUnits units = workspace.session.units();
-    const std::string right = units.unit(ui::Measure::Force).name + ", " + units.unit(ui::Measure::Length).name + ", " +
-                              units.unit(ui::Measure::Displacement).name;
+    const std::string right = units.summary() + ", " + units.unit(ui::Measure::Displacement).name;
     const float at = ImGui::GetWindowWidth() - ImGui::CalcTextSize(right.c_str()).x - ImGui::GetFontSize();
     ImGui::TextUnformatted(first_of(parts_of(workspace), at - 2.0F * ImGui::GetFontSize()).c_str());
     ImGui::SameLine(at);

@@ -63,11 +63,13 @@ float TablesPanel::height(const Workspace& workspace, float room) const
 void TablesPanel::follow(const Workspace& workspace)
 {
     const Session& session = workspace.session;
-    const std::string now =
-        std::to_string(workspace.tab) + ' ' + session.file_name() + ' ' + std::to_string(session.generation()) + ' ' +
-        std::to_string(session.view.load_case.index) + ' ' + std::string(code(session.units().system())) + ' ' +
-        std::string(code(session.view.tr.language())) + ' ' + std::to_string(static_cast<int>(workspace.bottom.table)) +
-        (session.hidden ? " hidden " : " ") + envelope_text(session.model(), session.results_view());
+    const std::string now = std::to_string(workspace.tab) + ' ' + session.file_name() + ' ' +
+                            std::to_string(session.generation()) + ' ' + std::to_string(session.view.load_case.index) +
+                            ' ' + std::string(code(session.units().system())) + ' ' + session.view.unit_choices.text() +
+                            ' ' + std::string(code(session.view.tr.language())) + ' ' +
+                            std::to_string(static_cast<int>(workspace.bottom.table)) +
+                            (session.hidden ? " hidden " : " ") +
+                            envelope_text(session.model(), session.results_view());
     const std::string document = std::to_string(workspace.tab) + ' ' + session.file_name();
     if (kind_ != workspace.bottom.table || document_ != document) {
         grid_.reset();

@@ -21,6 +21,15 @@ TEST_SUITE("ui app")
             CHECK(ui::settings_of(ui::settings_text({.units = units})).units == units);
     }
 
+    TEST_CASE("Units of single quantities are written and read again")
+    {
+        ui::UnitChoices choices;
+        choices.choose("moment", "kN·cm");
+        choices.choose("inertia", "cm⁴");
+        CHECK(ui::settings_of(ui::settings_text({.unit_choices = choices})).unit_choices == choices);
+        CHECK_FALSE(ui::settings_of("unit moment furlong\n").unit_choices);
+    }
+
     TEST_CASE("A line that is not understood costs no other")
     {
         const Settings read = ui::settings_of("theme mauve\ncolour 7\n\nlanguage pt\nwindow 12 9\npanels perhaps\n");

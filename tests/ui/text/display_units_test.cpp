@@ -66,4 +66,63 @@ TEST_SUITE("ui text")
             CHECK(ui::unit_system_named(ui::code(system)) == system);
         CHECK_FALSE(ui::unit_system_named("metric"));
     }
+
+    TEST_CASE("A unit is chosen for one quantity, and the others keep theirs")
+    {
+        ui::UnitChoices choices;
+        CHECK(choices.choose("moment", "tf*m"));
+        CHECK(choices.choose("rotation", "mrad"));
+        const ui::DisplayUnits shown(ui::UnitSystem::KnM, {}, {.digits = 6}, choices);
+        CHECK(shown.text(9.80665, ui::Measure::Moment) == "1 tf·m");
+        CHECK(shown.text(0.002, ui::Measure::Rotation) == "2 mrad");
+        CHECK(shown.text(9.80665, ui::Measure::Force) == "9.80665 kN");
+        CHECK(shown.stored(1.0, ui::Measure::Moment) == doctest::Approx(9.80665));
+    }
+
+    TEST_CASE("Chosen units that do not follow from force and length are told with them")
+    {
+        ui::UnitChoices choices;
+        const auto summary = [&] { return ui::DisplayUnits(ui::UnitSystem::KnM, {}, {}, choices).summary(); };
+        CHECK(summary() == "kN, m");
+        choices.choose("moment", "kN·cm");
+        CHECK(summary() == "kN, m, kN·cm");
+        choices.choose("length", "cm");
+        choices.choose("line_load", "kN/m");
+        CHECK(summary() == "kN, cm, kN/m");
+    }
+
+    TEST_CASE("Every unit that can be chosen gives back what was stored, and is read again from its text")
+    {
+        for (const ui::QuantityUnits& quantity : ui::chosen_quantities()) {
+            CAPTURE(quantity.code);
+            for (const std::string_view name : quantity.names) {
+                CAPTURE(name);
+                ui::UnitChoices choices;
+                REQUIRE(choices.choose(quantity.code, name));
+                const ui::DisplayUnits shown(ui::UnitSystem::File, n_mm, {}, choices);
+                CHECK(shown.unit(quantity.measure).name == name);
+                CHECK(shown.stored(shown.shown(7.25, quantity.measure), quantity.measure) == doctest::Approx(7.25));
+                CHECK(choices.text() == std::string(quantity.code) + "=" + std::string(name));
+            }
+            ui::UnitChoices choices;
+            CHECK_FALSE(choices.choose(quantity.code, "furlong"));
+            CHECK(choices.choose(quantity.code, ""));
+            CHECK(choices == ui::UnitChoices());
+        }
+        CHECK_FALSE(ui::UnitChoices().choose("time", "s"));
+    }
+
+    TEST_CASE("One pound per square inch is 6894.757 Pa, one kip foot 1.3558179 kN m, one tf/m2 9.80665 kPa")
+    {
+        const auto factor = [](std::string_view quantity, std::string_view unit, ui::Measure measure) {
+            ui::UnitChoices choices;
+            choices.choose(quantity, unit);
+            return 1.0 / ui::DisplayUnits(ui::UnitSystem::File, {}, {}, choices).unit(measure).factor; // in kN and m
+        };
+        CHECK(factor("stress", "psi", ui::Measure::Stress) == doctest::Approx(6.894757).epsilon(1e-6));
+        CHECK(factor("moment", "kip·ft", ui::Measure::Moment) == doctest::Approx(1.3558179).epsilon(1e-7));
+        CHECK(factor("stress", "tf/m²", ui::Measure::Stress) == doctest::Approx(9.80665));
+        CHECK(factor("line_load", "lbf/ft", ui::Measure::ForcePerLength) == doctest::Approx(0.01459390).epsilon(1e-6));
+        CHECK(factor("inertia", "in⁴", ui::Measure::SecondMoment) == doctest::Approx(41.62314256e-8).epsilon(1e-9));
+    }
 }

@@ -1,0 +1,56 @@
+#include "apps/frame/window/unit_window.h"
+
+#include <imgui.h>
+
+#include <string>
+#include <utility>
+
+namespace frame {
+
+using ui::translatable;
+
+namespace {
+
+// The first entry is the unit of the system.
+void show_row(Workspace& workspace, const ui::QuantityUnits& quantity)
+{
+    ui::UnitChoices& choices = workspace.session.view.unit_choices;
+    const ui::Catalogue& tr = workspace.tr();
+    const std::string_view chosen = choices.of(quantity.measure);
+    const std::string usual = tr("as the system has it");
+    ImGui::TableNextRow();
+    ImGui::TableNextColumn();
+    ImGui::AlignTextToFramePadding();
+    ImGui::TextUnformatted(tr(quantity.label).c_str());
+    ImGui::TableNextColumn();
+    ImGui::SetNextItemWidth(12.0F * ImGui::GetFontSize());
+    if (!ImGui::BeginCombo(("###" + std::string(quantity.code)).c_str(),
+                           chosen.empty() ? usual.c_str() : std::string(chosen).c_str()))
+        return;
+    if (ImGui::Selectable((usual + "###usual").c_str(), chosen.empty())) choices.choose(quantity.code, "");
+    for (const std::string_view name : quantity.names)
+        if (ImGui::Selectable(std::string(name).c_str(), name == chosen)) choices.choose(quantity.code, name);
+    ImGui::EndCombo();
+}
+
+} // namespace
+
+bool UnitWindow::close() { return std::exchange(is_open_, false); }
+
+void UnitWindow::show(Workspace& workspace)
+{
+    if (!is_open_) return;
+    const ui::Catalogue& tr = workspace.tr();
+    ImGui::SetNextWindowPos(ImGui::GetMainViewport()->GetCenter(), ImGuiCond_Appearing, {0.5F, 0.5F});
+    ImGui::Begin((tr("Units, quantity by quantity") + "###units").c_str(), &is_open_,
+                 ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoCollapse);
+    if (ImGui::BeginTable("###quantities", 2, ImGuiTableFlags_SizingFixedFit)) {
+        for (const ui::QuantityUnits& quantity : ui::chosen_quantities()) show_row(workspace, quantity);
+        ImGui::EndTable();
+    }
+    if (ImGui::Button((tr("All as the system has them") + "###all").c_str()))
+        workspace.session.view.unit_choices = ui::UnitChoices();
+    ImGui::End();
+}
+
+} // namespace frame
