@@ -64,7 +64,8 @@ std::optional<Cut> nearest_member(const StructureShape& shape, const Projection&
 
 bool shows_results(const ShowSet& show)
 {
-    for (const Show item : {Show::N, Show::V, Show::M, Show::T, Show::Vy, Show::Vz, Show::My, Show::Mz, Show::Deformed})
+    for (const Show item :
+         {Show::N, Show::V, Show::M, Show::T, Show::Vy, Show::Vz, Show::My, Show::Mz, Show::Deformed, Show::Thrust})
         if (show.contains(item)) return true;
     return false;
 }

@@ -13,9 +13,9 @@ namespace {
 
 using ui::translatable;
 
-const std::array<ShowWord, 21>& words()
+const std::array<ShowWord, 22>& words()
 {
-    static const std::array<ShowWord, 21> list{{
+    static const std::array<ShowWord, 22> list{{
         {"loads", {Show::Loads}, translatable("the loads of the case")},
         {"reactions", {Show::Reactions}, translatable("what the supports do to the structure")},
         {"N", {Show::N}, translatable("axial force diagram")},
@@ -27,6 +27,7 @@ const std::array<ShowWord, 21>& words()
         {"My", {Show::My}, translatable("bending moment about y'")},
         {"Mz", {Show::Mz}, translatable("bending moment about z'")},
         {"deformed", {Show::Deformed}, translatable("deformed shape")},
+        {"thrust", {Show::Thrust}, translatable("line of thrust of a plane frame")},
         {"values", {Show::Values}, translatable("numbers beside loads, reactions and diagrams")},
         {"steps", {Show::StepValues}, translatable("numbers at every tenth of a diagram")},
         {"nodes", {Show::NodeNames}, translatable("names of the nodes")},

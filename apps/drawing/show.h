@@ -22,6 +22,7 @@ enum class Show : std::uint8_t {
     My,
     Mz,
     Deformed,
+    Thrust,      ///< the line of thrust of a plane frame
     Influence,   ///< the influence line that the input has; no word of a list asks for it
     Cremona,     ///< the truss and its Cremona diagram that the input has; no word asks for it either
     NodeNumbers, ///< those that the input has, likewise

@@ -248,6 +248,20 @@ PanelHead deformed_head(const Scene& scene, double scale)
             .role = ui::Role::Deformed};
 }
 
+PanelHead thrust_head(const Scene& scene, const std::optional<LargestEccentricity>& largest)
+{
+    constexpr double nothing = 1e-9; // of the structure's size: what rounding leaves
+    const ui::Catalogue& tr = scene.options.tr;
+    PanelHead head{.name = tr("Line of thrust"), .note = tr("no axial forces"), .role = ui::Role::Reaction};
+    if (!largest) return head;
+    head.note = tr("on the axis: no section is bent");
+    if (largest->value > nothing * scene.shape.size)
+        head.note = tr(
+            "e = −M/N from the axis; at most {e} in {member}",
+            {{"e", scene.text(largest->value, ui::Measure::Length)}, {"member", scene.model[largest->member].id}});
+    return head;
+}
+
 PanelHead structure_head(const Scene& scene)
 {
     const bool loads = scene.shows(Show::Loads);

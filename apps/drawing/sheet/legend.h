@@ -4,6 +4,7 @@
 #include "apps/drawing/draw_options.h"
 #include "apps/drawing/results/diagram.h"
 #include "apps/drawing/results/influence_picture.h"
+#include "apps/drawing/results/thrust_line.h"
 #include "apps/drawing/sheet/panel_head.h"
 #include "apps/drawing/sketch/scene.h"
 
@@ -25,6 +26,7 @@ void draw_head(ui::Painter& painter, const SheetHead& head, const ui::Theme& the
 
 PanelHead diagram_head(const Scene& scene, const std::vector<Diagram>& diagrams);
 PanelHead deformed_head(const Scene& scene, double scale);
+PanelHead thrust_head(const Scene& scene, const std::optional<LargestEccentricity>& largest);
 PanelHead influence_head(const Scene& scene, const InfluencePicture& picture, const InfluenceScale& scale);
 PanelHead structure_head(const Scene& scene);
 

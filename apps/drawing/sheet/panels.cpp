@@ -7,8 +7,8 @@ namespace drawing {
 
 namespace {
 
-constexpr std::array results{Show::Influence, Show::N, Show::V,  Show::Vy, Show::Vz,
-                             Show::M,         Show::T, Show::My, Show::Mz, Show::Deformed};
+constexpr std::array results{Show::Influence, Show::N,  Show::V,  Show::Vy,       Show::Vz,    Show::M,
+                             Show::T,         Show::My, Show::Mz, Show::Deformed, Show::Thrust};
 
 /// The truss with its names, and beside it the diagram.
 std::vector<ShowSet> truss_contents(ShowSet show)

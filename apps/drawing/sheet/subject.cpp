@@ -11,6 +11,8 @@
 #include "apps/drawing/results/influence_picture.h"
 #include "apps/drawing/results/mechanism_picture.h"
 #include "apps/drawing/results/reactions.h"
+#include "apps/drawing/results/thrust_line.h"
+#include "apps/drawing/sheet/diagram_overlay.h"
 #include "apps/drawing/sheet/legend.h"
 #include "apps/drawing/sheet/moment_overlay.h"
 #include "apps/drawing/structure/dimensions.h"
@@ -168,6 +170,7 @@ private:
             for (const Diagram& diagram : drawn) draw_diagram(scene_, solved, diagram);
             heads_.push_back(diagram_head(scene_, drawn));
             if (item == Show::M && has_overlay()) draw_overlay_beside(solved, drawn.front());
+        if (scene_.shows(Show::Thrust)) heads_.push_back(thrust_head(scene_, draw_thrust(scene_, solved)));
         }
         if (!scene_.shows(Show::Deformed)) return;
         const double scale = deformation_scale(scene_, solved, size_);
@@ -232,6 +235,7 @@ ShowSet without_absent(ShowSet show, femoop::AnalysisKind kind)
         if (components(item, kind).empty()) show.erase(item);
     return show;
 }
+    if (kind != femoop::AnalysisKind::Frame2d) show.erase(Show::Thrust);
 
 /// Where panels get small, so do type, lines and symbols, as far as they can still be read.
 /// The one picture of a window does not on the projector: a class reads its numbers, not those of the panels around it.

@@ -12,7 +12,8 @@ std::string Scene::text(double value, ui::Measure measure) const { return with_m
 
 bool Scene::explains() const
 {
-    for (const Show item : {Show::N, Show::V, Show::M, Show::T, Show::Vy, Show::Vz, Show::My, Show::Mz, Show::Deformed})
+    for (const Show item :
+         {Show::N, Show::V, Show::M, Show::T, Show::Vy, Show::Vz, Show::My, Show::Mz, Show::Deformed, Show::Thrust})
         if (shows(item)) return false;
     return shows(Show::Values);
 }

@@ -74,6 +74,7 @@ constexpr std::array toggles{
     Shown{Show::M, "view.show.M", translatable("Bending moment M"), {{Key::M, shift}}},
     Shown{Show::T, "view.show.T", translatable("Torsion T"), {{Key::T, shift}}},
     Shown{Show::Deformed, "view.show.deformed", translatable("Deformed shape"), {{Key::D, shift}}},
+    Shown{Show::Thrust, "view.show.thrust", translatable("Line of thrust")},
     Shown{Show::Values, "view.show.values", translatable("Values")},
     Shown{Show::StepValues, "view.show.step_values", translatable("Values at equal steps")},
     Shown{Show::NodeNames, "view.show.node_names", translatable("Names of nodes")},

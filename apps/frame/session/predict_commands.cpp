@@ -8,8 +8,8 @@ using ui::translatable;
 
 namespace {
 
-constexpr ShowSet results{Show::Reactions, Show::N,  Show::V,  Show::Vy, Show::Vz,
-                          Show::M,         Show::My, Show::Mz, Show::T,  Show::Deformed};
+constexpr ShowSet results{Show::Reactions, Show::N,  Show::V, Show::Vy,       Show::Vz,    Show::M,
+                          Show::My,        Show::Mz, Show::T, Show::Deformed, Show::Thrust};
 
 void hide(Session& session)
 {
