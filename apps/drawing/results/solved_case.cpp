@@ -1,5 +1,7 @@
 #include "apps/drawing/results/solved_case.h"
 
+#include "femoop/result/curve_reader.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -34,8 +36,8 @@ std::optional<SolvedCase> solved_case(const femoop::Results& results, femoop::Ca
     if (id.index >= results.n_cases()) return std::nullopt;
     SolvedCase solved(results[id]);
     solved.curves.reserve(results.n_members());
-    for (std::size_t i = 0; i < results.n_members(); ++i)
-        solved.curves.push_back(solved.result.curve(femoop::MemberId{i}));
+    femoop::CurveReader reader(solved.result);
+    for (std::size_t i = 0; i < results.n_members(); ++i) solved.curves.push_back(reader.read(femoop::MemberId{i}));
     for (std::size_t i = 0; i < results.n_nodes(); ++i)
         if (solved.result.is_supported(femoop::NodeId{i}))
             solved.reactions.push_back(solved.result.reaction(femoop::NodeId{i}));
