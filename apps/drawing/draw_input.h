@@ -15,7 +15,7 @@
 
 namespace drawing {
 
-class MomentOverlay;
+class DiagramOverlay;
 struct CremonaPicture;
 struct EnvelopePicture;
 struct FreeBodyPicture;
@@ -48,7 +48,7 @@ struct DrawInput {
     std::span<const DimensionLine> dimensions{}; ///< drawn by hand
     /// What an app draws over the moments, or in their place. While moments are not shown a fitted picture keeps room
     /// for it. None when null.
-    const MomentOverlay* overlay = nullptr;
+    const DiagramOverlay* overlay = nullptr;
     std::span<const NodeNumbers> numbers{};            ///< written at nodes where Show::NodeNumbers is
     const InfluencePicture* influence = nullptr;       ///< drawn where Show::Influence is; none when null
     std::vector<const InfluencePicture*> kept_lines{}; ///< each in a panel of its own above that one

@@ -130,16 +130,7 @@ private:
         return scene_.projection.frame(begin, on.is_reversed ? Vector3d(-member.x()) : member.x(), side_of(member));
     }
 
-    Vector3d side_of(const MemberShape& member) const
-    {
-        const Vector3d load(picture_.load[0], picture_.load[1], picture_.load[2]);
-        const double along_y = load.dot(member.y()), along_z = scene_.is_flat() ? 0.0 : load.dot(member.z());
-        const bool is_y = std::abs(along_y) >= std::abs(along_z);
-        const double across = is_y ? along_y : along_z;
-        if (std::abs(across) > square_enough * load.norm())
-            return across > 0.0 ? (is_y ? member.y() : member.z()) : Vector3d(is_y ? -member.y() : -member.z());
-        return -member.y(); // a couple, or a load along the member: below a beam
-    }
+    Vector3d side_of(const MemberShape& member) const { return ordinate_side(picture_.load, member, scene_.is_flat()); }
 
     void draw_on(const PathMember& on) const
     {
@@ -295,6 +286,26 @@ void draw_influence(const Scene& scene, const InfluencePicture& picture, const I
     if (scale.largest > 0.0) InfluenceDrawing(scene, picture, scale).draw();
 }
 
+Vector3d ordinate_side(const femoop::NodeVector& load, const femoop::MemberGeometry& member, bool is_flat)
+{
+    const Vector3d force(load[0], load[1], load[2]), y = member.axes.row(1), z = member.axes.row(2);
+    const double along_y = force.dot(y), along_z = is_flat ? 0.0 : force.dot(z);
+    const bool is_y = std::abs(along_y) >= std::abs(along_z);
+    const double across = is_y ? along_y : along_z;
+    if (std::abs(across) <= square_enough * force.norm()) return -y;
+    return std::copysign(1.0, across) * (is_y ? y : z);
+}
+
+InfluencePicture concealed(InfluencePicture picture)
+{
+    picture.motion.clear();
+    picture.forces.clear();
+    picture.curve.reset();
+    picture.traced = femoop::influence::Stretch{};
+    picture.sentences.clear();
+    return picture;
+}
+
 OrdinateUnit ordinate_unit(const ui::DisplayUnits& units, const InfluencePicture& picture)
 {
     const ui::Measure effect = measure_of(picture.line.effect);
@@ -302,6 +313,7 @@ OrdinateUnit ordinate_unit(const ui::DisplayUnits& units, const InfluencePicture
     const ui::DisplayUnit over = units.unit(effect), under = units.unit(load);
     const ui::DisplayUnit length = units.unit(ui::Measure::Length);
     OrdinateUnit unit{.name = over.name + "/" + under.name, .factor = over.factor / under.factor};
+    const auto is_factor = [&](double factor) { return std::abs(unit.factor / factor - 1.0) < 1e-9; };
     if (effect == load) unit.name.clear();
     else if (effect == ui::Measure::Moment && is_factor(length.factor)) unit.name = length.name;
     else if (effect == ui::Measure::Force && is_factor(1.0 / length.factor)) unit.name = "1/" + length.name;
@@ -313,7 +325,6 @@ std::string ordinate_text(const ui::DisplayUnits& units, const OrdinateUnit& uni
     return with_minus(units.number(value * unit.factor, ui::Measure::Plain)) + (unit.name.empty() ? "" : " ") +
            unit.name;
 }
-    const auto is_factor = [&](double factor) { return std::abs(unit.factor / factor - 1.0) < 1e-9; };
 
 namespace {
 

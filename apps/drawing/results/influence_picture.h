@@ -42,6 +42,14 @@ InfluenceScale influence_scale(const Scene& scene, const InfluencePicture& pictu
 /// Sides  positive ordinates on the side to which the unit load points: for a load that points down, below
 void draw_influence(const Scene& scene, const InfluencePicture& picture, const InfluenceScale& scale);
 
+/// The side of a member on which positive ordinates are drawn: that to which the unit load points; below a beam where
+/// it points along the member, or is a couple.
+/// \param is_flat  the structure is seen in its plane
+Eigen::Vector3d ordinate_side(const femoop::NodeVector& load, const femoop::MemberGeometry& member, bool is_flat);
+
+/// The same line kept from sight, for a class to sketch it first: its section is marked, nothing else is drawn or said.
+InfluencePicture concealed(InfluencePicture picture);
+
 /// What its ordinates are counted in: of a moment under a force, metres.
 struct OrdinateUnit {
     std::string name; ///< empty for a plain number

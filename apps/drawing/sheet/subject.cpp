@@ -14,7 +14,6 @@
 #include "apps/drawing/results/thrust_line.h"
 #include "apps/drawing/sheet/diagram_overlay.h"
 #include "apps/drawing/sheet/legend.h"
-#include "apps/drawing/sheet/moment_overlay.h"
 #include "apps/drawing/structure/dimensions.h"
 #include "apps/drawing/structure/drawn_dimensions.h"
 #include "apps/drawing/structure/members.h"
@@ -170,8 +169,8 @@ private:
             for (const Diagram& diagram : drawn) draw_diagram(scene_, solved, diagram);
             heads_.push_back(diagram_head(scene_, drawn));
             if (item == Show::M && has_overlay()) draw_overlay_beside(solved, drawn.front());
-        if (scene_.shows(Show::Thrust)) heads_.push_back(thrust_head(scene_, draw_thrust(scene_, solved)));
         }
+        if (scene_.shows(Show::Thrust)) heads_.push_back(thrust_head(scene_, draw_thrust(scene_, solved)));
         if (!scene_.shows(Show::Deformed)) return;
         const double scale = deformation_scale(scene_, solved, size_);
         draw_deformed(scene_, solved, scale);
@@ -183,6 +182,9 @@ private:
         const InfluenceScale scale = influence_scale(scene_, picture, size_);
         draw_influence(scene_, picture, scale);
         heads_.push_back(influence_head(scene_, picture, scale));
+        if (&picture != input_.influence || !has_overlay()) return;
+        input_.overlay->draw_on_line(scene_, picture, scale);
+        heads_.push_back(input_.overlay->head(scene_));
     }
 
     // My and Mz in one picture are compared by eye.
@@ -233,9 +235,9 @@ ShowSet without_absent(ShowSet show, femoop::AnalysisKind kind)
 {
     for (const Show item : diagrams)
         if (components(item, kind).empty()) show.erase(item);
+    if (kind != femoop::AnalysisKind::Frame2d) show.erase(Show::Thrust);
     return show;
 }
-    if (kind != femoop::AnalysisKind::Frame2d) show.erase(Show::Thrust);
 
 /// Where panels get small, so do type, lines and symbols, as far as they can still be read.
 /// The one picture of a window does not on the projector: a class reads its numbers, not those of the panels around it.
@@ -521,7 +523,8 @@ Subject::Drawn Subject::draw_panel(ui::Painter& painter, const Panel& panel, con
                    .is_measured = pass == Pass::Measure});
     const Scene scene{input_.model, shape_, projection, options_, state_, units_, sketch, detail, panel.show};
     PanelPicture picture(scene, input_, panel.box.size(), panel.line ? panel.line : input_.influence);
-    if (!options_.show.contains(Show::M) && !shows_any(panel.show, diagrams)) picture.draw_overlay_alone();
+    const bool has_place = options_.show.contains(Show::M) || input_.influence != nullptr;
+    if (!has_place && !shows_any(panel.show, diagrams)) picture.draw_overlay_alone();
     if (input_.free_body != nullptr) picture.draw_lifted(*input_.free_body);
     else if (shows_cremona()) picture.draw_cremona(*input_.cremona);
     else if (const auto& motion = input_.motion) picture.draw_mechanism(motion->all[motion->shown]);
@@ -700,10 +703,19 @@ std::vector<std::string> Subject::foot_sentences() const
     else if (!input_.reasons.empty()) sentences = input_.reasons;
     else if (input_.free_body) sentences = input_.free_body->equations;
     else if (shows_cremona()) sentences = stage_sentence(input_.cremona->n_stages);
-    else if (input_.influence) sentences = input_.influence->sentences;
+    else if (input_.influence) sentences = line_sentences();
     else if (has_overlay_text()) sentences = input_.overlay->foot({input_.model, shape_, units_, options_.tr});
     if (input_.counting && options_.show.contains(Show::Counting))
         std::ranges::move(femoop::counting::sum_lines(*input_.counting, input_.model, options_.tr),
+                          std::back_inserter(sentences));
+    return sentences;
+}
+
+std::vector<std::string> Subject::line_sentences() const
+{
+    std::vector<std::string> sentences = input_.influence->sentences;
+    if (input_.overlay)
+        std::ranges::move(input_.overlay->foot({input_.model, shape_, units_, options_.tr}),
                           std::back_inserter(sentences));
     return sentences;
 }

@@ -92,6 +92,7 @@ private:
     void draw_foot(ui::Painter& painter) const;
     void draw_left_out(ui::Painter& painter, std::size_t n_left_out) const;
     std::vector<std::string> foot_sentences() const;
+    std::vector<std::string> line_sentences() const; ///< \pre there is an influence line
     std::vector<std::string> foot_lines(ui::Size sheet, const ui::Fonts& fonts) const;
     std::vector<std::string> stage_sentence(std::size_t stage) const;
     std::size_t most_foot_lines(ui::Size sheet, const ui::Fonts& fonts) const;

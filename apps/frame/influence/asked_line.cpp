@@ -239,6 +239,7 @@ const drawing::InfluencePicture* AskedLine::picture(const Model& model, std::uin
     if (!found_.picture) return nullptr;
     find_kept();
     found_.picture->sentences = sentences(options);
+    found_.concealed.reset();
     return &*found_.picture;
 }
 
@@ -269,6 +270,12 @@ void AskedLine::find(const MovingEffect& effect) const
         found_.faults = error.faults();
         find_line(effect);
     }
+}
+
+const drawing::InfluencePicture& AskedLine::concealed() const
+{
+    if (!found_.concealed) found_.concealed = drawing::concealed(*found_.picture);
+    return *found_.concealed;
 }
 
 void AskedLine::find_line(const MovingEffect& effect) const

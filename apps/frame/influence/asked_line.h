@@ -85,6 +85,9 @@ public:
     const drawing::InfluencePicture* picture(const femoop::Model& model, std::uint64_t generation,
                                              const drawing::DrawOptions& options) const;
 
+    /// The last picture kept from sight. \pre there was one
+    const drawing::InfluencePicture& concealed() const;
+
     const AskedTrain& train() const { return train_; }
     void choose_train(const std::string& name); ///< where it is worst; empty: none
     void seek(femoop::ExtremeKind kind);        ///< where the train is worst in this way
@@ -131,7 +134,7 @@ private:
         std::optional<femoop::MovingEffect> effect;
         AskedTrain train;
         std::shared_ptr<const femoop::influence::TrainSearch> search; ///< of that train on that effect
-        std::optional<drawing::InfluencePicture> picture;
+        std::optional<drawing::InfluencePicture> picture, concealed;
         std::optional<drawing::StandingTrain> standing;
         femoop::influence::WorstPlacings worst;    ///< of that train
         std::optional<femoop::ExtremeKind> sought; ///< that the candidates are for

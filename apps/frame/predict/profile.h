@@ -5,6 +5,8 @@
 #include <vector>
 
 #include "apps/frame/predict/guess.h"
+#include "femoop/methods/influence/influence_line.h"
+#include "femoop/methods/influence/load_path.h"
 #include "femoop/result/curve.h"
 
 namespace frame {
@@ -36,5 +38,7 @@ struct Truth {
 
 /// From the exact solution, piece by piece.
 Truth truth(const femoop::Curve& curve, femoop::MemberComponent component);
+/// Of an influence line on a member of its path, from the member's first end on.
+Truth truth(const femoop::influence::InfluenceLine& line, const femoop::influence::PathMember& on);
 
 } // namespace frame

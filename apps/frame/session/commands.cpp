@@ -241,7 +241,6 @@ constexpr std::array digits_entries{
     DigitsEntry{8, "view.digits.8", translatable("8 digits")},
 };
 
-void add_look_commands(CommandTable& table)
 // "moment kN·cm"; the quantity alone: the unit of the system again.
 Reason choose_unit(Workspace& workspace, const ui::Argument& argument)
 {
@@ -251,16 +250,17 @@ Reason choose_unit(Workspace& workspace, const ui::Argument& argument)
     return translatable("there is no such quantity, or it has no such unit");
 }
 
+void add_look_commands(CommandTable& table)
 {
     ui::standard::add_themes(table);
     Menu menu(table, translatable("Units"));
     menu.choices(
         unit_entries, [](const Workspace& workspace) { return workspace.session.units().system(); },
         [](Workspace& workspace, ui::UnitSystem system) { workspace.session.view.units = system; });
-    menu.choices(
     menu.step({"view.units.quantities", translatable("Quantity by quantity…"), {{Key::U, ui::shift}}},
               [](Workspace& workspace) { workspace.requests.push_back(Request::UnitWindow); });
     table.with_argument("view.unit", choose_unit);
+    menu.choices(
         digits_entries, [](auto& workspace) -> auto& { return workspace.session.view.numbers.digits; });
     ui::standard::add_export_scales(table);
     ui::standard::add_languages(table);

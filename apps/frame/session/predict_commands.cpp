@@ -1,5 +1,7 @@
 #include "apps/frame/session/predict_commands.h"
 
+#include "apps/drawing/draw.h"
+
 namespace frame {
 
 using ui::Key;
@@ -22,7 +24,7 @@ void reveal(Workspace& workspace)
     Session& session = workspace.session;
     session.view.show = session.view.show | *session.hidden;
     session.hidden.reset();
-    if (!session.prediction.is_empty()) session.view.show.insert(Show::M);
+    if (!session.prediction.is_empty() && !session.prediction.is_of_line()) session.view.show.insert(Show::M);
     if (workspace.tool_controller.kind() == ToolKind::Predict) workspace.tool_controller.select(ToolKind::Select);
 }
 
@@ -34,9 +36,20 @@ void hide_or_reveal(Workspace& workspace)
     else hide(workspace.session);
 }
 
+namespace {
+
+Reason why_not_sketch_line(const femoop::Model& model)
+{
+    if (!drawing::is_seen_in_space(model.analysis)) return std::nullopt;
+    return translatable("influence lines are guessed on plane structures only");
+}
+
+} // namespace
+
 Reason why_not_predict(const Workspace& workspace)
 {
     const Session& session = workspace.session;
+    if (session.shown_line() != nullptr) return why_not_sketch_line(session.model());
     if (session.model().analysis != femoop::AnalysisKind::Frame2d)
         return translatable("moments are guessed on plane frames only");
     if (!session.solution().results) return translatable("the model has no results");

@@ -399,10 +399,10 @@ DrawOptions Session::results_view() const
 
 std::optional<femoop::Results> Session::described_results() const { return hidden ? std::nullopt : solution_.results; }
 
-ui::DisplayUnits Session::units() const
+const drawing::InfluencePicture* Session::shown_line() const
 {
-    const ui::BaseUnits base = base_units(model().units);
-    return {view.units.value_or(ui::preferred_system(base)), base, view.numbers};
+    const drawing::InfluencePicture* const line = influence.picture(model(), generation(), view);
+    return line != nullptr && hidden ? &influence.concealed() : line;
 }
 
 ui::DisplayUnits Session::units() const { return drawing::display_units(model(), view); }

@@ -100,6 +100,8 @@ public:
     std::optional<femoop::Results> described_results() const;
 
     ui::DisplayUnits units() const;
+    /// The influence line that is looked at, kept from sight while results are hidden; null where there is none.
+    const drawing::InfluencePicture* shown_line() const;
     Manner manner() const { return {units(), view.tr}; } ///< of tables
     const ui::Catalogue& tr() const override { return view.tr; }
     void set_language(ui::Language language);

@@ -9,7 +9,8 @@ namespace frame {
 inline Work work_on(const Document& document, Session& session)
 {
     Prediction* const sketched = session.hidden && session.solution().results ? &session.prediction : nullptr;
-    return {document, session.selection, sketched, &session.influence, &session.free_body, session.units()};
+    const auto* const line = sketched != nullptr ? session.shown_line() : nullptr;
+    return {document, session.selection, sketched, line, &session.influence, &session.free_body, session.units()};
 }
 
 /// What the tool in the hand works on: its own gesture counts from what was there before.

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "apps/drawing/results/influence_picture.h"
 #include "femoop/geometry/member_axes.h"
 #include "femoop/geometry/member_geometry.h"
 
@@ -27,7 +28,8 @@ std::optional<Change> PredictTool::move(const Work& work, const Aim& to)
     if (!path_.empty() && (to.pointer - path_.back()).norm() >= to.pixel) path_.push_back(to.pointer);
     is_drawing_ = is_drawing_ || to.is_dragged_from(press_);
     const std::vector<Vector2d> seen = path_.empty() ? std::vector<Vector2d>{to.pointer} : path_;
-    member_ = work.prediction != nullptr ? member_beside(work.document.model, seen) : std::nullopt;
+    member_ = work.prediction != nullptr ? member_beside(work.document.model, sketched_members(work), seen)
+                                         : std::nullopt;
     return std::nullopt;
 }
 
@@ -35,10 +37,16 @@ std::optional<Change> PredictTool::release(const Work& work, const Aim&)
 {
     const std::vector<Vector2d> path = std::exchange(path_, {});
     const femoop::Model& model = work.document.model;
-    const auto member = member_beside(model, path);
+    const auto member = member_beside(model, sketched_members(work), path);
     if (work.prediction == nullptr || !member || !is_drawing_) return std::nullopt;
-    work.prediction->draw(model, settings_.load_case, *member,
-                          stroke_along(model, *member, settings_.moment_side, path));
+    const femoop::MemberGeometry line = femoop::geometry_of(model, model[*member]);
+    if (const auto* const asked = work.sketched_line) {
+        const Vector3d side = drawing::ordinate_side(asked->load, line, true);
+        work.prediction->draw(model, asked->line.effect, *member, stroke_along(line, side, path));
+    } else {
+        work.prediction->draw(model, settings_.load_case, *member,
+                              stroke_along(line, moment_side(line, settings_.moment_side), path));
+    }
     return std::nullopt;
 }
 
@@ -62,34 +70,49 @@ double mean_distance(const femoop::MemberGeometry& ends, std::span<const Vector2
 
 } // namespace
 
-std::optional<MemberId> member_beside(const femoop::Model& model, std::span<const Vector2d> path)
+std::vector<MemberId> sketched_members(const Work& work)
+{
+    std::vector<MemberId> members;
+    if (work.sketched_line != nullptr)
+        for (const auto& on : work.sketched_line->path.members) members.push_back(on.member);
+    else
+        for (std::size_t i = 0; i < work.document.model.members.size(); ++i) members.emplace_back(i);
+    return members;
+}
+
+std::optional<MemberId> member_beside(const femoop::Model& model, std::span<const MemberId> among,
+                                      std::span<const Vector2d> stroke)
 {
     constexpr double reach = 0.75; // of the member's length
     std::optional<MemberId> nearest;
     double least = 0.0;
-    for (std::size_t i = 0; i < model.members.size() && !path.empty(); ++i) {
-        const femoop::MemberGeometry ends = femoop::geometry_of(model, model.members[i]);
+    if (stroke.empty()) return nearest;
+    for (const MemberId member : among) {
+        const femoop::MemberGeometry ends = femoop::geometry_of(model, model[member]);
         const double length = ends.length;
         if (!(length > 0.0)) continue;
-        const double distance = mean_distance(ends, path);
+        const double distance = mean_distance(ends, stroke);
         if (!(distance <= reach * length) || (nearest && distance >= least)) continue;
-        nearest = MemberId(i);
+        nearest = member;
         least = distance;
     }
     return nearest;
 }
 
-std::vector<StrokePoint> stroke_along(const femoop::Model& model, MemberId member, MomentSide side,
+Vector3d moment_side(const femoop::MemberGeometry& member, MomentSide side)
+{
+    const double positive = side == MomentSide::Tension ? -1.0 : 1.0; // a positive moment stretches the -y' side
+    return positive * member.axes.row(1).transpose();
+}
+
+std::vector<StrokePoint> stroke_along(const femoop::MemberGeometry& member, const Vector3d& side,
                                       std::span<const Vector2d> path)
 {
-    const femoop::MemberGeometry line = femoop::geometry_of(model, model[member]);
-    const double length = line.length;
-    const Vector3d x = line.axes.row(0), y = line.axes.row(1);
-    const double positive = side == MomentSide::Tension ? -1.0 : 1.0; // a positive moment stretches the -y' side
+    const Vector3d x = member.axes.row(0);
     std::vector<StrokePoint> stroke;
     for (const Vector2d& place : path) {
-        const Vector3d from_start = Vector3d(place.x(), place.y(), 0.0) - line.start;
-        stroke.push_back({from_start.dot(x) / length, positive * from_start.dot(y) / length});
+        const Vector3d from_start = Vector3d(place.x(), place.y(), 0.0) - member.start;
+        stroke.push_back({from_start.dot(x) / member.length, from_start.dot(side) / member.length});
     }
     return stroke;
 }

@@ -12,8 +12,8 @@
 
 namespace frame {
 
-/// Sketches bending moments: press beside a member, draw, release. The whole stroke belongs to the member that it keeps
-/// nearest to.
+/// Sketches bending moments, or the influence line that is asked for: press beside a member, draw, release. The whole
+/// stroke belongs to the member that it keeps nearest to, for a line of those of its path.
 class PredictTool : public Tool {
 public:
     explicit PredictTool(const ToolSettings& settings) : settings_(settings) {}
@@ -31,11 +31,19 @@ private:
     std::optional<femoop::MemberId> member_;
 };
 
-/// The member that a path keeps nearest to, of those that it comes near to at all.
-std::optional<femoop::MemberId> member_beside(const femoop::Model& model, std::span<const Eigen::Vector2d> path);
+/// The members of the model, or where a line is sketched those of its path.
+std::vector<femoop::MemberId> sketched_members(const Work& work);
 
-/// A path in the plane of the model as ordinates along a member. \pre the member has a length
-std::vector<StrokePoint> stroke_along(const femoop::Model& model, femoop::MemberId member, MomentSide side,
+/// The member that a stroke keeps nearest to, of those that it comes near to at all.
+/// \param among  that it can belong to
+std::optional<femoop::MemberId> member_beside(const femoop::Model& model, std::span<const femoop::MemberId> among,
+                                              std::span<const Eigen::Vector2d> stroke);
+
+/// The side of a member on which positive moments are drawn.
+Eigen::Vector3d moment_side(const femoop::MemberGeometry& member, MomentSide side);
+
+/// A path in the plane of the model as ordinates along a member, positive to that side. \pre the member has a length
+std::vector<StrokePoint> stroke_along(const femoop::MemberGeometry& member, const Eigen::Vector3d& side,
                                       std::span<const Eigen::Vector2d> path);
 
 } // namespace frame

@@ -10,6 +10,7 @@
 #include "apps/drawing/cut.h"
 #include "apps/drawing/dimension.h"
 #include "apps/drawing/geometry/projection.h"
+#include "apps/drawing/results/influence_picture.h"
 #include "apps/frame/document/change.h"
 #include "apps/frame/document/drawing_names.h"
 #include "apps/frame/document/selection.h"
@@ -76,9 +77,11 @@ struct Work {
     const Document& document; ///< as it was before the gesture
     Selection& selection;
     Prediction* prediction = nullptr; ///< that may be sketched; null while results are seen
-    AskedLine* influence = nullptr;   ///< that a tool may ask for
-    AskedBody* free_body = nullptr;   ///< likewise
-    ui::DisplayUnits units{};         ///< of what is typed
+    /// That is sketched in place of moments; null: none.
+    const drawing::InfluencePicture* sketched_line = nullptr;
+    AskedLine* influence = nullptr; ///< that a tool may ask for
+    AskedBody* free_body = nullptr; ///< likewise
+    ui::DisplayUnits units{};       ///< of what is typed
 };
 
 /// What a tool shows before it changes anything.

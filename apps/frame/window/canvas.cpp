@@ -36,11 +36,6 @@ namespace frame {
 
 namespace {
 
-const InfluencePicture* shown_line(const Session& session)
-{
-    return session.influence.picture(session.model(), session.generation(), session.view);
-}
-
 // A standing train's loads are none of the document's: who grips them holds the train.
 void hold_train(Aim& aim)
 {
@@ -48,8 +43,14 @@ void hold_train(Aim& aim)
     aim.grip.reset();
 }
 
-// An influence line belongs to no case either: it stands alone on the structure, or with a train. Under a unit load that
-// traces it the structure's own diagram stands beside it.
+// While a line is kept from sight nothing stands on it.
+bool stands_train(const Session& session)
+{
+    return session.shown_line() != nullptr && !session.hidden && session.influence.standing() != nullptr;
+}
+
+// An influence line belongs to no case either: it stands alone on the structure, or with a train. Under a unit load
+// that traces it the structure's own diagram stands beside it.
 DrawOptions with_influence(DrawOptions options, const Session& session, bool has_train)
 {
     options.show = options.show & ShowSet{Show::Values,          Show::NodeNames, Show::MemberNames, Show::Dimensions,
@@ -109,7 +110,7 @@ DrawOptions looked_at(const Workspace& workspace)
     const Session& session = workspace.session;
     DrawOptions options = session.results_view();
     if (session.influence.is_on(session.model())) {
-        const bool has_train = shown_line(session) != nullptr && session.influence.standing() != nullptr;
+        const bool has_train = stands_train(session);
         return with_influence(std::move(options), session, has_train);
     }
     if (lifted_body(session) != nullptr) return with_free_body(std::move(options));
@@ -121,10 +122,18 @@ DrawOptions looked_at(const Workspace& workspace)
 
 bool is_sketched(const Session& session) { return session.hidden || !session.prediction.is_empty(); }
 
-// Judged where the moments of one case are seen.
+// Judged where the line is seen.
+GuessPicture guess_of_line(const Session& session, const InfluencePicture& line)
+{
+    auto assessment = session.hidden ? std::nullopt : assess(session.prediction, line.line, line.path);
+    return GuessPicture(session.prediction, std::move(assessment), line.line.effect);
+}
+
+// Judged where the moments of one case are seen, or the influence line.
 std::optional<GuessPicture> guess_picture(const Session& session, const DrawOptions& options)
 {
     if (!is_sketched(session)) return std::nullopt;
+    if (const auto* const line = session.shown_line()) return guess_of_line(session, *line);
     const femoop::Results* const results = session.shown_results();
     const bool is_judged = results && !options.is_envelope && options.show.contains(Show::M);
     if (!is_judged) return GuessPicture(session.prediction);
@@ -143,14 +152,16 @@ DrawInput input_of(const Workspace& workspace, const DrawOptions& options, const
                    std::span<const NodeNumbers> numbers)
 {
     const Session& session = workspace.session;
-    if (const auto* const line = shown_line(session)) {
-        const bool has_train = session.influence.standing() != nullptr;
+    if (const auto* const line = session.shown_line()) {
+        const bool has_train = stands_train(session);
         const bool is_traced = has_train && session.influence.is_traced();
         std::vector<const InfluencePicture*> kept;
-        for (const InfluencePicture& one : session.influence.kept_pictures()) kept.push_back(&one);
+        if (!session.hidden)
+            for (const InfluencePicture& one : session.influence.kept_pictures()) kept.push_back(&one);
         return {.model = has_train ? session.influence.loaded() : session.model(),
                 .results = is_traced ? &session.influence.results() : nullptr,
                 .dimensions = session.document().companion.dimensions,
+                .overlay = guess && !has_train ? &*guess : nullptr,
                 .influence = line,
                 .kept_lines = std::move(kept)};
     }
@@ -221,7 +232,7 @@ Canvas::FittedFor Canvas::wanted_fit(const Session& session, const DrawOptions& 
             session.influence.standing() != nullptr,
             lifted_body(session) != nullptr ? session.free_body.number() : 0,
             options.show.contains(Show::Cremona),
-            shown_line(session) != nullptr ? session.influence.kept_pictures().size() : 0,
+            session.shown_line() != nullptr ? session.influence.kept_pictures().size() : 0,
             {options.diagram_factor, options.load_factor, options.symbol_factor}};
 }
 

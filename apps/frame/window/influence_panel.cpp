@@ -198,6 +198,8 @@ void influence_panel(Workspace& workspace)
     const InfluencePicture* const picture = session.influence.picture(session.model(), session.generation(),
                                                                       session.view);
     if (picture == nullptr) return ui::wrapped_text(session.tr()("the model has no results"));
+    if (session.hidden)
+        return ui::wrapped_text(session.tr()("Sketch the line with the pencil (K); H reveals it, with its ordinates."));
     const InfluenceTables tables(session, *picture);
     tables.title();
     const bool is_traced = session.influence.is_traced();

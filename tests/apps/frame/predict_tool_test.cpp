@@ -46,23 +46,28 @@ TEST_SUITE("frame model")
 {
     TEST_CASE("A stroke belongs to the member that it keeps nearest to, though it begins at the corner of two")
     {
-        CHECK(member_beside(portal(), Path{{0.0, 5.0}, {1.0, 4.2}, {3.0, 3.0}, {6.0, 5.0}}) == beam);
-        CHECK(member_beside(portal(), Path{{-1.0, 4.0}, {-0.5, 2.0}, {0.3, 0.0}}) == column);
-        CHECK(!member_beside(portal(), Path{{40.0, 40.0}, {41.0, 40.0}}));
-        CHECK(!member_beside(portal(), Path{}));
-        CHECK(!member_beside({}, Path{{0.0, 0.0}, {1.0, 0.0}}));
+        const std::array both{beam, column};
+        CHECK(member_beside(portal(), both, Path{{0.0, 5.0}, {1.0, 4.2}, {3.0, 3.0}, {6.0, 5.0}}) == beam);
+        CHECK(member_beside(portal(), both, Path{{-1.0, 4.0}, {-0.5, 2.0}, {0.3, 0.0}}) == column);
+        CHECK(!member_beside(portal(), both, Path{{40.0, 40.0}, {41.0, 40.0}}));
+        CHECK(!member_beside(portal(), both, Path{}));
+        CHECK(!member_beside(portal(), std::array{column}, Path{{2.0, 4.0}, {5.0, 4.0}}));
+        CHECK(!member_beside({}, {}, Path{{0.0, 0.0}, {1.0, 0.0}}));
     }
 
     TEST_CASE("An ordinate on the stretched side is positive, and both are lengths of the member")
     {
         const Path below{{1.5, 3.4}};
-        const auto stretched = stroke_along(portal(), beam, MomentSide::Tension, below);
+        const auto along = [](MemberId member, MomentSide side, const Path& path) {
+            const femoop::MemberGeometry line = femoop::geometry_of(portal(), portal()[member]);
+            return stroke_along(line, moment_side(line, side), path);
+        };
+        const auto stretched = along(beam, MomentSide::Tension, below);
         CHECK(stretched.at(0).x == doctest::Approx(0.25));
         CHECK(stretched.at(0).value == doctest::Approx(0.1)); // 0.6 below, of 6
-        CHECK(stroke_along(portal(), beam, MomentSide::Compression, below).at(0).value == doctest::Approx(-0.1));
+        CHECK(along(beam, MomentSide::Compression, below).at(0).value == doctest::Approx(-0.1));
         // The column goes up, so that its y' points to the left.
-        CHECK(stroke_along(portal(), column, MomentSide::Tension, Path{{1.0, 1.0}}).at(0).value ==
-              doctest::Approx(0.25));
+        CHECK(along(column, MomentSide::Tension, Path{{1.0, 1.0}}).at(0).value == doctest::Approx(0.25));
     }
 
     TEST_CASE("The tool draws on the prediction and changes nothing of the document")

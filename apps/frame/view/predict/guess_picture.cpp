@@ -15,10 +15,11 @@ namespace {
 /// Draws the guess on one member.
 class MemberGuess {
 public:
-    MemberGuess(const Scene& scene, const MemberShape& member, const Guess& guess, double scale)
+    MemberGuess(const Scene& scene, const MemberShape& member, const SymbolFrame& frame, const Guess& guess,
+                double scale)
         : scene_(scene),
           guess_(guess),
-          frame_(diagram_frame(scene, member, MemberComponent::Mz)),
+          frame_(frame),
           length_(member.length * scene.projection.scale()),
           height_(member.length * scale)
     {}
@@ -102,32 +103,60 @@ double GuessPicture::scale_beside(const Scene& scene, const SolvedCase& solved, 
     return drawn > 0.0 && height > 0.0 ? height / drawn : scene.projection.scale();
 }
 
-void GuessPicture::draw(const Scene& scene, double scale) const
+void GuessPicture::draw(const Scene& scene, const FrameOf& frame_of, double scale) const
 {
     for (std::size_t i = 0; i < scene.shape.members.size(); ++i) {
         const Guess* const guess = prediction_.on(MemberId(i));
         if (guess == nullptr) continue;
-        const MemberGuess picture(scene, scene.shape.members[i], *guess, scale);
+        const MemberShape& member = scene.shape.members[i];
+        const MemberGuess picture(scene, member, frame_of(member), *guess, scale);
         picture.draw();
         if (const MemberMark* const mark = mark_of(MemberId(i)))
             picture.write(scene.model[MemberId(i)].id + ": " + percent(mark->score.share, scene.options.tr));
     }
 }
 
-void GuessPicture::draw_alone(const Scene& scene) const { draw(scene, scene.projection.scale()); }
+void GuessPicture::draw_moments(const Scene& scene, double scale) const
+{
+    draw(
+        scene, [&](const MemberShape& member) { return diagram_frame(scene, member, MemberComponent::Mz); }, scale);
+}
+
+void GuessPicture::draw_alone(const Scene& scene) const { draw_moments(scene, scene.projection.scale()); }
 
 void GuessPicture::draw_beside(const Scene& scene, const SolvedCase& solved, const Diagram& moments) const
 {
-    draw(scene, scale_beside(scene, solved, moments));
+    draw_moments(scene, scale_beside(scene, solved, moments));
+}
+
+void GuessPicture::draw_on_line(const Scene& scene, const InfluencePicture& line, const InfluenceScale& scale) const
+{
+    double drawn = 0.0;
+    for (const auto& on : line.path.members)
+        if (const Guess* const guess = prediction_.on(on.member)) drawn = std::max(drawn, guess->largest() * on.length);
+    const double height = scale.largest * scale.pixels_per_unit;
+    const bool is_seen = !line.traced && drawn > 0.0 && height > 0.0;
+    const auto frame_of = [&](const MemberShape& member) {
+        return scene.projection.frame(member.at(0.0), member.x(), ordinate_side(line.load, member, scene.is_flat()));
+    };
+    draw(scene, frame_of, is_seen ? height / drawn : scene.projection.scale());
+}
+
+bool GuessPicture::is_stale(const Scene& scene) const
+{
+    if (line_) return prediction_.is_stale(scene.model, *line_);
+    return prediction_.is_stale(scene.model, scene.options.load_case);
 }
 
 PanelHead GuessPicture::head(const Scene& scene) const
 {
     const ui::Catalogue& tr = scene.options.tr;
-    PanelHead head{.name = tr("Your guess of M"), .note = {}, .role = ui::Role::Guess};
-    if (scene.options.is_envelope) head.note = tr("an envelope is no diagram of one case; choose a case");
-    else if (prediction_.is_stale(scene.model, scene.options.load_case))
-        head.note = tr("drawn for another state of the model, or another load case");
+    PanelHead head{
+        .name = line_ ? tr("Your guess of the line") : tr("Your guess of M"), .note = {}, .role = ui::Role::Guess};
+    if (!line_ && scene.options.is_envelope) head.note = tr("an envelope is no diagram of one case; choose a case");
+    else if (is_stale(scene))
+        head.note = line_ ? tr("drawn for another state of the model, or another line")
+                          : tr("drawn for another state of the model, or another load case");
     else if (assessment_) head.note = tr("dashed, as high as the true diagram");
     else head.note = tr("H reveals the true diagram");
     return head;

@@ -21,12 +21,15 @@ std::string joined(const std::vector<std::string>& parts, std::string_view betwe
     return text;
 }
 
-std::string_view words_of(Outcome outcome)
+std::string_view words_of(Outcome outcome, bool is_of_line)
 {
     switch (outcome) {
     case Outcome::NotDrawn: return translatable("nothing drawn");
-    case Outcome::DrawnAsZero: return translatable("drawn as zero, but it is bent");
-    case Outcome::NotZero: return translatable("it carries no moment");
+    case Outcome::DrawnAsZero:
+        return is_of_line ? translatable("drawn as zero, but a load there has an effect")
+                          : translatable("drawn as zero, but it is bent");
+    case Outcome::NotZero:
+        return is_of_line ? translatable("a load there has no effect") : translatable("it carries no moment");
     case Outcome::Judged:
     case Outcome::RightlyZero: break;
     }
@@ -59,11 +62,13 @@ std::string_view words_of(const PieceMark& mark)
 /// Collects what is wrong with one member's guess, in the order in which a teacher looks.
 class Faults {
 public:
-    Faults(const ScoreWords& words, const MemberMark& mark) : words_(words), mark_(mark), score_(mark.score) {}
+    Faults(const ScoreWords& words, const MemberMark& mark, bool is_of_line)
+        : words_(words), mark_(mark), score_(mark.score), is_of_line_(is_of_line)
+    {}
 
     std::vector<std::string> all()
     {
-        if (const std::string_view outcome = words_of(mark_.outcome); !outcome.empty()) add(outcome);
+        if (const std::string_view outcome = words_of(mark_.outcome, is_of_line_); !outcome.empty()) add(outcome);
         if (mark_.outcome != Outcome::Judged) return std::move(list_);
         add_sign();
         add_zeros();
@@ -130,6 +135,7 @@ private:
     const ScoreWords& words_;
     const MemberMark& mark_;
     const Score& score_;
+    bool is_of_line_;
     std::vector<std::string> list_;
 };
 
@@ -140,7 +146,10 @@ std::string percent(double share, const ui::Catalogue& tr)
     return tr("{number} %", {{"number", std::to_string(std::lround(100.0 * share))}});
 }
 
-std::vector<std::string> ScoreWords::faults(const MemberMark& mark) const { return Faults(*this, mark).all(); }
+std::vector<std::string> ScoreWords::faults(const MemberMark& mark, bool is_of_line) const
+{
+    return Faults(*this, mark, is_of_line).all();
+}
 
 std::vector<std::string> ScoreWords::lines(const Assessment& assessment) const
 {
@@ -150,7 +159,7 @@ std::vector<std::string> ScoreWords::lines(const Assessment& assessment) const
     std::vector<std::string> wrong, right;
     for (const MemberMark& mark : marks) {
         const std::string& name = model[mark.member].id;
-        const std::vector<std::string> list = faults(mark);
+        const std::vector<std::string> list = faults(mark, assessment.is_of_line);
         if (list.empty()) right.push_back(name);
         else wrong.push_back(name + ":  " + percent(mark.score.share, tr) + "  " + joined(list, "; "));
     }

@@ -22,7 +22,8 @@ struct ScoreWords {
     const ui::Catalogue& tr;
 
     /// What is wrong with one member's guess, as a teacher would say it; empty where nothing is.
-    std::vector<std::string> faults(const MemberMark& mark) const;
+    /// \param is_of_line  an influence line was guessed, not moments
+    std::vector<std::string> faults(const MemberMark& mark, bool is_of_line = false) const;
     /// The share of all points, then the members whose guess has faults, the worst first, a line each, and in one line
     /// those that are right; six lines at most.
     std::vector<std::string> lines(const Assessment& assessment) const;
