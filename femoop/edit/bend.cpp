@@ -1,7 +1,6 @@
 #include "femoop/edit/bend.h"
 
 #include <Eigen/Core>
-#include <algorithm>
 #include <cmath>
 #include <stdexcept>
 
@@ -51,13 +50,11 @@ BentMember bend_member(Model& model, MemberId member, const Bend& bend)
     const auto share = [&](std::size_t i) { return static_cast<double>(i) / static_cast<double>(bend.n_parts); };
     BentMember bent;
     bent.members.push_back(member);
-    for (std::size_t i = bend.n_parts - 1; i > 0; --i) { // the first part is cut again
-        const SplitMember parts = split_member(model, member, share(i) * chord.length);
+    for (std::size_t i = 1; i < bend.n_parts; ++i) { // what is left is cut again
+        const SplitMember parts = split_member(model, bent.members.back(), (share(i) - share(i - 1)) * chord.length);
         bent.nodes.push_back(parts.node);
         bent.members.push_back(parts.second);
     }
-    std::ranges::reverse(bent.nodes);
-    std::reverse(bent.members.begin() + 1, bent.members.end());
     const auto place = bend.curve == BendCurve::Arc ? on_arc : on_parabola;
     for (std::size_t i = 0; i < bent.nodes.size(); ++i) {
         const OnCurve at = place(share(i + 1), chord.length, bend.rise);
