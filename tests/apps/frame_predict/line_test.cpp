@@ -16,7 +16,7 @@ using frame::Truth;
 
 namespace {
 
-constexpr MemberId AB{0}, BC{1};
+constexpr MemberId first{0}, second{1};
 
 struct Line {
     PathLayout path;
@@ -43,8 +43,8 @@ Line line_of(const Model& model, const MovingEffect& effect)
     return {path, analysis.line(path, femoop::influence::unit_load(model.analysis, {}), effect)};
 }
 
-/// AB is simply supported, BC an overhang beyond B.
-Model overhang()
+/// The first member is simply supported, the second an overhang beyond it.
+Model span_with_overhang()
 {
     Model model = two_spans({uniform(7.0)});
     model.nodes[2].support.reset();
@@ -74,7 +74,8 @@ TEST_SUITE("frame predict")
 {
     TEST_CASE("The moment's line of a simple span is two straight pieces that begin and end at zero")
     {
-        const Truth truth = line_of(overhang(), section_force(AB, femoop::MemberComponent::Mz, 25.0)).on(0);
+        const Truth truth =
+            line_of(span_with_overhang(), section_force(first, femoop::MemberComponent::Mz, 25.0)).on(0);
         REQUIRE(truth.pieces.size() == 2);
         CHECK(truth.pieces[0].degree == 1);
         CHECK(truth.pieces[1].degree == 1);
@@ -85,7 +86,7 @@ TEST_SUITE("frame predict")
 
     TEST_CASE("The shear's line jumps by one at its section, with a slope to either side")
     {
-        const Line line = line_of(overhang(), section_force(AB, femoop::MemberComponent::Vy, 50.0));
+        const Line line = line_of(span_with_overhang(), section_force(first, femoop::MemberComponent::Vy, 50.0));
         const Truth truth = line.on(0);
         REQUIRE(truth.jumps.size() == 1);
         CHECK(truth.jumps[0].x == doctest::Approx(0.5));
@@ -96,7 +97,7 @@ TEST_SUITE("frame predict")
 
     TEST_CASE("Over two spans the lines are cubic parabolas")
     {
-        const Line line = line_of(two_spans({uniform(7.0)}), section_force(AB, femoop::MemberComponent::Mz, 50.0));
+        const Line line = line_of(two_spans({uniform(7.0)}), section_force(first, femoop::MemberComponent::Mz, 50.0));
         for (const Truth::Piece& piece : line.on(0).pieces) CHECK(piece.degree == 3);
         REQUIRE(line.on(1).pieces.size() == 1);
         CHECK(line.on(1).pieces.front().degree == 3);
@@ -107,7 +108,7 @@ TEST_SUITE("frame predict")
     {
         const Model model = two_spans({uniform(7.0)});
         for (const auto component : {femoop::MemberComponent::Mz, femoop::MemberComponent::Vy}) {
-            const Line line = line_of(model, section_force(AB, component, 40.0));
+            const Line line = line_of(model, section_force(first, component, 40.0));
             const auto right = frame::assess(drawn(model, line), line.line, line.path);
             REQUIRE(right);
             CHECK(right->is_of_line);
@@ -122,10 +123,11 @@ TEST_SUITE("frame predict")
 
     TEST_CASE("A member that is passed from its second end has the line of its mirror image")
     {
-        Model turned = overhang();
+        Model turned = span_with_overhang();
         std::swap(turned.members[0].nodes[0], turned.members[0].nodes[1]);
-        const Truth plain = line_of(overhang(), section_force(AB, femoop::MemberComponent::Mz, 25.0)).on(0);
-        const Truth mirrored = line_of(turned, section_force(AB, femoop::MemberComponent::Mz, 75.0)).on(0);
+        const Truth plain =
+            line_of(span_with_overhang(), section_force(first, femoop::MemberComponent::Mz, 25.0)).on(0);
+        const Truth mirrored = line_of(turned, section_force(first, femoop::MemberComponent::Mz, 75.0)).on(0);
         REQUIRE(mirrored.pieces.size() == 2);
         CHECK(mirrored.pieces[0].to == doctest::Approx(0.75));
         for (std::size_t i = 0; i < plain.profile.size(); ++i)
@@ -135,14 +137,14 @@ TEST_SUITE("frame predict")
     TEST_CASE("A stroke of a line begins anew after strokes of moments, and is stale for another effect")
     {
         const Model model = two_spans({uniform(7.0)});
-        const Line line = line_of(model, section_force(AB, femoop::MemberComponent::Mz, 50.0));
+        const Line line = line_of(model, section_force(first, femoop::MemberComponent::Mz, 50.0));
         Prediction prediction;
-        prediction.draw(model, CaseId(0), BC, stroke(line.on(1)));
-        prediction.draw(model, line.line.effect, AB, stroke(line.on(0)));
+        prediction.draw(model, CaseId(0), second, stroke(line.on(1)));
+        prediction.draw(model, line.line.effect, first, stroke(line.on(0)));
         CHECK(prediction.is_of_line());
-        CHECK(prediction.on(BC) == nullptr);
+        CHECK(prediction.on(second) == nullptr);
         CHECK(!prediction.is_stale(model, line.line.effect));
-        CHECK(prediction.is_stale(model, section_force(BC, femoop::MemberComponent::Mz, 50.0)));
+        CHECK(prediction.is_stale(model, section_force(second, femoop::MemberComponent::Mz, 50.0)));
         CHECK(!frame::assess(prediction, femoop::analyse(model), CaseId(0)));
     }
 }
