@@ -49,7 +49,7 @@ private:
         const std::string arc = tr_("arc"), parabola = tr_("parabola");
         int curve = static_cast<int>(transform_.bend.curve);
         const std::array names{arc.c_str(), parabola.c_str()};
-        ImGui::SetNextItemWidth(7.0F * ImGui::GetFontSize());
+        ImGui::SetNextItemWidth(6.0F * ImGui::GetFontSize());
         is_changed_ |= ImGui::Combo("###curve", &curve, names.data(), static_cast<int>(names.size()));
         transform_.bend.curve = static_cast<femoop::BendCurve>(curve);
         ImGui::SameLine();
