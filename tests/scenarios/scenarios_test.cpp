@@ -80,7 +80,7 @@ TEST_CASE("In a small window on the projector the words on an empty sheet go on 
 {
     CHECK(played("command view.language.pt\ncommand view.theme.projector\ncommand file.new\nkey 2\nwait 0.1\n"
                  "expect not drawn \"M desenha barras, N nós, S apoios, L cargas.\"\nexpect drawn \"comando.\"\n",
-                 {900, 600}) == "");
+                 {600, 500}) == "");
 }
 
 TEST_CASE("Every frame of a scenario can be kept for a film")

@@ -247,11 +247,15 @@ void Canvas::look(Session& session, ui::StandardView view)
     session.show_as(ViewKind::Space);
 }
 
-// Where panels come or go, what the hand has moved keeps its middle and its share of the sheet.
+// Where panels come or go, what the hand has moved keeps its middle and its share of the sheet. A notice at the foot
+// moves nothing under the hand.
 void Canvas::follow_room(Session& session)
 {
+    constexpr double clearly = 0.15;
+    const auto has_changed = [](double a, double b) { return std::abs(b - a) > clearly * a; };
+    if (!has_changed(room_.width, sheet().width) && !has_changed(room_.height, sheet().height)) return;
     const ui::Size before = std::exchange(room_, sheet());
-    if (session.is_fitted || before == sheet()) return;
+    if (session.is_fitted) return;
     const ui::Point shift = middle() - 0.5 * ui::Point{before.width, before.height};
     const double factor = std::min(sheet().width / before.width, sheet().height / before.height);
     const auto follow = [&](auto& camera) {
@@ -330,7 +334,8 @@ topology::Point Canvas::place_under_pointer(const Session& session) const
             return session.shown()[vertex.subject].solid->point(vertex.vertex);
     const ui::World3 p = session.eye.to_world(pointer(), 0.0);
     const double step = grid(session.eye.scale());
-    return {step * std::round(p.x / step), step * std::round(p.y / step), 0.0};
+    const auto rounded = [&](double x) { return step * std::round(x / step) + 0.0; }; // no minus zero
+    return {rounded(p.x), rounded(p.y), 0.0};
 }
 
 void Canvas::draw_line(Session& session)

@@ -189,7 +189,7 @@ public:
                 widen(pieces.back(), part);
                 continue;
             }
-            const auto [from, to] = std::minmax(x_of(part.begin), x_of(part.end));
+            const auto [from, to] = std::minmax({x_of(part.begin), x_of(part.end)});
             pieces.push_back({from, to, degree(part), is_series(part)});
         }
         return in_order(std::move(pieces), &Truth::Piece::from);

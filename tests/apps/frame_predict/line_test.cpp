@@ -121,7 +121,7 @@ TEST_SUITE("frame predict")
         }
     }
 
-    TEST_CASE("A member that is passed from its second end has the line of its mirror image")
+    TEST_CASE("A member that is passed from its second end has the mirror image, with the signs of its own moments")
     {
         Model turned = span_with_overhang();
         std::swap(turned.members[0].nodes[0], turned.members[0].nodes[1]);
@@ -131,7 +131,7 @@ TEST_SUITE("frame predict")
         REQUIRE(mirrored.pieces.size() == 2);
         CHECK(mirrored.pieces[0].to == doctest::Approx(0.75));
         for (std::size_t i = 0; i < plain.profile.size(); ++i)
-            CHECK(*mirrored.profile[plain.profile.size() - 1 - i] == doctest::Approx(*plain.profile[i]));
+            CHECK(*mirrored.profile[plain.profile.size() - 1 - i] == doctest::Approx(-*plain.profile[i]));
     }
 
     TEST_CASE("A stroke of a line begins anew after strokes of moments, and is stale for another effect")

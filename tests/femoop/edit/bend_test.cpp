@@ -9,6 +9,7 @@
 #include "femoop/analysis/linear_static.h"
 #include "femoop/geometry/member_geometry.h"
 #include "femoop/model/check/check.h"
+#include "femoop/model/fault/errors_among.h"
 #include "tests/femoop/analysis/random_structure.h"
 
 using namespace femoop;
@@ -112,7 +113,7 @@ TEST_CASE("Any member of a random structure can be bent, and the model stays sou
             Model model = whole;
             const double length = geometry_of(model, model.members[i]).length;
             const BentMember bent = bend_member(model, MemberId(i), {BendCurve::Parabola, 0.2 * length, 4});
-            CHECK(check(model).empty());
+            CHECK(errors_among(check(model)).empty()); // members of a grillage may cross
             CHECK(model.nodes.size() == whole.nodes.size() + 3);
             CHECK(bent.members.size() == 4);
         }
