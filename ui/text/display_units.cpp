@@ -200,6 +200,10 @@ double stored_size(Measure measure, const BaseUnits& base)
 
 DisplayUnit DisplayUnits::unit(Measure measure) const
 {
+    if (measure == Measure::MomentPerAngle && !choices_.of(Measure::Moment).empty()) {
+        const DisplayUnit moment = unit(Measure::Moment);
+        return {moment.name + "/rad", moment.factor};
+    }
     const std::string_view chosen = choices_.of(measure);
     if (chosen.empty()) return unit_of_system(measure);
     return named(std::string(chosen), size_of(chosen), stored_size(measure, base_));

@@ -111,10 +111,9 @@ public:
     /// Those that numbers without a unit are counted in: "kN, m", and what a person chose that does not follow from
     /// these: "kN, m, kN·cm".
     std::string summary() const;
+    DisplayUnit unit_of_system(Measure measure) const; ///< whatever was chosen
 
 private:
-    DisplayUnit unit_of_system(Measure measure) const;
-
     UnitSystem system_ = UnitSystem::KnM;
     BaseUnits base_;
     NumberFormat format_;

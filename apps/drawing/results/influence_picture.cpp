@@ -248,6 +248,8 @@ private:
     void mark_section() const
     {
         const MovingEffect& effect = picture_.line.effect;
+        if (effect.node && is_concealed(picture_)) // nothing else tells which one it is
+            sketch().ring(scene_.projection(scene_.shape[*effect.node]), sketch().px(9.0), sketch().stroke(role_));
         if (!effect.member || !effect.at) return;
         const MemberShape& member = scene_.shape[*effect.member];
         const double x = std::clamp(femoop::along(*effect.at, member.length), 0.0, member.length);
@@ -305,6 +307,8 @@ InfluencePicture concealed(InfluencePicture picture)
     picture.sentences.clear();
     return picture;
 }
+
+bool is_concealed(const InfluencePicture& picture) { return picture.traced && !(picture.traced->to > 0.0); }
 
 OrdinateUnit ordinate_unit(const ui::DisplayUnits& units, const InfluencePicture& picture)
 {

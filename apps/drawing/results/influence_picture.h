@@ -49,6 +49,7 @@ Eigen::Vector3d ordinate_side(const femoop::NodeVector& load, const femoop::Memb
 
 /// The same line kept from sight, for a class to sketch it first: its section is marked, nothing else is drawn or said.
 InfluencePicture concealed(InfluencePicture picture);
+bool is_concealed(const InfluencePicture& picture);
 
 /// What its ordinates are counted in: of a moment under a force, metres.
 struct OrdinateUnit {

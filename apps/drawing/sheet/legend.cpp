@@ -233,6 +233,7 @@ PanelHead influence_head(const Scene& scene, const InfluencePicture& picture, co
                 (unit.name.empty() ? "" : " [" + unit.name + "]");
     if (!(scale.largest > 0.0)) head.note = tr("zero everywhere");
     if (!(scale.largest > 0.0)) return head;
+    if (is_concealed(picture)) return head;
     add_bar(head, scene, scale.pixels_per_unit, {unit.name, unit.factor});
     if (picture.traced) return head;
     head.note = extremes_text(scene, picture.line.ordinates, unit);

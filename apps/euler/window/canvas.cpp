@@ -257,7 +257,8 @@ void Canvas::follow_room(Session& session)
     const ui::Size before = std::exchange(room_, sheet());
     if (session.is_fitted) return;
     const ui::Point shift = middle() - 0.5 * ui::Point{before.width, before.height};
-    const double factor = std::min(sheet().width / before.width, sheet().height / before.height);
+    const auto extent = [](ui::Size size) { return std::min(size.width, size.height); }; // there and back is nothing
+    const double factor = extent(sheet()) / extent(before);
     const auto follow = [&](auto& camera) {
         camera.pan(shift);
         camera.zoom(middle(), factor);

@@ -90,9 +90,14 @@ void add_show_commands(CommandTable& table)
 {
     Menu(table, translatable("Show"))
         .toggles(
-            toggles, [](const Workspace& workspace, Show item) { return workspace.session.view.show.contains(item); },
+            toggles,
+            [](const Workspace& workspace, Show item) {
+                const Session& session = workspace.session;
+                return session.view.show.contains(item) || (session.hidden && session.hidden->contains(item));
+            },
             [](Workspace& workspace, Show item, bool is_on) {
-                ShowSet& show = workspace.session.view.show;
+                Session& session = workspace.session;
+                ShowSet& show = session.hidden && is_hideable(item) ? *session.hidden : session.view.show;
                 is_on ? show.insert(item) : show.erase(item);
             });
 }

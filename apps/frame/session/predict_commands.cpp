@@ -13,6 +13,12 @@ namespace {
 constexpr ShowSet results{Show::Reactions, Show::N,  Show::V, Show::Vy,       Show::Vz,    Show::M,
                           Show::My,        Show::Mz, Show::T, Show::Deformed, Show::Thrust};
 
+} // namespace
+
+bool is_hideable(Show item) { return results.contains(item); }
+
+namespace {
+
 void hide(Session& session)
 {
     session.hidden = session.view.show & results;

@@ -11,6 +11,9 @@ void add_predict_commands(CommandTable& table);
 /// guessed.
 void hide_or_reveal(Workspace& workspace);
 
+/// A result, which is kept from sight then.
+bool is_hideable(Show item);
+
 /// Why no moments can be sketched now; nothing where they can.
 std::optional<ui::Message> why_not_predict(const Workspace& workspace);
 

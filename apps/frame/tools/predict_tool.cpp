@@ -33,25 +33,6 @@ std::optional<Change> PredictTool::move(const Work& work, const Aim& to)
     return std::nullopt;
 }
 
-std::optional<Change> PredictTool::release(const Work& work, const Aim&)
-{
-    const std::vector<Vector2d> path = std::exchange(path_, {});
-    const femoop::Model& model = work.document.model;
-    const auto member = member_beside(model, sketched_members(work), path);
-    if (work.prediction == nullptr || !member || !is_drawing_) return std::nullopt;
-    const femoop::MemberGeometry line = femoop::geometry_of(model, model[*member]);
-    if (const auto* const asked = work.sketched_line) {
-        const Vector3d side = drawing::ordinate_side(asked->load, line, true);
-        work.prediction->draw(model, asked->line.effect, *member, stroke_along(line, side, path));
-    } else {
-        work.prediction->draw(model, settings_.load_case, *member,
-                              stroke_along(line, moment_side(line, settings_.moment_side), path));
-    }
-    return std::nullopt;
-}
-
-bool PredictTool::escape() { return !std::exchange(path_, {}).empty(); }
-
 namespace {
 
 double distance_to(const Vector2d& a, const Vector2d& b, const Vector2d& place)
@@ -60,6 +41,69 @@ double distance_to(const Vector2d& a, const Vector2d& b, const Vector2d& place)
     const double t = std::clamp((place - a).dot(along) / along.squaredNorm(), 0.0, 1.0);
     return (a + t * along - place).norm();
 }
+
+/// Of the path's members it is the one that some place of the stroke is nearest to.
+bool is_nearest_somewhere(const femoop::Model& model, const femoop::influence::PathLayout& path, MemberId member,
+                          std::span<const Vector2d> stroke)
+{
+    const auto distance = [&](MemberId other, const Vector2d& place) {
+        const femoop::MemberGeometry ends = femoop::geometry_of(model, model[other]);
+        return distance_to(ends.start.head<2>(), ends.end.head<2>(), place);
+    };
+    return std::ranges::any_of(stroke, [&](const Vector2d& place) {
+        const double own = distance(member, place);
+        return std::ranges::all_of(path.members, [&](const auto& on) { return own <= distance(on.member, place); });
+    });
+}
+
+/// How much of a member's length a stroke passes.
+double share_passed(std::span<const StrokePoint> stroke)
+{
+    double least = 1.0, most = 0.0;
+    for (const StrokePoint& point : stroke) {
+        least = std::min(least, std::clamp(point.x, 0.0, 1.0));
+        most = std::max(most, std::clamp(point.x, 0.0, 1.0));
+    }
+    return most - least;
+}
+
+// Along the path in one stroke: each member has the part that runs beside it, but for a bit that slipped over a node.
+void sketch_line(const Work& work, MemberId nearest, std::span<const Vector2d> path)
+{
+    constexpr double clearly = 0.2;
+    const femoop::Model& model = work.document.model;
+    const drawing::InfluencePicture& asked = *work.sketched_line;
+    for (const auto& on : asked.path.members) {
+        const femoop::MemberGeometry line = femoop::geometry_of(model, model[on.member]);
+        if (!(line.length > 0.0)) continue;
+        const auto along = stroke_along(line, drawing::ordinate_side(asked.load, line, true), path);
+        const bool is_beside = on.member == nearest || (share_passed(along) > clearly &&
+                                                        is_nearest_somewhere(model, asked.path, on.member, path));
+        if (is_beside) work.prediction->draw(model, asked.line.effect, on.member, along);
+    }
+}
+
+} // namespace
+
+std::optional<Change> PredictTool::release(const Work& work, const Aim&)
+{
+    const std::vector<Vector2d> path = std::exchange(path_, {});
+    const femoop::Model& model = work.document.model;
+    const auto member = member_beside(model, sketched_members(work), path);
+    if (work.prediction == nullptr || !member || !is_drawing_) return std::nullopt;
+    if (work.sketched_line != nullptr) {
+        sketch_line(work, *member, path);
+        return std::nullopt;
+    }
+    const femoop::MemberGeometry line = femoop::geometry_of(model, model[*member]);
+    work.prediction->draw(model, settings_.load_case, *member,
+                          stroke_along(line, moment_side(line, settings_.moment_side), path));
+    return std::nullopt;
+}
+
+bool PredictTool::escape() { return !std::exchange(path_, {}).empty(); }
+
+namespace {
 
 double mean_distance(const femoop::MemberGeometry& ends, std::span<const Vector2d> path)
 {
@@ -83,16 +127,17 @@ std::vector<MemberId> sketched_members(const Work& work)
 std::optional<MemberId> member_beside(const femoop::Model& model, std::span<const MemberId> among,
                                       std::span<const Vector2d> stroke)
 {
-    constexpr double reach = 0.75; // of the member's length
+    constexpr double reach = 0.75; // of the longest member: a short one may have the largest ordinate
+    double longest = 0.0;
+    for (const MemberId member : among) longest = std::max(longest, femoop::geometry_of(model, model[member]).length);
     std::optional<MemberId> nearest;
     double least = 0.0;
     if (stroke.empty()) return nearest;
     for (const MemberId member : among) {
         const femoop::MemberGeometry ends = femoop::geometry_of(model, model[member]);
-        const double length = ends.length;
-        if (!(length > 0.0)) continue;
+        if (!(ends.length > 0.0)) continue;
         const double distance = mean_distance(ends, stroke);
-        if (!(distance <= reach * length) || (nearest && distance >= least)) continue;
+        if (!(distance <= reach * longest) || (nearest && distance >= least)) continue;
         nearest = member;
         least = distance;
     }

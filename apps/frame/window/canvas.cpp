@@ -125,7 +125,8 @@ bool is_sketched(const Session& session) { return session.hidden || !session.pre
 // Judged where the line is seen.
 GuessPicture guess_of_line(const Session& session, const InfluencePicture& line)
 {
-    auto assessment = session.hidden ? std::nullopt : assess(session.prediction, line.line, line.path);
+    const bool is_judged = !session.hidden && !session.prediction.is_stale(session.model(), line.line.effect);
+    auto assessment = is_judged ? assess(session.prediction, line.line, line.path) : std::nullopt;
     return GuessPicture(session.prediction, std::move(assessment), line.line.effect);
 }
 

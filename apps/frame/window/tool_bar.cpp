@@ -311,7 +311,7 @@ std::string_view hint(ToolKind tool, bool is_in_space)
     case ToolKind::Load: return translatable("Click members or nodes; draw along a member to load a part of it.");
     case ToolKind::Hinge: return translatable("Click nodes or the ends of members.");
     case ToolKind::Dimension: return translatable("Click two nodes, then a place; more nodes go on.");
-    case ToolKind::Predict: return translatable("Draw the moments, or the influence line, beside the members; H reveals.");
+    case ToolKind::Predict: return translatable("Draw beside the members; H reveals.");
     case ToolKind::Influence: return translatable("Click a section or a support; drag the section along. R: trains");
     case ToolKind::FreeBody: return translatable("Click a part, or draw a cut; V: its other side");
     case ToolKind::Paste: return translatable("Click where it goes, or type the place: 6,4  @3,2");

@@ -17,13 +17,14 @@ void show_row(Workspace& workspace, const ui::QuantityUnits& quantity)
     ui::UnitChoices& choices = workspace.session.view.unit_choices;
     const ui::Catalogue& tr = workspace.tr();
     const std::string_view chosen = choices.of(quantity.measure);
-    const std::string usual = tr("as the system has it");
+    const std::string usual = tr("as the system has it") + ": " +
+                              workspace.session.units().unit_of_system(quantity.measure).name;
     ImGui::TableNextRow();
     ImGui::TableNextColumn();
     ImGui::AlignTextToFramePadding();
     ImGui::TextUnformatted(tr(quantity.label).c_str());
     ImGui::TableNextColumn();
-    ImGui::SetNextItemWidth(12.0F * ImGui::GetFontSize());
+    ImGui::SetNextItemWidth(14.0F * ImGui::GetFontSize());
     if (!ImGui::BeginCombo(("###" + std::string(quantity.code)).c_str(),
                            chosen.empty() ? usual.c_str() : std::string(chosen).c_str()))
         return;

@@ -51,20 +51,21 @@ Model span_with_overhang()
     return model;
 }
 
-/// As a hand that knows the line would draw it, 0.1 of a member's length high where its profile is 1.
-std::vector<frame::StrokePoint> stroke(const Truth& truth, double sign = 1.0)
+/// As a hand that knows the line would draw it, an ordinate of 1 so many lengths of the member high.
+std::vector<frame::StrokePoint> stroke(const Truth& truth, double scale)
 {
     std::vector<frame::StrokePoint> points;
     for (std::size_t i = 0; i < truth.profile.size(); ++i)
-        points.push_back({frame::Guess::x(i), sign * 0.1 * truth.largest * truth.profile[i].value_or(0.0)});
+        points.push_back({frame::Guess::x(i), scale * truth.largest * truth.profile[i].value_or(0.0)});
     return points;
 }
 
 Prediction drawn(const Model& model, const Line& line, double sign = 1.0)
 {
+    const double scale = sign * 0.3 / line.line.ordinates.largest();
     Prediction prediction;
     for (std::size_t i = 0; i < line.path.members.size(); ++i)
-        prediction.draw(model, line.line.effect, line.path.members[i].member, stroke(line.on(i), sign));
+        prediction.draw(model, line.line.effect, line.path.members[i].member, stroke(line.on(i), scale));
     return prediction;
 }
 
@@ -139,8 +140,8 @@ TEST_SUITE("frame predict")
         const Model model = two_spans({uniform(7.0)});
         const Line line = line_of(model, section_force(first, femoop::MemberComponent::Mz, 50.0));
         Prediction prediction;
-        prediction.draw(model, CaseId(0), second, stroke(line.on(1)));
-        prediction.draw(model, line.line.effect, first, stroke(line.on(0)));
+        prediction.draw(model, CaseId(0), second, stroke(line.on(1), 0.2));
+        prediction.draw(model, line.line.effect, first, stroke(line.on(0), 0.2));
         CHECK(prediction.is_of_line());
         CHECK(prediction.on(second) == nullptr);
         CHECK(!prediction.is_stale(model, line.line.effect));
