@@ -3,7 +3,10 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <string>
+#include <vector>
 
+#include "ui/paint/wrapped_lines.h"
 #include "ui/text/shortened.h"
 
 namespace cross {
@@ -125,9 +128,13 @@ void write_below(ui::Painter& painter, const Panel& panel, const ui::Theme& them
     ui::TextStyle text = theme.text(ui::Role::Warning, ui::Anchor::BottomRight);
     const double room = 0.96 * panel.box.width();
     text.size = theme.type().small;
-    text.size *= std::min(1.0, room / painter.measure(words, text).width);
     text.plate = theme.background();
-    painter.text(panel.box.max - ui::Point{0.5 * text.size, 0.5 * text.size}, words, text);
+    const std::vector<std::string> lines = ui::wrapped_lines(painter.fonts(), words, text, room);
+    ui::Point at = panel.box.max - ui::Point{0.5 * text.size, 0.5 * text.size};
+    for (auto line = lines.rbegin(); line != lines.rend(); ++line) {
+        painter.text(at, *line, text);
+        at.y -= 1.2 * text.size;
+    }
 }
 
 } // namespace cross

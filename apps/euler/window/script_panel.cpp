@@ -115,6 +115,13 @@ float height_of(const std::string& fault)
     return ImGui::CalcTextSize(fault.c_str(), nullptr, false, room).y + ImGui::GetStyle().ItemSpacing.y;
 }
 
+// Of a button whose name is broken in a narrow panel.
+float more_lines_of(const std::string& name)
+{
+    const float room = ImGui::GetContentRegionAvail().x - 2.0F * ImGui::GetStyle().FramePadding.x;
+    return ImGui::CalcTextSize(ui::in_lines(name, room).c_str()).y - ImGui::GetTextLineHeight();
+}
+
 } // namespace
 
 ScriptPanel::ScriptPanel() : line_(ui::KeptField::Hold::UntilLeft, shorten) {}
@@ -170,7 +177,8 @@ void ScriptPanel::show(Workspace& workspace, const CommandTable& commands)
     Session& session = workspace.session;
     const std::string fault = session.script_fault ? session.tr()(*session.script_fault) : "";
     const float row = ImGui::GetFrameHeightWithSpacing();
-    const float below = height_of(fault) + 2.0F * row;
+    const float below = height_of(fault) + 2.0F * row +
+                        more_lines_of(session.tr()(commands.find("script.edit")->label));
     const float height = std::max(3.0F * row, ImGui::GetContentRegionAvail().y - below);
     if (session.edited_text) {
         edit_text(session, height);

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "apps/frame/session/case_commands.h"
+#include "ui/text/trimmed.h"
 #include "ui/widgets/command_menu.h"
 #include "ui/widgets/wrapped_text.h"
 
@@ -108,7 +109,7 @@ void CaseList::show_name_field(Workspace& workspace, femoop::CaseId id)
     const bool is_confirmed = ImGui::InputText("###case name", &name_, flags);
     const bool is_cancelled = ImGui::IsItemDeactivated() && ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape));
     const bool is_left = is_confirmed || ImGui::IsItemDeactivated();
-    if (is_left) reason_ = is_cancelled ? std::nullopt : rename(session, id, name_);
+    if (is_left) reason_ = is_cancelled ? std::nullopt : rename(session, id, std::string(ui::trimmed(name_)));
     if (is_left && (is_cancelled || !reason_ || !is_confirmed)) typed_case_.reset();
     else if (is_confirmed) is_fresh_ = true; // to be mended
     if (typed_case_ && reason_) ui::wrapped_text(session.view.tr(*reason_));

@@ -280,30 +280,53 @@ std::vector<const femoop::Profile*> SectionWindow::listed_profiles() const
     return listed;
 }
 
-/// \returns whether Enter was pressed in it
-bool SectionWindow::show_filter(const Workspace& workspace)
+SectionWindow::Filtering SectionWindow::show_filter(const Workspace& workspace)
 {
+    Filtering done;
     ImGui::SetNextItemWidth(-1.0F);
     ImGui::PushID(family_ ? static_cast<int>(*family_) : -1); // another family's field is another: it keeps no text
     if (std::exchange(begins_filter_, false)) ImGui::SetKeyboardFocusHere();
     const std::string hint = workspace.session.view.tr("Type a part of its name: 300");
-    const bool is_entered = ImGui::InputTextWithHint(
-        "###filter", hint.c_str(), &filter_, ImGuiInputTextFlags_AutoSelectAll | ImGuiInputTextFlags_EnterReturnsTrue);
+    const auto on_arrow = [](ImGuiInputTextCallbackData* data) {
+        *static_cast<int*>(data->UserData) = data->EventKey == ImGuiKey_DownArrow ? 1 : -1;
+        return 0;
+    };
+    done.is_entered = ImGui::InputTextWithHint(
+        "###filter", hint.c_str(), &filter_,
+        ImGuiInputTextFlags_AutoSelectAll | ImGuiInputTextFlags_EnterReturnsTrue | ImGuiInputTextFlags_CallbackHistory,
+        on_arrow, &done.step);
     ImGui::PopID();
-    return is_entered;
+    return done;
 }
+
+namespace {
+
+/// The profile so many places on in the list, which the arrows go through while a name is typed.
+const femoop::Profile* stepped(const std::vector<const femoop::Profile*>& listed, const femoop::Profile* chosen,
+                               int step)
+{
+    if (step == 0 || listed.empty()) return nullptr;
+    const auto now = std::ranges::find(listed, chosen);
+    if (now == listed.end()) return listed.front();
+    const std::ptrdiff_t place = now - listed.begin() + step, last = std::ssize(listed) - 1;
+    return listed[static_cast<std::size_t>(std::clamp<std::ptrdiff_t>(place, 0, last))];
+}
+
+} // namespace
 
 // Enter takes the profile where it is the only one left.
 void SectionWindow::show_profiles(Workspace& workspace)
 {
     SectionDraft& draft = workspace.section;
     const ui::Catalogue& tr = workspace.session.view.tr;
-    const bool is_entered = show_filter(workspace);
+    const Filtering filtering = show_filter(workspace);
     ImGui::BeginChild("###profiles", {0.0F, 4.0F * ImGui::GetTextLineHeightWithSpacing()}, true);
     const femoop::Profile* const chosen = draft.section().profile ? femoop::find_profile(*draft.section().profile)
                                                                   : nullptr;
     const std::vector<const femoop::Profile*> listed = listed_profiles();
-    if (is_entered && listed.size() == 1) draft.choose_profile(workspace.session, listed.front()->name);
+    if (filtering.is_entered && listed.size() == 1) draft.choose_profile(workspace.session, listed.front()->name);
+    if (const auto* const next = stepped(listed, chosen, filtering.step))
+        draft.choose_profile(workspace.session, next->name);
     if (listed.empty()) ui::wrapped_text(tr("no profile has {text} in its name", {{"text", filter_}}));
     for (const femoop::Profile* const profile : listed) {
         const std::string label(profile->name);

@@ -27,7 +27,12 @@ private:
     void show_name(Workspace& workspace);
     void show_shapes(Workspace& workspace, ui::ImGuiSession& gui);
     void show_families(Workspace& workspace);
-    bool show_filter(const Workspace& workspace);
+    /// What was pressed in the filter of profiles.
+    struct Filtering {
+        bool is_entered = false;
+        int step = 0; ///< through the list: 1 down, -1 up
+    };
+    Filtering show_filter(const Workspace& workspace);
     void show_profiles(Workspace& workspace);
     void show_turned(Workspace& workspace) const;
     void show_picture(Workspace& workspace, ui::ImGuiSession& gui, float height) const;
