@@ -141,9 +141,10 @@ TEST_SUITE("frame session")
         CHECK(with(R"("show": "loads, m", "case": "G")") == "");
         CHECK(with(R"("show": "loads", "case": "Live")") ==
               R"(views[0].case: no load case or combination "Live"; add it or name another)");
-        CHECK(with(R"("show": "loads,momnet,M")") ==
-              R"(views[0].show: "momnet" is none of loads, reactions, N, V, M, T, Vy, Vz, My, Mz, deformed, thrust, values, )"
-              R"(steps, nodes, members, dimensions, drawn, axes, counting, legend, labels; choose one of them)");
+        CHECK(
+            with(R"("show": "loads,momnet,M")") ==
+            R"(views[0].show: "momnet" is none of loads, reactions, N, V, M, T, Vy, Vz, My, Mz, deformed, thrust, )"
+            R"(values, steps, nodes, members, dimensions, drawn, axes, counting, legend, labels; choose one of them)");
         CHECK(with(R"("show": "M", "envelope": ["G"])") == "");
         CHECK(with(R"("show": "M", "envelope": ["G", "Live"])") ==
               R"(views[0].envelope[1]: no load case or combination "Live"; add it or name another)");
