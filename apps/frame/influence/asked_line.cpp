@@ -239,7 +239,6 @@ const drawing::InfluencePicture* AskedLine::picture(const Model& model, std::uin
     if (!found_.picture) return nullptr;
     find_kept();
     found_.picture->sentences = sentences(options);
-    found_.concealed.reset();
     return &*found_.picture;
 }
 
@@ -252,6 +251,7 @@ void AskedLine::find(const MovingEffect& effect) const
     found_.train = train_;
     if (is_same_line && found_.standing) return stand_train();
     found_.picture.reset();
+    found_.concealed.reset();
     found_.standing.reset();
     found_.faults.clear();
     const std::vector<femoop::Train>& trains = found_.model->moving_loads.trains;
