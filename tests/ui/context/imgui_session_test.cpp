@@ -10,6 +10,31 @@
 using ui_test::has_renderer;
 using Stage = ui_test::WidgetStage;
 
+namespace {
+
+/// How often a button is clicked by a press and a release where it is drawn.
+int clicks_where_drawn(Stage& stage)
+{
+    ui::Point middle;
+    int n_clicks = 0;
+    const auto button = [&] {
+        if (ImGui::Button("Solve")) ++n_clicks;
+        const ImVec2 a = ImGui::GetItemRectMin(), b = ImGui::GetItemRectMax();
+        const ui::Point sum{static_cast<double>(a.x + b.x), static_cast<double>(a.y + b.y)};
+        middle = stage.session.in_window(sum / (2.0 * stage.session.scale()));
+    };
+    stage.frame({}, button);
+    stage.frame({}, button);
+    ui::Input hover{.pointer = middle}, press = hover;
+    press.is_button_down[0] = true;
+    stage.frame(hover, button);
+    stage.frame(press, button);
+    stage.frame(hover, button);
+    return n_clicks;
+}
+
+} // namespace
+
 TEST_SUITE_BEGIN("widgets off screen");
 
 TEST_CASE("A press and a release over a button click it, at every scale")
@@ -18,21 +43,8 @@ TEST_CASE("A press and a release over a button click it, at every scale")
     for (const double scale : {1.0, 2.0}) {
         CAPTURE(scale);
         Stage stage(scale);
-        ui::Point middle;
-        int n_clicks = 0;
-        const auto button = [&] {
-            if (ImGui::Button("Solve")) ++n_clicks;
-            const ImVec2 a = ImGui::GetItemRectMin(), b = ImGui::GetItemRectMax();
-            middle = ui::Point{static_cast<double>(a.x + b.x), static_cast<double>(a.y + b.y)} / (2.0 * scale);
-        };
-        stage.frame({}, button);
-        stage.frame({}, button);
-        ui::Input hover{.pointer = middle}, press = hover;
-        press.is_button_down[0] = true;
-        stage.frame(hover, button);
-        stage.frame(press, button);
-        stage.frame(hover, button);
-        CHECK(n_clicks == 1);
+        CHECK(stage.session.scale() == scale);
+        CHECK(clicks_where_drawn(stage) == 1);
     }
 }
 
@@ -43,23 +55,7 @@ TEST_CASE("A small window on the projector is drawn smaller, and is pressed wher
         CAPTURE(scale);
         Stage stage(scale, ui::ThemeName::Projector);
         CHECK(stage.session.scale() == doctest::Approx(0.65 * scale));
-        ui::Point middle;
-        int n_clicks = 0;
-        const auto button = [&] {
-            if (ImGui::Button("Solve")) ++n_clicks;
-            const ImVec2 a = ImGui::GetItemRectMin(), b = ImGui::GetItemRectMax();
-            const ui::Point drawn = ui::Point{static_cast<double>(a.x + b.x), static_cast<double>(a.y + b.y)} /
-                                    (2.0 * stage.session.scale());
-            middle = stage.session.in_window(drawn);
-        };
-        stage.frame({}, button);
-        stage.frame({}, button);
-        ui::Input hover{.pointer = middle}, press = hover;
-        press.is_button_down[0] = true;
-        stage.frame(hover, button);
-        stage.frame(press, button);
-        stage.frame(hover, button);
-        CHECK(n_clicks == 1);
+        CHECK(clicks_where_drawn(stage) == 1);
     }
 }
 
