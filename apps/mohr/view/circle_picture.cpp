@@ -138,9 +138,9 @@ void draw_faces(const Diagram& d)
     draw_pole(d, x, n);
     draw_angle(d, x, 2.0 * std::remainder(s.angle, std::numbers::pi), 0.30, "2θ");
     if (s.principal.angle) draw_angle(d, x, 2.0 * *s.principal.angle, 0.46, "2θp");
-    draw_point(d, x, Handle::FaceX, Role::Load, d.pair("X", x), 9.0);
-    draw_point(d, y, Handle::FaceY, Role::Load, d.pair("Y", y), 9.0);
-    draw_point(d, n, Handle::Plane, Role::Deformed, d.pair("N", n), 10.0);
+    draw_point(d, x, Handle::FaceX, Role::Load, d.pair("X", x), 10.0);
+    draw_point(d, y, Handle::FaceY, Role::Load, d.pair("Y", y), 10.0);
+    draw_point(d, n, Handle::Plane, Role::Deformed, d.pair("N", n), 9.0);
 }
 
 /// What each gauge of a rosette measures.

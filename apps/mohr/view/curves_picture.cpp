@@ -26,7 +26,7 @@ struct Graph {
     double low, high;
     ui::Theme theme;
     Labels& labels;
-    bool is_flat; ///< its numbers stand in a row above it
+    bool is_tight; ///< its numbers stand in a row above it
 
     double x(double degrees) const { return box.min.x + (degrees + 90.0) / 180.0 * box.width(); }
     double y(double value) const { return box.max.y - (value - low) / (high - low) * box.height(); }
@@ -124,7 +124,7 @@ void draw_cursor(const Graph& g, Drawn& drawn)
     draw_mark(g.painter, g.scene, g.at(t, q), Handle::Cursor, Role::ShearForce);
     const Reading normal{names.normal + " = " + g.scene.look.number(s), g.theme.text(Role::BendingMoment)};
     const Reading shear{names.shear + " = " + g.scene.look.number(q), g.theme.text(Role::ShearForce)};
-    if (g.is_flat) write_above(g, {normal, shear});
+    if (g.is_tight) write_above(g, {normal, shear});
     else {
         g.labels.add(g.at(t, s), {1.0, -0.6}, normal.words, normal.style, 6.0);
         g.labels.add(g.at(t, q), {1.0, 0.6}, shear.words, shear.style, 6.0);
@@ -138,16 +138,16 @@ void draw_cursor(const Graph& g, Drawn& drawn)
 void draw_curves(ui::Painter& painter, const Scene& scene, const ui::Box& box, Drawn& drawn)
 {
     const ui::Theme theme = scene.look.full_theme();
-    constexpr double least_height = 7.5; // em: for numbers beside the curves
+    constexpr double least_height = 7.5, least_width = 17.0; // em: for numbers beside the curves
     const Frame& frame = scene.frame;
     const double em = theme.type().normal;
-    const bool is_flat = box.height() < least_height * em;
-    const ui::Box inner{{box.min.x + 5.0 * em, box.min.y + (is_flat ? 1.5 : 0.6) * em},
+    const bool is_tight = box.height() < least_height * em || box.width() < least_width * em;
+    const ui::Box inner{{box.min.x + 5.0 * em, box.min.y + (is_tight ? 1.5 : 0.6) * em},
                         {box.max.x - 2.0 * em, box.max.y - 1.8 * em}};
     if (inner.width() < 20.0 || inner.height() < 20.0) return;
     Labels labels(inner, painter.fonts());
     const double low = std::min(frame.low, -frame.reach), high = std::max(frame.high, frame.reach);
-    const Graph g{painter, scene, inner, low, high, theme, labels, is_flat};
+    const Graph g{painter, scene, inner, low, high, theme, labels, is_tight};
     drawn.curves = {inner.min.x, inner.max.x};
     draw_grid(g);
     draw_lines(g);

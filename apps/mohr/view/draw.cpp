@@ -92,8 +92,8 @@ bool shares_row(PlaneRooms& rooms, const Scene& scene)
 PlaneRooms rooms_of_high_sheet(const ui::Size& sheet, const Scene& scene)
 {
     const double w = sheet.width, h = sheet.height;
-    const bool is_whole = !has_below(scene);
-    const double middle = (is_whole ? 0.4 : 0.36) * h, foot = (is_whole ? 1.0 : 0.78) * h;
+    const bool is_whole = !has_below(scene), is_projected = scene.look.theme == ui::ThemeName::Projector;
+    const double middle = (is_whole ? 0.4 : is_projected ? 0.31 : 0.36) * h, foot = (is_whole ? 1.0 : 0.78) * h;
     PlaneRooms rooms{without_gap({{0.0, 0.0}, {w, middle}}), without_gap({{0.0, middle}, {w, foot}})};
     if (is_whole) return rooms;
     rooms.below = without_gap({{0.0, foot}, {w, h}});
@@ -137,7 +137,8 @@ double foot_of_circle(double height, const Scene& scene)
 PlaneRooms rooms_of_wide_sheet(const ui::Size& sheet, const Scene& scene)
 {
     constexpr double least_width = 15.0; // em: for curves or a section below the element
-    const double middle = (shows_both_rules(scene) ? 0.28 : 0.42) * sheet.width,
+    const double beside_two_circles = scene.look.theme == ui::ThemeName::Projector ? 0.31 : 0.28;
+    const double middle = (shows_both_rules(scene) ? beside_two_circles : 0.42) * sheet.width,
                  foot = foot_of_circle(sheet.height, scene) + 0.5 * gap;
     PlaneRooms rooms{without_gap({{0.0, 0.5 * gap}, {middle, foot}}),
                      without_gap({{middle, 0.5 * gap}, {sheet.width, foot}})};

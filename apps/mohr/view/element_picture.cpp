@@ -147,15 +147,24 @@ private:
         };
         ui::TextStyle normal = theme_.text(Role::BendingMoment), shear = theme_.text(Role::ShearForce);
         if (words == Words::Few) normal.size = shear.size = theme_.type().small;
-        const double beyond = map_.half + gap;
-        labels.add(map_.middle + (beyond + length(state_.x)) * x_, x_, text("x′", names.normal, state_.x), normal, 5.0);
-        labels.add(map_.middle + (beyond + length(state_.y)) * y_, y_, text("y′", names.normal, state_.y), normal, 5.0);
+        const auto add_normal = [&](ui::Point along, const char* part, double component) {
+            const ui::Point end = (map_.half + gap + length(component)) * along;
+            labels.add(map_.middle + end, along, text(part, names.normal, component), normal, 5.0,
+                       {{map_.middle - end, -1.0 * along}}); // the opposite face has the same stress
+        };
+        add_normal(x_, "x′", state_.x);
+        add_normal(y_, "y′", state_.y);
         if (length(state_.xy) < 1.0 && words == Words::Few) return;
         const fm::Kind kind = scene_.solution.state.kind;
         const std::string name = fm::is_strain(kind) ? "γ" : is_inertia() ? "I" : "τ";
         const double side = state_.xy >= 0.0 ? 1.0 : -1.0;
-        labels.add(at(beyond, side * 0.75 * map_.half), x_ + 0.9 * side * y_,
-                   text("x′y′", name, fm::given_shear(kind, state_.xy)), shear, 4.0);
+        const auto corner = [&](ui::Point outwards, ui::Point along, double which) {
+            const ui::Point reach = (map_.half + gap) * outwards + 0.75 * side * map_.half * along;
+            return Labels::Place{map_.middle + which * reach, which * (outwards + 0.9 * side * along)};
+        };
+        const Labels::Place first = corner(x_, y_, 1.0);
+        labels.add(first.target, first.away, text("x′y′", name, fm::given_shear(kind, state_.xy)), shear, 4.0,
+                   {corner(x_, y_, -1.0), corner(y_, x_, 1.0), corner(y_, x_, -1.0)});
     }
 
     double head() const { return 9.0 * theme_.symbol_scale(); }

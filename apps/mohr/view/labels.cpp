@@ -76,24 +76,38 @@ ui::Point middle_of_box(ui::Point target, ui::Point side, ui::Size size)
     return target + ui::Point{beyond(side.x, 0.5 * size.width), beyond(side.y, 0.5 * size.height)};
 }
 
+/// Middle of a box that stands in that direction, its nearest side or corner at the distance where it can.
+ui::Point middle_beside(ui::Point target, ui::Point along, ui::Size size)
+{
+    const double a = 0.5 * size.width, b = 0.5 * size.height, distance = std::max(8.0, 0.8 * b); // marks grow with type
+    const ui::Point about{along.x * (a + distance), along.y * (b + distance)}; // on an ellipse: near where it is askew
+    const double away = std::hypot(std::max(std::abs(about.x) - a, 0.0), std::max(std::abs(about.y) - b, 0.0));
+    return target + about + std::max(0.0, distance - away) * along;
+}
+
+void add_wishes_about(const Labels::Place& place, ui::Label& label)
+{
+    const double start = std::atan2(place.away.y, place.away.x);
+    for (const double turn : {0.0, 0.6, -0.6, 1.2, -1.2, 1.9, -1.9, 2.6, -2.6})
+        label.wishes.push_back(
+            middle_beside(place.target, {std::cos(start + turn), std::sin(start + turn)}, label.size));
+}
+
 } // namespace
 
-void Labels::add(ui::Point target, ui::Point away, std::string text, const ui::TextStyle& style, double priority)
+void Labels::add(ui::Point target, ui::Point away, std::string text, const ui::TextStyle& style, double priority,
+                 std::vector<Place> others)
 {
-    free_.push_back({target, away, {std::move(text), style}, priority});
+    free_.push_back({{target, away}, {std::move(text), style}, priority, std::move(others)});
 }
 
 ui::Label Labels::label(const Wish& wish) const
 {
     const ui::Size size = ui::label_size(fonts_, wish.words.text, wish.words.style);
     constexpr double reach = 120.0; // px: a far place is better than one on a line
-    ui::Label label{.target = wish.target, .size = size, .priority = wish.priority, .reach = reach};
-    const double start = std::atan2(wish.away.y, wish.away.x);
-    for (const double turn : {0.0, 0.6, -0.6, 1.2, -1.2, 1.9, -1.9, 2.6, -2.6}) {
-        const ui::Point along{std::cos(start + turn), std::sin(start + turn)};
-        label.wishes.push_back(wish.target +
-                               ui::Point{along.x * (0.5 * size.width + 8.0), along.y * (0.5 * size.height + 8.0)});
-    }
+    ui::Label label{.target = wish.place.target, .size = size, .priority = wish.priority, .reach = reach};
+    add_wishes_about(wish.place, label);
+    for (const Place& other : wish.others) add_wishes_about(other, label);
     return label;
 }
 

@@ -17,9 +17,15 @@ public:
     Labels(const ui::Box& room, const ui::Fonts& fonts) : placer_({.room = room}), fonts_(fonts) {}
 
     ui::LabelObstacles& obstacles() { return placer_.obstacles(); }
+    /// What words speak of, and where they had best stand, seen from it.
+    struct Place {
+        ui::Point target, away;
+    };
     /// \param away  where it had best stand, seen from the target
     /// \param priority  of `least_number` or more: a number that would be missed
-    void add(ui::Point target, ui::Point away, std::string text, const ui::TextStyle& style, double priority = 0.0);
+    /// \param others  which it speaks of as well: beside one of them rather than far from the target
+    void add(ui::Point target, ui::Point away, std::string text, const ui::TextStyle& style, double priority = 0.0,
+             std::vector<Place> others = {});
     /// Words that belong right there, such as an axis's number: in one of a few places near the target, chosen before
     /// all others. \param sides  from the target to the nearest point of the words, best first; of no length: about it
     void add_fixed(ui::Point target, const std::vector<ui::Point>& sides, std::string text, const ui::TextStyle& style,
@@ -32,11 +38,12 @@ private:
         std::string text;
         ui::TextStyle style;
     };
-    /// Words that want to stand about a point.
+    /// Words that want to stand about a point, or about one of others.
     struct Wish {
-        ui::Point target, away;
+        Place place;
         Words words;
         double priority = 0.0;
+        std::vector<Place> others;
     };
     /// Words of one kind, and where they may stand.
     struct Group {

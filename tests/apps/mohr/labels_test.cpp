@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <optional>
 #include <span>
 #include <string>
@@ -50,6 +51,7 @@ public:
     std::vector<Segment> lines;
     std::vector<Word> words;
     double height_of_curves = 0.0;
+    ElementMap element{};
 
     void begin_layer(ui::Layer layer) override { layer_ = layer; }
     void clip(const ui::Box& box) override { clip_ = box; }
@@ -112,8 +114,9 @@ LinesAndWords drawn(const Document& document, const Sheet& sheet, std::optional<
     ui::OrbitCamera eye;
     eye.look(0.6, 0.45);
     ui::Painter painter(sheet.size, fonts());
-    draw(painter, {document, solution, look, fitting_frame(document, solution), eye, std::nullopt, hover});
     LinesAndWords found(fonts(), look.full_theme());
+    found.element =
+        draw(painter, {document, solution, look, fitting_frame(document, solution), eye, std::nullopt, hover}).element;
     painter.picture().draw_on(found);
     return found;
 }
@@ -222,6 +225,31 @@ TEST_CASE("In a small window on the projector no number of the pictures is left 
             for (const char* elsewhere : {"σx′ = ", "σy′ = ", "τx′y′ = ", "θ = "})
                 CHECK(missing(picture, elsewhere, 1) == "");
         }
+}
+
+TEST_CASE("Beside the panels of a projector each normal stress stands at a face that it acts on")
+{
+    Document document = textbook_state();
+    for (const double angle : {20.0, -55.0, 65.0}) {
+        document.angle = angle;
+        const auto picture = drawn(document, {{576.0, 742.0}, ui::ThemeName::Projector, ui::Language::Portuguese});
+        const double turn = document.angle * std::numbers::pi / 180.0;
+        const ui::Point x{std::cos(turn), -std::sin(turn)}, y{-std::sin(turn), -std::cos(turn)};
+        for (const Word& word : picture.words) {
+            const bool is_x = word.text.starts_with("σx′ = "), is_y = word.text.starts_with("σy′ = ");
+            if (!is_x && !is_y) continue;
+            const auto nearest = [&](ui::Point normal) {
+                const auto distance = [&](double side) {
+                    return ui::distance(word.box.center(),
+                                        picture.element.middle + side * picture.element.half * normal);
+                };
+                return std::min(distance(1.0), distance(-1.0));
+            };
+            CAPTURE(word.text);
+            CAPTURE(document.angle);
+            CHECK((nearest(x) < nearest(y)) == is_x);
+        }
+    }
 }
 
 TEST_CASE("No words stand so near to an axis's title that they look like a part of it")
