@@ -9,8 +9,7 @@ namespace cross {
 namespace {
 
 constexpr double past_middle = 0.7;
-constexpr double still_legible = 0.7;  // of the largest type: rather so than where it misleads
-constexpr std::size_t last_resort = 3; // the fixed-end moment, what left, the last number
+constexpr double still_legible = 0.7; // of the largest type: rather so than where it misleads
 
 /// How many columns may stand one behind another, seen from their member. On the inside of an upright member the one
 /// behind looks like one of the beam's above it.
@@ -179,8 +178,8 @@ BlockLayout laid_out_inside(const BlockRequest& request)
         return *layout;
     }
     const double least = request.least_type;
-    BlockLayout below = Trial(request, least, last_resort, Trial::Side::Below).run();
-    BlockLayout above = Trial(request, least, last_resort, Trial::Side::Above).run();
+    BlockLayout below = Trial(request, least, request.last_resort, Trial::Side::Below).run();
+    BlockLayout above = Trial(request, least, request.last_resort, Trial::Side::Above).run();
     return n_left_out(above) < n_left_out(below) ? above : below;
 }
 

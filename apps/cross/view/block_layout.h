@@ -42,6 +42,7 @@ struct BlockRequest {
     double largest_type = 13.0;   ///< of the numbers, where there is room
     std::size_t most_lines = 16;  ///< between factor and sum
     std::size_t fewest_lines = 4; ///< likewise: with fewer, type gets smaller instead
+    std::size_t last_resort = 3;  ///< likewise, where not all find room: a moment, what left, the last number
     double least_type = 9.0;
     std::size_t n_rows = 1;       ///< of columns one below another, where those beside the members have no room
     double hardly_smaller = 0.85; ///< of the largest type: rather so than in several rows

@@ -213,16 +213,21 @@ private:
         return a + t * (b - a) + side * (is_upright ? ui::Point{1.6 * em, 0.0} : ui::Point{0.0, -0.9 * em});
     }
 
+    ui::Box heading() const
+    {
+        return title_box(painter_, panel_, worksheet_title_of(scene_), theme_in(panel_, scene_.look));
+    }
+
     /// Near the middle of its member, where neither a column stands nor the heading; nothing where they are everywhere.
     std::optional<ui::Point> free_place(const Ratio& ratio) const
     {
-        const ui::Box heading = title_box(painter_, panel_, worksheet_title_of(scene_), theme_in(panel_, scene_.look));
+        const ui::Box taken = heading();
         for (const double t : {0.5, 0.4, 0.6, 0.3, 0.7, 0.2, 0.8})
             for (const double side : {1.0, -1.0}) {
                 const ui::Point at = beside(ratio.member, t, side);
                 const ui::Box box = box_of(ratio, at);
                 const auto is_hit = [&](const std::optional<ui::Box>& other) { return other && other->overlaps(box); };
-                if (panel_.box.contains(box) && !box.overlaps(heading) && std::ranges::none_of(layout_.boxes, is_hit))
+                if (panel_.box.contains(box) && !box.overlaps(taken) && std::ranges::none_of(layout_.boxes, is_hit))
                     return at;
             }
         return std::nullopt;
@@ -340,7 +345,7 @@ private:
     /// Nothing where a box is seen whole, between title and legend.
     std::optional<ui::Point> way_into_sight(const ui::Box& box) const
     {
-        ui::Box sight = sight_below_title(panel_, theme_);
+        ui::Box sight = sight_below(heading(), panel_, theme_);
         sight.max.y -= legend_height();
         return panel_.is_zoomed ? cross::way_into_sight(box, sight) : std::nullopt;
     }

@@ -79,8 +79,15 @@ public:
     const BlockLayout& short_columns(double least_type)
     {
         widest_ = widest_foreseen();
-        lay_out(least_lines, least_type);
+        lay_out(is_sum() ? wanted_lines() : least_lines, least_type);
         return layout_;
+    }
+
+    /// Lines of columns where storeys are no higher than these need, best first.
+    std::vector<std::size_t> lines_of_tight_storeys() const
+    {
+        if (is_sum()) return {wanted_lines()};
+        return {fewest_lines(), shortest};
     }
 
     /// Of a column where there is little room.
@@ -121,8 +128,10 @@ public:
     }
 
 private:
+    /// All sheets together.
+    bool is_sum() const { return sheet_ == nullptr; }
     /// Numbers are written there: of the sheet's half, where it is one.
-    bool is_worked(fc::EndId end) const { return sheet_ == nullptr || problem_.is_on_sheet(end); }
+    bool is_worked(fc::EndId end) const { return is_sum() || problem_.is_on_sheet(end); }
     bool has_factor(fc::EndId end) const
     {
         return problem_.is_on_sheet(end) && problem_[end].joint && problem_.is_balanced(*problem_[end].joint);
@@ -185,11 +194,12 @@ private:
         if (is_beam(shape_)) request.hardly_smaller = 0.65; // columns of a beam are read along it
         request.most_lines = n_lines;
         request.fewest_lines = std::min(n_lines, fewest_lines());
+        if (is_sum()) request.last_resort = request.fewest_lines;
         request.width_of = [this](double type) { return column_width(type); };
         request.middle = middle_of(panel_, shape_);
         layout_ = laid_out(request);
         if (is_read_from_afar() && !is_whole(layout_)) {
-            request.fewest_lines = std::min(n_lines, shortest);
+            request.fewest_lines = std::min(n_lines, is_sum() ? fewest_lines() : shortest);
             layout_ = laid_out(request);
         }
         taken_ = std::move(request.obstacles);
@@ -230,14 +240,18 @@ private:
     std::size_t wanted_lines() const
     {
         constexpr std::size_t most = 16;
-        if (sheet_ == nullptr) return std::clamp<std::size_t>(n_levels(), 1, most); // it does not grow
+        if (is_sum()) return std::clamp<std::size_t>(n_levels(), 1, most); // it does not grow
         return std::clamp((n_levels() + least_lines - 1) / least_lines * least_lines, least_lines, most);
     }
 
     bool is_read_from_afar() const { return legible_type(scene_.look.full_theme()) > 0.0; }
 
-    /// From afar rather in larger type than with more lines.
-    std::size_t fewest_lines() const { return is_read_from_afar() ? least_lines - 1 : least_lines; }
+    /// From afar rather in larger type than with more lines; but without one of its terms a sum is none.
+    std::size_t fewest_lines() const
+    {
+        if (is_sum()) return wanted_lines();
+        return is_read_from_afar() ? least_lines - 1 : least_lines;
+    }
 
     double column_width(double type) const { return type * (widest_ + (panel_.is_tight() ? 0.6 : 0.9)); }
 
@@ -612,7 +626,9 @@ private:
     {
         const auto joint = joint_of_turn();
         if (!joint || !panel_.is_zoomed) return std::nullopt;
-        const ui::Box sight = sight_below_title(panel_, theme_in(panel_, scene_.look));
+        const ui::Theme theme = theme_in(panel_, scene_.look);
+        const ui::Box title = title_box(painter_, panel_, title_of(scene_, has_key()), theme);
+        const ui::Box sight = sight_below(title, panel_, theme);
         std::optional<ui::Box> seen;
         const auto add = [&](fc::EndId end) {
             if (!layout_.boxes[end.index]) return;
@@ -681,7 +697,7 @@ private:
             n += !layout_.boxes[e] && panel_.box.contains(joint_place(problem_.ends[e].node)) ? 1 : 0;
         if (n == 0) return;
         write_below(
-            painter_, panel_, theme_,
+            painter_, panel_, theme_in(panel_, scene_.look),
             scene_.look.tr("member ends without room for their columns: {count}; zoom in, or see the panel Table",
                            {{"count", std::to_string(n)}}));
     }
@@ -766,7 +782,7 @@ std::optional<FittedSheet> fitted_storeys(ui::Painter& painter, const Panel& who
 {
     const ui::Theme theme = scene.look.full_theme();
     const drawing::StructureShape shape = drawing::shape_of(scene.document.model);
-    for (const std::size_t n_lines : {least_lines - 1, shortest})
+    for (const std::size_t n_lines : SheetWriter(painter, whole, scene).lines_of_tight_storeys())
         for (const TopColumns top : {TopColumns::Above, TopColumns::Below}) {
             const double width = SheetWriter(painter, whole, scene).tight_width(type);
             const StoreyNeeds needs{.type = type, .width = width, .n_lines = n_lines, .top = top};

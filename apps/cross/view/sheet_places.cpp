@@ -106,10 +106,10 @@ std::string head_within(const ui::Painter& painter, const femoop::Model& model, 
     return head;
 }
 
-ui::Box sight_below_title(const Panel& panel, const ui::Theme& theme)
+ui::Box sight_below(const ui::Box& title, const Panel& panel, const ui::Theme& theme)
 {
     ui::Box sight = panel.box.grown(-0.5 * theme.type().normal);
-    sight.min.y += 1.5 * theme.type().normal;
+    sight.min.y = std::max(sight.min.y + 1.5 * theme.type().normal, title.max.y);
     return sight;
 }
 

@@ -26,7 +26,7 @@ std::string head_within(const ui::Painter& painter, const femoop::Model& model, 
                         const ui::TextStyle& style, double width);
 
 /// Where a panel's columns are seen whole, below its title.
-ui::Box sight_below_title(const Panel& panel, const ui::Theme& theme);
+ui::Box sight_below(const ui::Box& title, const Panel& panel, const ui::Theme& theme);
 /// How far a box is to be moved so that it lies within another; nothing where it does. Of one that is too large its top
 /// left is seen.
 std::optional<ui::Point> way_into_sight(const ui::Box& box, const ui::Box& sight);
