@@ -194,7 +194,17 @@ constexpr std::pair<ThemeName, std::string_view> theme_names[] = {{ThemeName::Li
 
 } // namespace
 
-Theme::Theme(ThemeName name) : name_(name)
+Theme::Theme(ThemeName name) : Theme(worked_out(name)) {}
+
+const Theme& Theme::worked_out(ThemeName name)
+{
+    using enum ThemeName;
+    static const std::array themes{Theme(Light, FromPalette()), Theme(Dark, FromPalette()), Theme(Print, FromPalette()),
+                                   Theme(Projector, FromPalette())};
+    return *std::ranges::find(themes, name, &Theme::name);
+}
+
+Theme::Theme(ThemeName name, FromPalette) : name_(name)
 {
     const Palette p = palette(name);
     background_ = p.background;

@@ -95,6 +95,11 @@ public:
     TextStyle text(Role role, Anchor anchor = Anchor::Center) const;
 
 private:
+    struct FromPalette {};
+    Theme(ThemeName name, FromPalette);
+    /// Of that name, worked out once: finding colours that stand out takes as long as many a picture.
+    static const Theme& worked_out(ThemeName name);
+
     ThemeName name_;
     Color background_;
     TypeSizes type_;

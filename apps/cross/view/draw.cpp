@@ -101,7 +101,7 @@ Arrangement of_frame(ui::Painter& painter, const drawing::StructureShape& shape,
     narrow.small_share = 0.0;
     narrow.small_ems = 9.0;
     for (const Arrangement& one : {above, narrow}) {
-        if (fitted.layout.type >= legible_type(theme)) break;
+        if (fitted.layout.type >= legible_type(theme) && fitted.layout.clarity == 1.0) break;
         FittedSheet other = fitted_sheet(painter, sheet_of(one), scene);
         if (is_better(other.layout, fitted.layout)) best = one, fitted = std::move(other);
     }

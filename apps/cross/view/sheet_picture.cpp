@@ -818,8 +818,11 @@ FittedSheet fitted_sheet(ui::Painter& painter, const Panel& whole, const Scene& 
     if (2 * scene.document.model.members.size() > most_ends_at_once) return {};
     if (const double legible = legible_type(scene.look.full_theme()); legible > 0.0) {
         FittedSheet fitted = fitted_sheet(painter, whole, scene, legible);
-        if (is_whole(fitted.layout)) return fitted;
-        if (auto tight = fitted_storeys(painter, whole, scene, legible)) return *std::move(tight);
+        const bool is_all_there = is_whole(fitted.layout);
+        if (is_all_there && fitted.layout.clarity == 1.0) return fitted;
+        auto tight = fitted_storeys(painter, whole, scene, legible);
+        if (tight && (!is_all_there || is_better(tight->layout, fitted.layout))) return *std::move(tight);
+        if (is_all_there) return fitted;
     }
     return fitted_sheet(painter, whole, scene, BlockRequest().least_type);
 }
