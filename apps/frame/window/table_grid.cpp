@@ -12,6 +12,15 @@ namespace frame {
 
 using ui::Key;
 
+namespace {
+
+bool have_same_cells(const Row& a, const Row& b)
+{
+    return std::ranges::equal(a.cells, b.cells, {}, &Cell::typed, &Cell::typed);
+}
+
+} // namespace
+
 void TableGrid::reset()
 {
     const int n_openings = n_openings_;
@@ -34,6 +43,26 @@ void TableGrid::follow(const Table& table, bool can_grow)
         place->column = std::min(place->column, n_columns_ - 1);
     }
     measure(table);
+}
+
+void TableGrid::keep_places(const Table& before, const std::vector<std::size_t>& order, const Table& now)
+{
+    std::vector<std::size_t> free(now.rows.size());
+    std::iota(free.begin(), free.end(), 0);
+    std::vector<std::optional<std::size_t>> seen;
+    for (const std::size_t old : order) { // what is the same is found again
+        const auto is_it = [&](std::size_t row) { return have_same_cells(before.rows[old], now.rows[row]); };
+        const auto found = std::ranges::find_if(free, is_it);
+        seen.push_back(found == free.end() ? std::nullopt : std::optional(*found));
+        if (found != free.end()) free.erase(found);
+    }
+    seen.resize(std::max(seen.size(), now.rows.size()));
+    order_.clear();
+    auto edited = free.begin();
+    for (const std::optional<std::size_t> row : seen) {
+        if (row) order_.push_back(*row);
+        else if (edited != free.end()) order_.push_back(*edited++);
+    }
 }
 
 void TableGrid::measure(const Table& table)
