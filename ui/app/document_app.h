@@ -20,6 +20,7 @@
 #include "ui/context/write_picture.h"
 #include "ui/files/linked_copy.h"
 #include "ui/widgets/command_menu.h"
+#include "ui/widgets/kept_field.h"
 #include "ui/widgets/offer.h"
 #include "ui/widgets/panel.h"
 #include "ui/widgets/text_window.h"
@@ -42,7 +43,7 @@ public:
     using Session = decltype(Workspace::session);
 
     void frame(const Input& input) final;
-    bool is_moving() const final { return workspace_.is_moving() || awaited_export_; }
+    bool is_moving() const final { return workspace_.is_moving() || awaited_export_ || !held_keys_.empty(); }
     void ask_to_quit() final { workspace_.leave_all(asks(Request::Quit)); }
     bool wants_to_quit() const final { return wants_to_quit_; }
     std::string window_title() const final
@@ -115,6 +116,8 @@ protected:
     virtual bool is_asking() const { return false; } ///< in a dialog of the app's own, which has the keys
     virtual void leave_keys_to_dialog() {}           ///< of the app's own, or of every app's
     virtual std::vector<KeyEvent> take_keys(const Input& input) { return input.keys; } ///< \returns what is left
+    virtual void settle_fields() { settle_field(); }    ///< what is half typed is confirmed
+    virtual bool refuses_text() const { return false; } ///< a field, what was settled: its document is not left
     virtual bool close_topmost() { return dialogs_.close_topmost(); } ///< what Escape is for before it is a command
 
     virtual std::optional<FootMessage> foot_message() const;
@@ -131,6 +134,7 @@ protected:
 
 private:
     void handle_keys(const Input& input);
+    void run_command_of(const KeyEvent& event);
     void handle_requests();
     void handle_common_request(Request request);
     void take(const ChosenFile& file);
@@ -168,6 +172,7 @@ private:
         int n_frames = 2; ///< until then: in the first one it is told, and that is seen before the second
     };
     std::optional<AwaitedExport> awaited_export_;
+    std::vector<KeyEvent> held_keys_; ///< of commands that wait for a field to give its text to the document
     bool wants_to_quit_ = false;
     bool had_popup_ = false; ///< in the last frame: Escape, which has closed it since, was for it
 };
@@ -217,6 +222,10 @@ template <class Workspace> void DocumentApp<Workspace>::frame(const Input& input
 
 template <class Workspace> void DocumentApp<Workspace>::handle_keys(const Input& input)
 {
+    for (const KeyEvent& event : std::exchange(held_keys_, {})) {
+        const bool saves = commands_.find(event.chord())->id.starts_with("file.save");
+        if (saves || !refuses_text()) run_command_of(event);
+    }
     const bool is_popup_open = had_popup_ || ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopup);
     const bool is_blocked = dialogs_.wants_keys() || session_store_.is_open() || workspace_.after_question ||
                             is_asking() || is_popup_open;
@@ -230,11 +239,22 @@ template <class Workspace> void DocumentApp<Workspace>::handle_keys(const Input&
         const bool is_for_field = edits_text || (types && writes);
         if (!event.is_down || is_for_field || (is_escape && close_topmost())) continue;
         const auto* const command = commands_.find(event.chord());
-        if (command == nullptr) continue;
-        const auto reason = run(*command, workspace_);
-        ImGui::GetIO().ClearInputCharacters(); // the letter was a command, and none for a field that this opens
-        if (reason && !is_escape) workspace_.notify(*reason);
+        if (types && command != nullptr && command->id.starts_with("file.")) { // saved, or left, with what is typed
+            settle_fields();
+            held_keys_.push_back(event);
+        } else {
+            run_command_of(event);
+        }
     }
+}
+
+template <class Workspace> void DocumentApp<Workspace>::run_command_of(const KeyEvent& event)
+{
+    const auto* const command = commands_.find(event.chord());
+    if (command == nullptr) return;
+    const auto reason = run(*command, workspace_);
+    ImGui::GetIO().ClearInputCharacters(); // the letter was a command, and none for a field that this opens
+    if (reason && event.key != Key::Escape) workspace_.notify(*reason);
 }
 
 template <class Workspace> void DocumentApp<Workspace>::handle_requests()

@@ -15,6 +15,8 @@ bool do_keys_go_elsewhere()
     return types_elsewhere || ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopup);
 }
 
+void settle_field() { ImGui::ClearActiveID(); }
+
 void KeptField::offer(std::string text)
 {
     text_ = std::move(text);

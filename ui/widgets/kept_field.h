@@ -9,6 +9,8 @@ namespace ui {
 
 /// A field of text has the keyboard, or something lies over everything.
 bool do_keys_go_elsewhere();
+/// What is half typed in a field of text is confirmed where the field is shown next, as by a click elsewhere.
+void settle_field();
 
 /// A line of text that keeps the keyboard: after Enter, and after clicks that take it away for a moment. What is typed
 /// in the frames until Dear ImGui has given the keyboard back is not lost.

@@ -68,6 +68,12 @@ std::vector<ui::KeyEvent> Application::take_keys(const ui::Input& all)
     return left;
 }
 
+void Application::settle_fields()
+{
+    DocumentApp::settle_fields();
+    tables_.settle(workspace());
+}
+
 // Of the keys that write no letter: what is typed is edited or given up, not the model.
 bool Application::is_for_field(const ui::KeyEvent& event) const
 {

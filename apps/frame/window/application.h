@@ -65,6 +65,8 @@ private:
     bool is_asking() const override { return tables_.is_asking(); }
     void leave_keys_to_dialog() override { TablesPanel::lend_keyboard(); }
     std::vector<ui::KeyEvent> take_keys(const ui::Input& all) override;
+    void settle_fields() override;
+    bool refuses_text() const override { return fields_.is_typing() || tables_.is_editing(); }
     bool is_for_field(const ui::KeyEvent& event) const;
     bool handle_typing(ui::Key key);
     bool close_topmost() override;

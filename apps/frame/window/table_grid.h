@@ -46,6 +46,7 @@ public:
     bool take(const ui::Chord& chord, const Table& table);
     void type(std::string_view letters, const Table& table);
 
+    void settle(); ///< what is half typed is confirmed
     /// What is asked for since it was asked last.
     std::optional<GridEdit> apply_edit();
     bool takes_clicks() const { return was_clicked_; } ///< the mouse pressed in the grid in this frame

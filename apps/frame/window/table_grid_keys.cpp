@@ -53,6 +53,11 @@ void TableGrid::confirm(Direction then)
     edit_ = GridEdit{cursor_.row, cursor_.column, {{text_}}};
 }
 
+void TableGrid::settle()
+{
+    if (is_editing_) confirm(Direction::Stay);
+}
+
 void TableGrid::reject(const GridEdit& edit)
 {
     cursor_ = {edit.row, edit.column};
@@ -141,7 +146,7 @@ bool TableGrid::handle_moving_key(const ui::Chord& chord)
     case Key::Left: return has_ctrl ? jump({cursor_.row, 0}) : (move(Direction::Left, extends), true);
     case Key::Right: return has_ctrl ? jump({cursor_.row, n_columns_ - 1}) : (move(Direction::Right, extends), true);
     case Key::Enter: advance(extends ? Direction::Up : Direction::Down); return true;
-    case Key::Tab: advance(extends ? Direction::Left : Direction::Right); return true;
+    case Key::Tab: return !has_ctrl && (advance(extends ? Direction::Left : Direction::Right), true);
     case Key::Home: return jump({has_ctrl ? 0 : cursor_.row, 0});
     case Key::End: return jump({has_ctrl ? last_row : cursor_.row, n_columns_ - 1});
     case Key::PageUp: return jump({cursor_.row - std::min(page, cursor_.row), cursor_.column});

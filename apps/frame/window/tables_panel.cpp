@@ -259,6 +259,12 @@ ui::Input TablesPanel::take(Workspace& workspace, const ui::Input& input)
     return rest;
 }
 
+void TablesPanel::settle(Workspace& workspace)
+{
+    grid_.settle();
+    if (const auto edit = grid_.apply_edit()) carry_out(workspace, *edit);
+}
+
 // While the hand is at the drawing the class is led on all the same.
 ui::Input TablesPanel::take_presenter_keys(Workspace& workspace, const ui::Input& input)
 {

@@ -28,6 +28,8 @@ public:
     /// Fills what is left of the current window of Dear ImGui's.
     void show(Workspace& workspace, const CommandTable& commands, ui::ImGuiSession& gui, const ui::Fonts& fonts);
 
+    void settle(Workspace& workspace); ///< what is half typed goes into its cell
+    bool is_editing() const { return grid_.is_editing(); }
     /// Takes what is meant for the table. \returns what is left for others
     ui::Input take(Workspace& workspace, const ui::Input& input);
     /// To a window that everything else waits for, until `take` is called again.
