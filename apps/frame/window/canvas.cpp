@@ -216,7 +216,7 @@ void Canvas::fit(Session& session)
 bool Canvas::FittedFor::serves(const FittedFor& wanted) const
 {
     const bool has_room = (has_pencil || !wanted.has_pencil) && (has_train || !wanted.has_train) &&
-                          free_body == wanted.free_body && n_lines == wanted.n_lines;
+                          free_body == wanted.free_body && n_lines == wanted.n_lines && lent <= wanted.lent;
     const bool is_tight = std::ranges::equal(factors, wanted.factors, std::ranges::less_equal());
     return session == wanted.session && sheet == wanted.sheet && layout == wanted.layout && theme == wanted.theme &&
            is_in_space == wanted.is_in_space && has_diagram == wanted.has_diagram && has_room && is_tight;
@@ -234,7 +234,8 @@ Canvas::FittedFor Canvas::wanted_fit(const Session& session, const DrawOptions& 
             lifted_body(session) != nullptr ? session.free_body.number() : 0,
             options.show.contains(Show::Cremona),
             session.shown_line() != nullptr ? session.influence.kept_pictures().size() : 0,
-            {options.diagram_factor, options.load_factor, options.symbol_factor}};
+            {options.diagram_factor, options.load_factor, options.symbol_factor},
+            lent_};
 }
 
 // Below the legend a low sheet, as over a table on the projector, would leave the structure no room.

@@ -91,6 +91,7 @@ private:
         bool has_diagram;              ///< which takes half the sheet
         std::size_t n_lines;           ///< that are kept, each in a panel
         std::array<double, 3> factors; ///< of diagrams, loads and symbols: what shrinks gives its room back
+        double lent;                   ///< height that a notice took of the sheet: it comes back with it
 
         bool serves(const FittedFor& wanted) const;
     };
