@@ -6,6 +6,7 @@ std::string_view pattern(ScriptFault fault)
 {
     switch (fault) {
     case ScriptFault::UnknownWord: return "there is no operator {0}";
+    case ScriptFault::CapitalWord: return "operators are written in small letters: {0}";
     case ScriptFault::WrongCount: return "{0} is written: {1}";
     case ScriptFault::BadName: return "\"{0}\" is no name; begin with a letter and leave out > % #";
     case ScriptFault::BadNumber: return "\"{0}\" is no finite number";

@@ -12,6 +12,7 @@ namespace topology {
 /// What is wrong with a line of a script. Its sentence stands in script_fault.cpp.
 enum class ScriptFault : std::uint8_t {
     UnknownWord,    ///< {0}
+    CapitalWord,    ///< {0} as it is written
     WrongCount,     ///< {0} the operator, {1} how its line is written
     BadName,        ///< {0}
     BadNumber,      ///< {0}
@@ -34,7 +35,7 @@ enum class ScriptFault : std::uint8_t {
     NothingToUndo,  ///< {0} steps there are, {1} wanted
     NothingToRedo,  ///< {0} steps there are, {1} wanted
 };
-inline constexpr int n_script_faults = 22;
+inline constexpr int n_script_faults = 23;
 
 std::string_view pattern(ScriptFault fault); ///< English, with places {0} {1} {2}
 

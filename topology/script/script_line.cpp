@@ -80,9 +80,16 @@ const std::array<ScriptLine::Operation, 20> ScriptLine::operations{{
 
 LineKind ScriptLine::run()
 {
-    const auto operation = std::find_if(operations.begin(), operations.end(),
-                                        [&](const Operation& op) { return op.word() == words_[0]; });
-    if (operation == operations.end()) throw error(ScriptFault::UnknownWord, {std::string(words_[0])});
+    const auto named = [&](std::string_view word) { return std::ranges::find(operations, word, &Operation::word); };
+    const auto operation = named(words_[0]);
+    if (operation == operations.end()) {
+        std::string small(words_[0]);
+        for (char& letter : small)
+            if (letter >= 'A' && letter <= 'Z') letter = static_cast<char>(letter - 'A' + 'a');
+        const bool is_capital = named(small) != operations.end();
+        throw is_capital ? error(ScriptFault::CapitalWord, {small})
+                         : error(ScriptFault::UnknownWord, {std::string(words_[0])});
+    }
     if (!operation->takes(words_.size()))
         throw error(ScriptFault::WrongCount, {std::string(words_[0]), std::string(operation->usage)});
     (this->*operation->run)();

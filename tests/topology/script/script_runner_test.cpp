@@ -155,6 +155,7 @@ TEST_SUITE("script")
     TEST_CASE("Bad lines are refused and change nothing")
     {
         CHECK(refusal(cube, "mfe s1 f1") == "there is no operator mfe");
+        CHECK(refusal(cube, "MVFS s1 f1") == "operators are written in small letters: mvfs");
         CHECK(refusal(cube, "mef s1 f1 v1 v4") == "mef is written: mef S F C1 C3 F2");
         CHECK(refusal(cube, "mef s2 f1 v1 v4 f9") == "there is no solid s2");
         CHECK(refusal(cube, "mef s1 f2 v1 v3 f3") == "the name f3 is in use in s1; choose another");
