@@ -345,7 +345,12 @@ template <class Workspace> void DocumentApp<Workspace>::follow_links(double seco
         if (linked_)
             linked_->tick(seconds, {[this] { return session().linked_text(); },
                                     [this](const std::string& other) { return session().is_news(other); }});
-    workspace_.offer = linked_ && linked_->offered() ? translatable("The frame has changed") : "";
+    workspace_.offer = "";
+    if (linked_ && linked_->offered())
+        workspace_.offer = linked_->would_undo_own_change()
+                               ? translatable(
+                                     "The frame has changed, and so has this: taking over undoes what changed here")
+                               : translatable("The frame has changed");
 }
 
 template <class Workspace> void DocumentApp<Workspace>::answer_offer(Request request)

@@ -20,16 +20,18 @@ public:
     };
 
     /// \param text  what both have at the beginning
-    LinkedCopy(Link link, std::string text) : link_(std::move(link)), told_(std::move(text)) {}
+    LinkedCopy(Link link, std::string text) : link_(std::move(link)), told_(std::move(text)), shared_(told_) {}
 
     /// Time goes by: twice a second it tells the other end what has changed here, and looks what has changed there.
     void tick(double seconds, const Document& document);
     /// What the other end has and this one has not; nothing once its program has ended.
     const std::optional<std::string>& offered() const { return offered_; }
+    /// What is offered knows nothing of what has changed here since both ends had the same.
+    bool would_undo_own_change() const { return offered_ && told_ != shared_; }
     /// It stays as it is here; what is offered next is another change.
     void keep() { offered_.reset(); }
     /// It is here from now on. \pre something is offered
-    std::string take() { return *std::exchange(offered_, {}); }
+    std::string take();
     bool is_cut() const { return link_.is_cut(); }
     const std::filesystem::path& folder() const { return link_.folder(); }
 
@@ -37,7 +39,9 @@ private:
     static constexpr double pause = 0.5; ///< s
 
     Link link_;
-    std::string told_;
+    std::string told_;      ///< of the document here
+    std::string shared_;    ///< likewise, when both ends had the same last
+    bool is_taken_ = false; ///< from the other end, since it was told last
     std::optional<std::string> offered_;
     double waited_ = 0.0;
 };

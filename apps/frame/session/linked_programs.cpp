@@ -202,6 +202,9 @@ std::string_view LinkedPrograms::offering(const Workspace& workspace) const
     const Linked* const linked = offering_one(workspace);
     if (linked == nullptr) return {};
     if (linked->handed.program == circle) return translatable("Mohr's circle has changed the section");
+    if (linked->copy.would_undo_own_change())
+        return translatable(
+            "Moment distribution has changed the structure, and so have you: taking over undoes what changed here");
     return translatable("Moment distribution has changed the structure");
 }
 

@@ -91,6 +91,25 @@ TEST_SUITE("ui files")
         CHECK(pair.taker.offered() == "nothing");
     }
 
+    TEST_CASE("Where both ends have changed the offer would undo the own change, and only there")
+    {
+        Pair pair;
+        pair.giver.document = "12 kN";
+        pair.tick();
+        CHECK_FALSE(pair.taker.copy.would_undo_own_change());
+        pair.taker.document = "10 kN at 3 m";
+        pair.tick();
+        CHECK(pair.taker.copy.would_undo_own_change());
+        CHECK(pair.giver.copy.would_undo_own_change());
+        pair.taker.document = pair.taker.copy.take();
+        pair.tick();
+        CHECK_FALSE(pair.giver.copy.offered());
+        pair.giver.document = "13 kN";
+        pair.tick();
+        REQUIRE(pair.taker.offered() == "13 kN");
+        CHECK_FALSE(pair.taker.copy.would_undo_own_change());
+    }
+
     TEST_CASE("A program that has ended offers nothing any more")
     {
         Pair pair;
