@@ -56,8 +56,8 @@ public:
     void lay_out()
     {
         lay_out(wanted_lines(), legible());
-        if (sheet_ == nullptr) key_ = place_of_key();
-        if (sheet_ == nullptr && !key_) make_room_for_long_title();
+        if (is_sum()) key_ = place_of_key();
+        if (is_sum() && !key_) make_room_for_long_title();
     }
     /// What the lines of the columns are is written beside them.
     bool has_key() const { return key_.has_value(); }
@@ -304,7 +304,7 @@ private:
     {
         std::size_t most = 0;
         for (const Column& column : columns_)
-            if (sheet_ == nullptr || problem_.is_on_sheet(column.end)) most = std::max(most, column.n_levels);
+            if (is_sum() || problem_.is_on_sheet(column.end)) most = std::max(most, column.n_levels);
         return most;
     }
     std::size_t n_shown() const { return std::min(n_levels(), layout_.n_lines); }
@@ -464,7 +464,7 @@ private:
     double total(fc::EndId id) const
     {
         double sum = moments_[id.index];
-        if (sheet_ == nullptr || scene_.phase >= 1.0) return sum;
+        if (is_sum() || scene_.phase >= 1.0) return sum;
         for (const Cell& cell : columns_[id.index].cells)
             if (is_last_turn(cell)) sum -= cell.value;
         return sum;
@@ -817,12 +817,12 @@ FittedSheet fitted_sheet(ui::Painter& painter, const Panel& whole, const Scene& 
 {
     if (2 * scene.document.model.members.size() > most_ends_at_once) return {};
     if (const double legible = legible_type(scene.look.full_theme()); legible > 0.0) {
-        FittedSheet fitted = fitted_sheet(painter, whole, scene, legible);
-        const bool is_all_there = is_whole(fitted.layout);
-        if (is_all_there && fitted.layout.clarity == 1.0) return fitted;
-        auto tight = fitted_storeys(painter, whole, scene, legible);
-        if (tight && (!is_all_there || is_better(tight->layout, fitted.layout))) return *std::move(tight);
-        if (is_all_there) return fitted;
+        FittedSheet best = fitted_sheet(painter, whole, scene, legible);
+        if (!is_whole(best.layout) || best.layout.clarity < 1.0)
+            if (auto tight = fitted_storeys(painter, whole, scene, legible);
+                tight && is_better(tight->layout, best.layout))
+                best = *std::move(tight);
+        if (is_whole(best.layout)) return best;
     }
     return fitted_sheet(painter, whole, scene, BlockRequest().least_type);
 }
