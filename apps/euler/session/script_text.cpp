@@ -53,7 +53,21 @@ void Session::edit_text()
     cancel_operator();
     script_fault.reset();
     faulty_line.reset();
-    edited_text = stepper_.script();
+    edited_text = text_before_ = stepper_.script();
+}
+
+// What is saved is the script with what was written into its text.
+void Session::settle()
+{
+    if (is_text_changed()) accept_text();
+}
+
+Session::Written Session::write_file(const std::filesystem::path& path)
+{
+    if (!is_text_changed()) return OpenDocument::write_file(path);
+    const ui::Message refusal(translatable("{file} was not saved, since its text has a fault: {reason}"),
+                              {{"file", path.filename().string()}, {"reason", *script_fault}});
+    return {false, ui::lasting(refusal)};
 }
 
 // Who was at the end is at the new end.
@@ -78,7 +92,7 @@ bool Session::accept_text()
 void Session::show_fault(const std::filesystem::path& path, const std::string& text, const topology::LineError& fault)
 {
     set_partial(true);
-    if (can_be_edited(text)) edited_text = text;
+    if (can_be_edited(text)) edited_text = text_before_ = text;
     notify_fault(fault);
     notify({translatable("{file} is open up to its fault: {reason}"),
             {{"file", path.filename().string()}, {"reason", *script_fault}}});

@@ -1,6 +1,7 @@
 #include "apps/euler/session/session.h"
 
 #include <algorithm>
+#include <functional>
 #include <system_error>
 #include <utility>
 
@@ -104,14 +105,17 @@ std::optional<Notice> Session::read(const std::filesystem::path& path)
 
 ui::UnsavedDocument Session::unsaved() const
 {
-    return {.state = n_changes_,
+    return {.state = is_text_changed() ? std::hash<std::string>()(*edited_text) : n_changes_,
             .original = path(),
-            .copy =
-                [this] {
-                    return [script = whole_](const std::filesystem::path& draft) {
-                        return files::write_whole_file(draft, script.text());
+            .copy = [this]() -> ui::WriteDocument {
+                if (is_text_changed())
+                    return [text = *edited_text](const std::filesystem::path& draft) {
+                        return files::write_whole_file(draft, text);
                     };
-                },
+                return [script = whole_](const std::filesystem::path& draft) {
+                    return files::write_whole_file(draft, script.text());
+                };
+            },
             .about = [this](const ui::Catalogue& tr) { return about(tr); }};
 }
 

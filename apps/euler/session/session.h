@@ -49,7 +49,7 @@ public:
     /// A lesson that comes from no file of the user's, shown before its first step.
     void show(Stepper lesson);
     ui::UnsavedDocument unsaved() const override; ///< without writing the script out
-    bool is_dirty() const override { return is_dirty_; }
+    bool is_dirty() const override { return is_dirty_ || is_text_changed(); }
 
     /// At once.   \pre place <= n_steps()
     void go_to(std::size_t place);
@@ -151,6 +151,9 @@ private:
     std::optional<Notice> read(const std::filesystem::path& path) override;
     const Stepper::Script& current() const override { return whole_; }
     std::string file_text() const override { return whole_.text(); }
+    void settle() override;
+    Written write_file(const std::filesystem::path& path) override;
+    bool is_text_changed() const { return edited_text && *edited_text != text_before_; }
     std::string about(const ui::Catalogue& tr) const override;
     void note_saved() override { is_dirty_ = differs_from_saved(); }
 
@@ -187,6 +190,7 @@ private:
     Stepper stepper_;
     Stepper::Script whole_;       ///< the stepper's, to be saved
     bool is_dirty_ = false;       ///< kept, since a script can have a million steps
+    std::string text_before_;     ///< that is edited, as it was
     std::uint64_t n_changes_ = 0; ///< of the script
     std::optional<Opening> opening_;
     std::vector<Snapshot> before_, after_, at_end_;

@@ -61,7 +61,7 @@ private:
     void fit() override { canvas_.fit(workspace().session); }
     void zoom(double factor) override { canvas_.zoom(workspace().session, factor); }
 
-    bool is_typing() const override { return fields_.is_typing(); }
+    bool is_typing() const override { return fields_.is_typing() || tables_.is_editing(); }
     bool is_asking() const override { return tables_.is_asking(); }
     void leave_keys_to_dialog() override { TablesPanel::lend_keyboard(); }
     std::vector<ui::KeyEvent> take_keys(const ui::Input& all) override;

@@ -81,15 +81,8 @@ bool TablesPanel::fill(Workspace& workspace, const GridEdit& edit)
     if (result.document == session.document()) return true;
     const auto objection = session.change(
         {change_label(kind_), [&](Document& document) { document = std::move(result.document); }});
-    if (objection) {
-        message_ = session.view.tr(*objection);
-        return false;
-    }
-    const Table before = table_;
-    const std::vector<std::size_t> order = grid_.order();
-    follow(workspace);
-    grid_.keep_places(before, order, table_);
-    return true;
+    if (objection) message_ = session.view.tr(*objection);
+    return !objection;
 }
 
 // A new row is kept until it has all that it needs.
@@ -119,6 +112,7 @@ void TablesPanel::carry_out(Workspace& workspace, const GridEdit& edit)
         grid_.reject(edit);
         return;
     }
+    follow(workspace);
     grid_.accept();
     select_rows(workspace);
 }

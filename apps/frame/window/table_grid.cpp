@@ -31,10 +31,7 @@ void TableGrid::reset()
 
 void TableGrid::follow(const Table& table, bool can_grow)
 {
-    if (order_.size() != table.rows.size()) {
-        order_ = sorted_by_ ? sorted_rows(table, *sorted_by_) : whole(table).rows;
-        if (is_descending_) std::ranges::reverse(order_);
-    }
+    if (order_.size() != table.rows.size()) order_ = sorted(table);
     n_columns_ = table.headings.size();
     n_rows_ = table.rows.size() + (can_grow ? 1 : 0);
     draft.resize(n_columns_);
@@ -49,20 +46,32 @@ void TableGrid::keep_places(const Table& before, const std::vector<std::size_t>&
 {
     std::vector<std::size_t> free(now.rows.size());
     std::iota(free.begin(), free.end(), 0);
-    std::vector<std::optional<std::size_t>> seen;
-    for (const std::size_t old : order) { // what is the same is found again
-        const auto is_it = [&](std::size_t row) { return have_same_cells(before.rows[old], now.rows[row]); };
+    const auto taken = [&](const auto& is_it) -> std::optional<std::size_t> {
         const auto found = std::ranges::find_if(free, is_it);
-        seen.push_back(found == free.end() ? std::nullopt : std::optional(*found));
-        if (found != free.end()) free.erase(found);
-    }
+        if (found == free.end()) return std::nullopt;
+        const std::size_t row = *found;
+        free.erase(found);
+        return row;
+    };
+    std::vector<std::optional<std::size_t>> seen;
+    for (const std::size_t old : order) // what has not changed
+        seen.push_back(taken([&](std::size_t row) { return have_same_cells(before.rows[old], now.rows[row]); }));
+    for (std::size_t i = 0; i < order.size(); ++i) // what was changed where it is listed
+        if (!seen[i]) seen[i] = taken([&](std::size_t row) { return row == order[i]; });
     seen.resize(std::max(seen.size(), now.rows.size()));
     order_.clear();
-    auto edited = free.begin();
-    for (const std::optional<std::size_t> row : seen) {
+    for (const std::optional<std::size_t>& place : seen) {
+        const auto row = place ? place : taken([](std::size_t) { return true; });
         if (row) order_.push_back(*row);
-        else if (edited != free.end()) order_.push_back(*edited++);
     }
+    if (sorted_by_ && order_ != sorted(now)) sorted_by_.reset();
+}
+
+std::vector<std::size_t> TableGrid::sorted(const Table& table) const
+{
+    std::vector<std::size_t> order = sorted_by_ ? sorted_rows(table, *sorted_by_) : whole(table).rows;
+    if (is_descending_) std::ranges::reverse(order);
+    return order;
 }
 
 void TableGrid::measure(const Table& table)
@@ -139,8 +148,7 @@ void TableGrid::sort_by(const Table& table, std::size_t column)
 {
     is_descending_ = sorted_by_ == column && !is_descending_;
     sorted_by_ = column;
-    order_ = sorted_rows(table, column);
-    if (is_descending_) std::ranges::reverse(order_);
+    order_ = sorted(table);
 }
 
 std::optional<std::pair<std::size_t, std::size_t>> TableGrid::cell_of_table(Place place) const

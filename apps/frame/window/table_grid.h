@@ -60,8 +60,8 @@ public:
     void reset();
     /// Makes the grid fit a table that has changed.
     void follow(const Table& table, bool can_grow);
-    /// After an edit every row is seen where it was, and new ones at the end, though the table may list them in another
-    /// order: what is typed next goes on in the same row. \param order  in which the rows of `before` were seen
+    /// Every row is seen where it was, and new ones at the end, though the table may list them in another order now:
+    /// what is typed next goes on in the same row. \param order  in which the rows of `before` were seen
     void keep_places(const Table& before, const std::vector<std::size_t>& order, const Table& now);
     /// Goes to a row of the table (not as it is seen); to the cell of a column, where one is named.
     void go_to(std::size_t row, std::optional<std::size_t> column = std::nullopt);
@@ -91,6 +91,7 @@ private:
     std::optional<Place> place_under_mouse() const;
     std::optional<std::pair<std::size_t, std::size_t>> cell_of_table(Place place) const;
     void sort_by(const Table& table, std::size_t column);
+    std::vector<std::size_t> sorted(const Table& table) const; ///< its rows, as is chosen by a heading
     void draw(const Look& look) const;
     void draw_row(const Look& look, std::size_t row) const;
     void draw_headings(const Table& table) const;

@@ -114,6 +114,7 @@ bool TableGrid::take(const ui::Chord& chord, const Table& table)
 bool TableGrid::handle_editing_key(const ui::Chord& chord)
 {
     const bool has_shift = chord.modifiers.shift;
+    if (chord.key == Key::Tab && chord.modifiers.ctrl) return false; // to another document
     switch (chord.key) {
     case Key::Enter: confirm(has_shift ? Direction::Up : Direction::Down); return true;
     case Key::Tab: confirm(has_shift ? Direction::Left : Direction::Right); return true;

@@ -38,6 +38,12 @@ Table table_of(const Session& session, TableKind kind)
     return result_table({session.model(), *results, session.view.load_case, chosen}, kind, session.manner());
 }
 
+bool have_same_headings(const Table& a, const Table& b)
+{
+    const auto label = [](const Heading& heading) { return heading.column.label(); };
+    return std::ranges::equal(a.headings, b.headings, {}, label, label);
+}
+
 ui::Message why_no_table(const Session& session)
 {
     return session.why_no_results().value_or(ui::Message(translatable("The model has no load case.")));
@@ -71,7 +77,8 @@ void TablesPanel::follow(const Workspace& workspace)
                             (session.hidden ? " hidden " : " ") +
                             envelope_text(session.model(), session.results_view());
     const std::string document = std::to_string(workspace.tab) + ' ' + session.file_name();
-    if (kind_ != workspace.bottom.table || document_ != document) {
+    const bool is_other = kind_ != workspace.bottom.table || document_ != document;
+    if (is_other) {
         grid_.reset();
         message_.clear();
         chosen_ = {};
@@ -80,8 +87,11 @@ void TablesPanel::follow(const Workspace& workspace)
     document_ = document;
     if (now == made_for_) return;
     made_for_ = now;
-    table_ = table_of(session, kind_);
-    if (!table_.headings.empty()) grid_.follow(table_, can_grow(kind_));
+    const Table before = std::exchange(table_, table_of(session, kind_));
+    if (table_.headings.empty()) return;
+    const std::vector<std::size_t> order = grid_.order();
+    grid_.follow(table_, can_grow(kind_));
+    if (!is_other && !is_result(kind_) && have_same_headings(before, table_)) grid_.keep_places(before, order, table_);
 }
 
 // What is selected elsewhere is gone to.
@@ -139,7 +149,10 @@ void TablesPanel::show(Workspace& workspace, const CommandTable& commands, ui::I
                                                 ImGuiHoveredFlags_AllowWhenBlockedByPopup |
                                                 ImGuiHoveredFlags_AllowWhenBlockedByActiveItem);
     const bool is_clicked = ImGui::IsMouseClicked(ImGuiMouseButton_Left);
-    if (is_clicked && !is_over) leave();
+    if (is_clicked && !is_over) {
+        settle(workspace);
+        if (!grid_.is_editing()) leave();
+    }
     if (is_clicked && is_over && !workspace.bottom.shows(BottomContent::Table)) has_keyboard_ = true;
     ImGui::PopStyleVar();
     ImGui::EndChild();

@@ -27,6 +27,7 @@ private:
     /// The picture (.png, .svg or .pdf) or the results (.csv, .tex).
     std::optional<ui::Message> write(const std::filesystem::path& path) override;
     bool is_typing() const override { return state_panel_.is_typing() || exercises_panel_.is_typing(); }
+    bool refuses_text() const override { return state_panel_.is_typing(); }
     void show_left() override;
     void show_right() override;
     void show_canvas() override;

@@ -265,7 +265,7 @@ Checker::Axis Checker::with_length(Axis axis)
 
 void Checker::check_length(const Member& member, const Entry& place)
 {
-    constexpr double negligible = 1e-9;
+    constexpr double negligible = 1e-9, shortest = 1e-100; // of what is shorter the square may be no number any more
     const Node& first = model_[member.nodes[0]];
     const Node& second = model_[member.nodes[1]];
     const bool has_offset = !member.start.offset.empty() || !member.end.offset.empty();
@@ -274,9 +274,10 @@ void Checker::check_length(const Member& member, const Entry& place)
     if (member.nodes[0] == member.nodes[1]) {
         add(FaultKind::SameNodeTwice, place, {first.id});
         is_incomplete_ = true;
-    } else if (!has_offset && part.length == 0.0)
+    } else if (!has_offset && part.length < shortest) {
         add(FaultKind::ZeroLength, place,
-            {"0 " + std::string(name(model_.units.length)), first.id, second.id, shown(whole.start)});
+            {shown(Quantity(part.length), dimension::length), first.id, second.id, shown(whole.start)});
+    }
     if (!has_offset) return;
     double along = 0.0;
     for (std::size_t i = 0; i < 3; ++i) along += (part.end[i] - part.start[i]) * (whole.end[i] - whole.start[i]);
