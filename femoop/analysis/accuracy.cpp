@@ -44,11 +44,13 @@ double of_sums(const Equilibrium& equilibrium, const detail::Balance& balance)
                   ratio(unbalanced(3), std::max(balance.sum_moments, least_moment)));
 }
 
-std::vector<Fault> worse_than(double limit, FaultKind kind, const detail::Solution& solution)
+using Error = double (*)(const detail::CaseSolution&);
+
+std::vector<Fault> worse_than(double limit, Error error_of, FaultKind kind, const detail::Solution& solution)
 {
     std::vector<Fault> faults;
     for (std::size_t c = 0; c < solution.solutions.size(); ++c) {
-        const double error = imbalance(solution.solutions[c]);
+        const double error = error_of(solution.solutions[c]);
         if (error <= limit) continue;
         const double digits = std::isnan(error) ? 0.0 : std::max(0.0, std::floor(-std::log10(error)));
         faults.push_back({.kind = kind, .arguments = {solution.cases[c].name, number_text(digits)}});
@@ -74,12 +76,15 @@ bool needs_precision(const detail::Solution& solution)
 
 std::vector<Fault> inaccurate_cases(const detail::Solution& solution)
 {
-    return worse_than(doubtful, FaultKind::InaccurateCase, solution);
+    const auto shown = [](const detail::CaseSolution& each) {
+        return larger(imbalance(each), each.equilibrium.residual);
+    };
+    return worse_than(doubtful, shown, FaultKind::InaccurateCase, solution);
 }
 
 std::vector<Fault> ill_conditioned_cases(const detail::Solution& solution)
 {
-    return worse_than(useless, FaultKind::IllConditionedCase, solution);
+    return worse_than(useless, imbalance, FaultKind::IllConditionedCase, solution);
 }
 
 std::vector<Fault> unsolved_cases(const detail::Solution& solution)

@@ -1,8 +1,35 @@
 #include "ui/files/linked_copy.h"
 
+#include <algorithm>
+#include <set>
+#include <string_view>
 #include <utility>
 
 namespace ui {
+
+namespace {
+
+std::set<std::string_view> lines(std::string_view text)
+{
+    std::set<std::string_view> found;
+    for (std::size_t begin = 0; begin < text.size();) {
+        const std::size_t end = std::min(text.find('\n', begin), text.size());
+        found.insert(text.substr(begin, end - begin));
+        begin = end + 1;
+    }
+    return found;
+}
+
+} // namespace
+
+bool LinkedCopy::would_undo_own_change() const
+{
+    if (!offered_ || told_ == shared_) return false;
+    const auto now = lines(told_), then = lines(shared_), theirs = lines(*offered_);
+    const auto is_undone = [&](std::string_view line) { return !then.contains(line) && !theirs.contains(line); };
+    const auto comes_back = [&](std::string_view line) { return !now.contains(line) && theirs.contains(line); };
+    return std::ranges::any_of(now, is_undone) || std::ranges::any_of(then, comes_back);
+}
 
 void LinkedCopy::tick(double seconds, const Document& document)
 {

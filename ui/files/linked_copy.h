@@ -26,8 +26,10 @@ public:
     void tick(double seconds, const Document& document);
     /// What the other end has and this one has not; nothing once its program has ended.
     const std::optional<std::string>& offered() const { return offered_; }
-    /// What is offered knows nothing of what has changed here since both ends had the same.
-    bool would_undo_own_change() const { return offered_ && told_ != shared_; }
+    /// What is offered lacks lines that have changed here since both ends had the same.
+    bool would_undo_own_change() const;
+    const std::string& told() const { return told_; }
+    const std::string& shared() const { return shared_; } ///< the document here when both ends had the same last
     /// It stays as it is here; what is offered next is another change.
     void keep() { offered_.reset(); }
     /// It is here from now on. \pre something is offered

@@ -30,6 +30,13 @@ std::optional<mohr::Document> state_of(const std::string& text)
     return document != nullptr ? std::optional(*document) : std::nullopt;
 }
 
+/// The section has changed here since the circle had the same.
+bool has_other_section(const ui::LinkedCopy& copy)
+{
+    const auto now = state_of(copy.told()), then = state_of(copy.shared());
+    return now && then && now->section != then->section;
+}
+
 /// Nothing where the text is none of a structure.
 std::optional<femoop::Model> model_of(const std::string& text)
 {
@@ -201,7 +208,11 @@ std::string_view LinkedPrograms::offering(const Workspace& workspace) const
 {
     const Linked* const linked = offering_one(workspace);
     if (linked == nullptr) return {};
-    if (linked->handed.program == circle) return translatable("Mohr's circle has changed the section");
+    if (linked->handed.program == circle)
+        return has_other_section(linked->copy)
+                   ? translatable(
+                         "Mohr's circle has changed the section, and so have you: taking over undoes what changed here")
+                   : translatable("Mohr's circle has changed the section");
     if (linked->copy.would_undo_own_change())
         return translatable(
             "Moment distribution has changed the structure, and so have you: taking over undoes what changed here");

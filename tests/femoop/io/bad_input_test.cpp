@@ -99,6 +99,17 @@ TEST_CASE("A member between two nodes at one place has no length, and the nodes 
           "the two are not joined: use one of them or move one\n");
 }
 
+TEST_CASE("A member so short that its square is nothing has no length")
+{
+    for (const char* place : {"1e-101", "1e-200", "4e-323"}) {
+        CAPTURE(place);
+        const std::string nodes =
+            std::string(R"([{"id": "A", "at": [0, 0], "support": "fixed"}, {"id": "B", "at": [)") + place + ", 0]}]";
+        CHECK(faults_of(File{.nodes = nodes}.text()).find("because nodes \"A\" and \"B\" are both at (0, 0) m") !=
+              std::string::npos);
+    }
+}
+
 TEST_CASE("A load on a node without members is an error, the lonely node a warning")
 {
     CHECK(

@@ -110,6 +110,17 @@ TEST_SUITE("ui files")
         CHECK_FALSE(pair.taker.copy.would_undo_own_change());
     }
 
+    TEST_CASE("What has the own change and more undoes nothing")
+    {
+        Pair pair;
+        pair.taker.document = "10 kN\nat 3 m";
+        pair.tick();
+        pair.giver.document = "12 kN\nat 3 m"; // taken over by another way, with a change of its own
+        pair.tick();
+        REQUIRE(pair.taker.copy.offered());
+        CHECK_FALSE(pair.taker.copy.would_undo_own_change());
+    }
+
     TEST_CASE("A program that has ended offers nothing any more")
     {
         Pair pair;
