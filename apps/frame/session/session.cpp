@@ -472,7 +472,10 @@ std::string description(const Session& session)
     const std::optional<femoop::Results> told = session.described_results();
     if (!told) {
         const std::string words = femoop::describe(session.model(), told, tr);
-        return session.hidden ? words + "\n" + tr(*session.why_no_results()) + "\n" : words + counting_text(session);
+        std::string reasons = "\n" + tr(*session.why_no_results()) + "\n";
+        if (session.hidden) return words + reasons;
+        for (const femoop::Fault& fault : session.solution().faults) reasons += sentence(fault, tr) + "\n";
+        return words + reasons + counting_text(session);
     }
     std::string words = femoop::describe(session.model(), *told, session.solution().solved_cases(), tr);
     for (const femoop::Fault& warning : told->warnings())

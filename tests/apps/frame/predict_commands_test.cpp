@@ -69,6 +69,13 @@ TEST_SUITE("frame session")
         CHECK(description(workspace.session) == with_results);
     }
 
+    TEST_CASE("Why there are no results is told in words")
+    {
+        const std::string words = description(workspace_with("mechanism.json").session);
+        CHECK(words.find("There are no results: see the problems.\n") != std::string::npos);
+        CHECK(words.find("nodes B and C sway to the right together") != std::string::npos);
+    }
+
     TEST_CASE("What is doubtful about the results is told in words, too")
     {
         const Workspace workspace = workspace_with("portal.json");
