@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string_view>
 #include <utility>
 
 #include "apps/cross/view/block_layout.h"
@@ -20,6 +21,7 @@ namespace cross {
 
 namespace fc = femoop::cross;
 using fc::RowKind;
+using ui::translatable;
 
 namespace {
 
@@ -696,10 +698,14 @@ private:
         for (std::size_t e = 0; e < layout_.boxes.size(); ++e)
             n += !layout_.boxes[e] && panel_.box.contains(joint_place(problem_.ends[e].node)) ? 1 : 0;
         if (n == 0) return;
-        write_below(
-            painter_, panel_, theme_in(panel_, scene_.look),
-            scene_.look.tr("member ends without room for their columns: {count}; zoom in, or see the panel Table",
-                           {{"count", std::to_string(n)}}));
+        // Who has zoomed in sees columns below it: there it is short.
+        const std::string_view words = panel_.is_zoomed
+                                           ? translatable("columns without room: {count}")
+                                           : translatable(
+                                                 "member ends without room for their columns: {count}; zoom in, "
+                                                 "or see the panel Table");
+        write_below(painter_, panel_, theme_in(panel_, scene_.look),
+                    scene_.look.tr(words, {{"count", std::to_string(n)}}));
     }
 
     ui::Painter& painter_;
