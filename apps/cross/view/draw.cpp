@@ -100,8 +100,9 @@ Arrangement of_frame(ui::Painter& painter, const drawing::StructureShape& shape,
     above.small = SmallPictures::Above;
     narrow.small_share = 0.0;
     narrow.small_ems = 9.0;
+    const double legible = legible_type(theme);
     for (const Arrangement& one : {above, narrow}) {
-        if (fitted.layout.type >= legible_type(theme) && fitted.layout.clarity == 1.0) break;
+        if (fitted.layout.type >= legible && (legible == 0.0 || fitted.layout.clarity == 1.0)) break;
         FittedSheet other = fitted_sheet(painter, sheet_of(one), scene);
         if (is_better(other.layout, fitted.layout)) best = one, fitted = std::move(other);
     }
