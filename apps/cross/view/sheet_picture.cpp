@@ -81,7 +81,7 @@ public:
     const BlockLayout& short_columns(double least_type)
     {
         widest_ = widest_foreseen();
-        lay_out(is_sum() ? wanted_lines() : least_lines, least_type);
+        lay_out(whole_or(least_lines), least_type);
         return layout_;
     }
 
@@ -196,12 +196,12 @@ private:
         if (is_beam(shape_)) request.hardly_smaller = 0.65; // columns of a beam are read along it
         request.most_lines = n_lines;
         request.fewest_lines = std::min(n_lines, fewest_lines());
-        if (is_sum()) request.last_resort = request.fewest_lines;
+        request.last_resort = whole_or(request.last_resort);
         request.width_of = [this](double type) { return column_width(type); };
         request.middle = middle_of(panel_, shape_);
         layout_ = laid_out(request);
         if (is_read_from_afar() && !is_whole(layout_)) {
-            request.fewest_lines = std::min(n_lines, is_sum() ? fewest_lines() : shortest);
+            request.fewest_lines = std::min(n_lines, whole_or(shortest));
             layout_ = laid_out(request);
         }
         taken_ = std::move(request.obstacles);
@@ -248,12 +248,10 @@ private:
 
     bool is_read_from_afar() const { return legible_type(scene_.look.full_theme()) > 0.0; }
 
-    /// From afar rather in larger type than with more lines; but without one of its terms a sum is none.
-    std::size_t fewest_lines() const
-    {
-        if (is_sum()) return wanted_lines();
-        return is_read_from_afar() ? least_lines - 1 : least_lines;
-    }
+    /// So many lines; but without one of its terms a sum is none.
+    std::size_t whole_or(std::size_t n_lines) const { return is_sum() ? wanted_lines() : n_lines; }
+    /// From afar rather in larger type than with more lines.
+    std::size_t fewest_lines() const { return whole_or(is_read_from_afar() ? least_lines - 1 : least_lines); }
 
     double column_width(double type) const { return type * (widest_ + (panel_.is_tight() ? 0.6 : 0.9)); }
 

@@ -66,7 +66,7 @@ private:
     void leave_keys_to_dialog() override { TablesPanel::lend_keyboard(); }
     std::vector<ui::KeyEvent> take_keys(const ui::Input& all) override;
     void settle_fields() override;
-    bool refuses_text() const override { return fields_.is_typing() || tables_.is_editing(); }
+    bool refuses_text() const override { return is_typing(); }
     bool is_for_field(const ui::KeyEvent& event) const;
     bool handle_typing(ui::Key key);
     bool close_topmost() override;
