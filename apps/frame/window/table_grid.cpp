@@ -5,7 +5,8 @@
 #include <imgui_stdlib.h>
 
 #include <algorithm>
-#include <numeric>
+#include <map>
+#include <string>
 #include <utility>
 
 namespace frame {
@@ -14,9 +15,12 @@ using ui::Key;
 
 namespace {
 
-bool have_same_cells(const Row& a, const Row& b)
+/// All that is typed in a row: two rows with the same are one for who looks at them.
+std::string text_of(const Row& row)
 {
-    return std::ranges::equal(a.cells, b.cells, {}, &Cell::typed, &Cell::typed);
+    std::string text;
+    for (const Cell& cell : row.cells) text += cell.typed + '\n';
+    return text;
 }
 
 } // namespace
@@ -44,27 +48,33 @@ void TableGrid::follow(const Table& table, bool can_grow)
 
 void TableGrid::keep_places(const Table& before, const std::vector<std::size_t>& order, const Table& now)
 {
-    std::vector<std::size_t> free(now.rows.size());
-    std::iota(free.begin(), free.end(), 0);
-    const auto taken = [&](const auto& is_it) -> std::optional<std::size_t> {
-        const auto found = std::ranges::find_if(free, is_it);
-        if (found == free.end()) return std::nullopt;
-        const std::size_t row = *found;
-        free.erase(found);
-        return row;
+    std::multimap<std::string, std::size_t> rows_by_text;
+    for (std::size_t row = 0; row < now.rows.size(); ++row) rows_by_text.emplace(text_of(now.rows[row]), row);
+    std::vector<bool> is_placed(now.rows.size(), false);
+    std::vector<std::optional<std::size_t>> seen(std::max(order.size(), now.rows.size()));
+    const auto put = [&](std::size_t place, std::size_t row) {
+        seen[place] = row;
+        is_placed[row] = true;
     };
-    std::vector<std::optional<std::size_t>> seen;
-    for (const std::size_t old : order) // what has not changed
-        seen.push_back(taken([&](std::size_t row) { return have_same_cells(before.rows[old], now.rows[row]); }));
-    for (std::size_t i = 0; i < order.size(); ++i) // what was changed where it is listed
-        if (!seen[i]) seen[i] = taken([&](std::size_t row) { return row == order[i]; });
-    seen.resize(std::max(seen.size(), now.rows.size()));
-    order_.clear();
-    for (const std::optional<std::size_t>& place : seen) {
-        const auto row = place ? place : taken([](std::size_t) { return true; });
-        if (row) order_.push_back(*row);
+    for (std::size_t i = 0; i < order.size(); ++i) { // what has not changed
+        const std::string text = text_of(before.rows[order[i]]);
+        const auto found = rows_by_text.lower_bound(text);
+        if (found == rows_by_text.end() || found->first != text) continue;
+        put(i, found->second);
+        rows_by_text.erase(found);
     }
-    if (sorted_by_ && order_ != sorted(now)) sorted_by_.reset();
+    for (std::size_t i = 0; i < order.size(); ++i) // what was changed where it is listed
+        if (!seen[i] && order[i] < now.rows.size() && !is_placed[order[i]]) put(i, order[i]);
+    std::size_t next = 0; // of the others
+    order_.clear();
+    for (const std::optional<std::size_t>& row : seen) {
+        while (!row && next < now.rows.size() && is_placed[next]) ++next;
+        if (row) order_.push_back(*row);
+        else if (next < now.rows.size()) order_.push_back(next++);
+    }
+    if (!sorted_by_ || order_ == sorted(now)) return;
+    sorted_by_.reset();
+    is_descending_ = false;
 }
 
 std::vector<std::size_t> TableGrid::sorted(const Table& table) const
