@@ -22,10 +22,10 @@ std::set<std::string_view> lines(std::string_view text)
 
 } // namespace
 
-bool LinkedCopy::would_undo_own_change() const
+bool LinkedCopy::undoes_own_change(const std::string& offered) const
 {
-    if (!offered_ || told_ == shared_) return false;
-    const auto now = lines(told_), then = lines(shared_), theirs = lines(*offered_);
+    if (told_ == shared_) return false;
+    const auto now = lines(told_), then = lines(shared_), theirs = lines(offered);
     const auto is_undone = [&](std::string_view line) { return !then.contains(line) && !theirs.contains(line); };
     const auto comes_back = [&](std::string_view line) { return !now.contains(line) && theirs.contains(line); };
     return std::ranges::any_of(now, is_undone) || std::ranges::any_of(then, comes_back);
@@ -36,6 +36,12 @@ void LinkedCopy::tick(double seconds, const Document& document)
     waited_ += seconds;
     if (waited_ < pause) return;
     waited_ = 0.0;
+    look_for_news(document);
+    would_undo_own_change_ = offered_ && undoes_own_change(*offered_);
+}
+
+void LinkedCopy::look_for_news(const Document& document)
+{
     if (link_.is_cut()) return offered_.reset();
     if (std::string now = document.text(); now != told_ && !link_.notify(now)) told_ = std::move(now);
     if (std::exchange(is_taken_, false)) shared_ = told_;

@@ -27,7 +27,7 @@ public:
     /// What the other end has and this one has not; nothing once its program has ended.
     const std::optional<std::string>& offered() const { return offered_; }
     /// What is offered lacks lines that have changed here since both ends had the same.
-    bool would_undo_own_change() const;
+    bool would_undo_own_change() const { return offered_ && would_undo_own_change_; }
     const std::string& told() const { return told_; }
     const std::string& shared() const { return shared_; } ///< the document here when both ends had the same last
     /// It stays as it is here; what is offered next is another change.
@@ -40,11 +40,15 @@ public:
 private:
     static constexpr double pause = 0.5; ///< s
 
+    void look_for_news(const Document& document);
+    bool undoes_own_change(const std::string& offered) const;
+
     Link link_;
     std::string told_;      ///< of the document here
     std::string shared_;    ///< likewise, when both ends had the same last
     bool is_taken_ = false; ///< from the other end, since it was told last
     std::optional<std::string> offered_;
+    bool would_undo_own_change_ = false; ///< what is offered
     double waited_ = 0.0;
 };
 

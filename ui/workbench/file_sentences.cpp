@@ -1,5 +1,9 @@
 #include "ui/workbench/file_sentences.h"
 
+#include <algorithm>
+#include <span>
+#include <utility>
+
 namespace ui {
 
 namespace {
@@ -9,11 +13,28 @@ Message of_file(std::string_view sentence, const std::filesystem::path& path, Me
     return {sentence, {{"file", path.filename().string()}, {"reason", std::move(reason)}}};
 }
 
+Message with_line(Message list, Message next)
+{
+    return {"{list}\n{next}", {{"list", std::move(list)}, {"next", std::move(next)}}};
+}
+
 } // namespace
 
 Message not_opened(const std::filesystem::path& path, const Message& reason)
 {
     return of_file(translatable("{file} was not opened: {reason}"), path, reason);
+}
+
+Message not_opened(const std::filesystem::path& path, const std::vector<Message>& reasons)
+{
+    constexpr std::size_t most = 10; // a foot of more lines leaves little of the picture
+    Message list = reasons.front();
+    for (const Message& next : std::span(reasons).first(std::min(reasons.size(), most)).subspan(1))
+        list = with_line(std::move(list), next);
+    if (reasons.size() > most)
+        list = with_line(std::move(list),
+                         {translatable("… and {count} more"), {{"count", std::to_string(reasons.size() - most)}}});
+    return not_opened(path, list);
 }
 
 Message not_opened(const std::filesystem::path& path, const std::error_code& hindrance)

@@ -5,6 +5,7 @@
 #include <optional>
 #include <string>
 #include <system_error>
+#include <vector>
 
 #include "ui/text/catalogue.h"
 #include "ui/text/message.h"
@@ -13,6 +14,8 @@ namespace ui {
 
 // What an app says of a file: in one wording, whichever app it is.
 Message not_opened(const std::filesystem::path& path, const Message& reason);
+/// Line by line, and of a long list how many more there are. \pre there is a reason
+Message not_opened(const std::filesystem::path& path, const std::vector<Message>& reasons);
 Message not_opened(const std::filesystem::path& path, const std::error_code& hindrance);
 Message not_saved(const std::filesystem::path& path, const std::error_code& hindrance);
 Message saved(const std::filesystem::path& path);

@@ -272,7 +272,9 @@ std::optional<Notice> Session::read(const std::filesystem::path& path)
         leave_unfit_exercise();
         return std::nullopt;
     } catch (const femoop::ModelError& error) {
-        return ui::lasting(ui::not_opened(path, Message(frame::sentence(error.faults().front(), tr()))));
+        std::vector<Message> reasons;
+        for (const femoop::Fault& fault : error.faults()) reasons.emplace_back(frame::sentence(fault, tr()));
+        return ui::lasting(ui::not_opened(path, reasons));
     }
 }
 

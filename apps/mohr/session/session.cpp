@@ -23,15 +23,6 @@ constexpr double turning_speed = 30.0;  ///< degrees a second
 constexpr double stretch_seconds = 1.5; ///< of a stretch of the loading path
 constexpr std::uintmax_t most_bytes = 1'000'000;
 
-/// Line by line. \pre there is one
-Message listed(const std::vector<Message>& sentences)
-{
-    Message list = sentences.front();
-    for (std::size_t i = 1; i < sentences.size(); ++i)
-        list = Message("{list}\n{next}", {{"list", std::move(list)}, {"next", sentences[i]}});
-    return list;
-}
-
 } // namespace
 
 Session::Session() : EditedDocument(textbook_state())
@@ -208,7 +199,7 @@ std::optional<Notice> Session::read(const std::filesystem::path& path)
     if (file.hindrance) return ui::lasting(ui::not_opened(path, file.hindrance));
     auto read = read_file_text(file.text);
     if (const auto* faults = std::get_if<std::vector<Message>>(&read))
-        return ui::lasting(ui::not_opened(path, listed(*faults)));
+        return ui::lasting(ui::not_opened(path, *faults));
     restart(std::get<Document>(std::move(read)));
     return std::nullopt;
 }

@@ -1,5 +1,6 @@
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <fstream>
 #include <string>
 
@@ -29,6 +30,18 @@ TEST_CASE("A draft that cannot be read leaves the open beam alone")
     CHECK(workspace.session.document().model == before);
     CHECK(!workspace.session.is_dirty());
     CHECK(workspace.session.notice);
+}
+
+TEST_CASE("All faults of a file are told at once, in the words of an app")
+{
+    Session session;
+    CHECK_FALSE(session.open("tests/scenarios/many_faults.json"));
+    const std::string told = session.tr()(session.notice->sentence);
+    CHECK(told.starts_with("many_faults.json was not opened: "));
+    CHECK(told.find("N9") != std::string::npos);
+    CHECK(told.find("N10") == std::string::npos);
+    CHECK(told.ends_with("\n… and 4 more"));
+    CHECK(std::ranges::count(told, '\n') == 10);
 }
 
 TEST_CASE("Kani's method waits while a hand drags and is there once it lets go")
