@@ -82,8 +82,10 @@ void AskedBody::declare(CLI::App& app, const ui::Catalogue& tr)
               "node=N, members=M,.., or cut=M@X,..,beside=N for all that hangs together with a node where members are "
               "cut; of the first load case, or that of --case"))
         ->option_text("WHAT");
-    app.add_option("--about", about_,
-                   tr("with --free-body: the point that moments are taken about (default: the first section, or node)"))
+    app.add_option(
+           "--about", about_,
+           tr("with --free-body: the point that moments are taken about (default: the first Ritter point of a cut "
+              "through bars, or the first section, or node)"))
         ->option_text("X,Y");
 }
 

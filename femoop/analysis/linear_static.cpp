@@ -12,6 +12,7 @@
 #include "femoop/analysis/rigid_body.h"
 #include "femoop/analysis/static_system.h"
 #include "femoop/analysis/stopwatch.h"
+#include "femoop/analysis/unstressed_cases.h"
 #include "femoop/model/check/check.h"
 #include "femoop/model/quantity/number_text.h"
 #include "femoop/solver/available_memory.h"
@@ -193,6 +194,7 @@ Results LinearStatic::solve(const Model& model)
     if (const auto& soft = parts_->soft_parts; soft && (!is_precise || soft->is_nearly_loose))
         solution->warnings.push_back(soft->warning);
     for (Fault& warning : inaccurate_cases(*solution)) solution->warnings.push_back(std::move(warning));
+    mark_unstressed_cases(*solution);
     const Results results(solution);
     if (auto faults = overflowing_cases(*solution, results); !faults.empty()) throw ModelError(std::move(faults));
     const double most = parts_->is_soft() ? unmeant_soft_motion : unmeant_motion;

@@ -61,16 +61,6 @@ double softest_part(const Discretisation& structure)
     return softest < none ? softest : 0.0;
 }
 
-/// The largest displacement, a rotation as it moves the other end of the structure.
-double largest_settlement(const CaseLoads& loads, double size)
-{
-    double largest = 0.0;
-    for (const CaseLoads::OnNode& settlement : loads.settlements)
-        for (const Dof dof : all_dofs)
-            largest = std::max(largest, std::abs(settlement.value[index(dof)]) * (is_rotation(dof) ? size : 1.0));
-    return largest;
-}
-
 /// Column c of the constraint displacements; empty without constraints.
 auto column_of(const auto& constraint, Eigen::Index c)
 {

@@ -42,6 +42,7 @@ struct CaseSolution : Motions<double> {
     /// To 32 digits, where the members' forces need them: what differs between a member's ends is too small a part of
     /// its displacements. Empty otherwise.
     Motions<DoubleDouble> precise;
+    bool is_unstressed = false; ///< it moves, but forces at its members' ends are rounding alone
 };
 
 struct Solution {

@@ -73,6 +73,9 @@ public:
     {
         for (const CaseTerms::Term& term : terms_)
             is_precise_ |= !solution.solutions[term.load_case].precise.displacements.empty();
+        is_unstressed_ = !terms_.empty() && std::ranges::all_of(terms_, [&](const CaseTerms::Term& term) {
+            return solution.solutions[term.load_case].is_unstressed;
+        });
     }
 
     void read(MemberId member)
@@ -113,6 +116,7 @@ public:
         }
         unpack(p, s.p);
         if (is_bar()) add_simple_span(s);
+        if (is_unstressed_) s.p = {Vector6::Zero(), Vector6::Zero()};
         return s;
     }
 
@@ -170,7 +174,7 @@ private:
     {
         MemberState s;
         s.d = ends(Part::Elastic);
-        unpack(stiffness_.lazyProduct(pack(s.d)) + fixed_end_forces_, s.p);
+        if (!is_unstressed_) unpack(stiffness_.lazyProduct(pack(s.d)) + fixed_end_forces_, s.p);
         return s;
     }
 
@@ -358,6 +362,7 @@ private:
     SpanLoading loading_;
     std::vector<SpanLoading::Scaled> scaled_;
     bool is_precise_ = false;
+    bool is_unstressed_ = false;
     typename Element::LocalMatrix stiffness_; ///< of the last plain member, in its own axes
     LocalVector fixed_end_forces_;
 };

@@ -116,8 +116,11 @@ protected:
     virtual bool is_asking() const { return false; } ///< in a dialog of the app's own, which has the keys
     virtual void leave_keys_to_dialog() {}           ///< of the app's own, or of every app's
     virtual std::vector<KeyEvent> take_keys(const Input& input) { return input.keys; } ///< \returns what is left
-    virtual void settle_fields() { settle_field(); }    ///< what is half typed is confirmed
-    virtual bool refuses_text() const { return false; } ///< a field, what was settled: its document is not left
+    virtual void settle_fields() { settle_field(); } ///< what is half typed is confirmed
+    virtual bool refuses_text() const
+    {
+        return false;
+    } ///< a field, what was settled: its document is neither saved nor left
     virtual bool close_topmost() { return dialogs_.close_topmost(); } ///< what Escape is for before it is a command
 
     virtual std::optional<FootMessage> foot_message() const;
@@ -223,8 +226,8 @@ template <class Workspace> void DocumentApp<Workspace>::frame(const Input& input
 template <class Workspace> void DocumentApp<Workspace>::handle_keys(const Input& input)
 {
     for (const KeyEvent& event : std::exchange(held_keys_, {})) {
-        const bool saves = commands_.find(event.chord())->id.starts_with("file.save");
-        if (saves || !refuses_text()) run_command_of(event);
+        if (!refuses_text()) run_command_of(event);
+        else workspace_.notify(translatable("what is typed cannot be taken; mend it, or give it up with Esc"));
     }
     const bool is_popup_open = had_popup_ || ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopup);
     const bool is_blocked = dialogs_.wants_keys() || session_store_.is_open() || workspace_.after_question ||

@@ -46,6 +46,8 @@ public:
         const ui::LayerScope layer(scene_.sketch.painter(), ui::Layer::Symbols);
         for (const femoop::NodeId node : picture_.lifted.body.nodes) draw_node(node);
         for (const Force& force : picture_.lifted.forces) draw_force(force);
+        if (picture_.ritter) draw_lines_to(picture_.ritter_points[*picture_.ritter]);
+        for (const RitterPoint& point : picture_.ritter_points) draw_ritter_point(point);
         draw_moment_point();
     }
 
@@ -146,6 +148,36 @@ private:
         return std::string(femoop::name(*component, scene_.model.analysis)) + " = " + value;
     }
 
+    /// From the other cuts to where their bars meet.
+    void draw_lines_to(const RitterPoint& point)
+    {
+        ui::Stroke stroke = scene_.sketch.thin(ui::Role::Dimension);
+        stroke.dash = {4.0, 3.0};
+        const auto draw_from = [&](const Piece& piece, double x) {
+            const Vector3d cut = scene_.shape[piece.member].at(x);
+            if (piece.member != point.bar) scene_.sketch.line(at(cut), at(point.at), stroke, Clearance::Soft);
+        };
+        for (const Piece& piece : picture_.lifted.body.pieces) {
+            if (piece.begins_at_cut) draw_from(piece, piece.from);
+            if (piece.ends_at_cut) draw_from(piece, piece.to);
+        }
+    }
+
+    void draw_ritter_point(const RitterPoint& point)
+    {
+        const ui::Point place = at(point.at);
+        const double r = scene_.sketch.px(4.0);
+        const ui::Stroke stroke = scene_.sketch.thin(ui::Role::Dimension);
+        scene_.sketch.line(place - ui::Point{r, r}, place + ui::Point{r, r}, stroke, Clearance::Soft);
+        scene_.sketch.line(place - ui::Point{r, -r}, place + ui::Point{r, -r}, stroke, Clearance::Soft);
+        scene_.sketch.caption({.text = scene_.options.tr("for {bar}", {{"bar", scene_.model[point.bar].id}}),
+                               .role = ui::Role::Dimension,
+                               .target = place,
+                               .toward = {0.7, -0.7},
+                               .gap = scene_.sketch.px(9.0),
+                               .rank = Rank::Name});
+    }
+
     void draw_moment_point()
     {
         const ui::Point place = at(picture_.about);
@@ -168,6 +200,11 @@ private:
 std::vector<Vector3d> places_of(const FreeBodyPicture& picture, const StructureShape& shape)
 {
     std::vector<Vector3d> places{picture.moment_point()};
+    for (const RitterPoint& point : picture.ritter_points) {
+        const Vector3d place = point.at + picture.aside;
+        const double off = (place - picture.moment_point()).norm();
+        if (off <= shape.size) places.push_back(place); // of nearly parallel bars one lies anywhere
+    }
     for (const femoop::NodeId node : picture.lifted.body.nodes) places.push_back(shape[node] + picture.aside);
     for (const Piece& piece : picture.lifted.body.pieces)
         for (const double x : {piece.from, piece.to}) places.push_back(shape[piece.member].at(x) + picture.aside);

@@ -2,7 +2,9 @@
 
 #include "apps/drawing/sketch/scene.h"
 #include "femoop/methods/free_body/free_body.h"
+#include "femoop/methods/free_body/ritter.h"
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -13,7 +15,9 @@ struct FreeBodyPicture {
     femoop::free_body::FreeBody lifted;
     Eigen::Vector3d aside = Eigen::Vector3d::Zero(); ///< how far it is moved
     Eigen::Vector3d about = Eigen::Vector3d::Zero(); ///< the point of moments, where the body was [length]
-    std::vector<std::string> equations{};            ///< for the foot of the sheet
+    std::vector<femoop::free_body::RitterPoint> ritter_points{};
+    std::optional<std::size_t> ritter{};  ///< which of these moments are taken about
+    std::vector<std::string> equations{}; ///< for the foot of the sheet
 
     Eigen::Vector3d moment_point() const { return about + aside; } ///< where it is seen
 };
@@ -22,7 +26,8 @@ struct FreeBodyPicture {
 std::vector<Eigen::Vector3d> places_of(const FreeBodyPicture& picture, const StructureShape& shape);
 
 /// Section forces as arrows along and across the member, named and with their values; loads that are distributed as
-/// their resultants; the point of moments as a cross in a ring.
+/// their resultants; the point of moments as a cross in a ring; Ritter points as crosses with the names of their bars,
+/// and the lines that meet in that of the moments.
 void draw_free_body(const Scene& scene, const FreeBodyPicture& picture);
 
 } // namespace drawing

@@ -69,6 +69,12 @@ void Application::show_body()
     show_panels_and_canvas_above(below, [this] { tables_.show(workspace()); });
 }
 
+void Application::settle_fields()
+{
+    DocumentApp::settle_fields();
+    if (shows_script()) script_.settle(workspace().session);
+}
+
 void Application::show_left()
 {
     ui::show_topics(workspace(), topics());

@@ -25,6 +25,8 @@ private:
     ui::Picture picture() override { return canvas_.picture_of(session()); }
     /// An operator that asks has the keyboard until it is done or given up.
     bool is_typing() const override { return session().draft() || (shows_script() && script_.is_typing()); }
+    void settle_fields() override;
+    bool refuses_text() const override { return shows_script() && script_.has_line(); }
     bool shows_script() const { return workspace().has_panels && workspace().topic == Topic::Script; }
     void fit() override { workspace().session.is_fitted = true; }
     void zoom(double factor) override { canvas_.zoom(workspace().session, factor); }

@@ -134,6 +134,11 @@ void ScriptPanel::write_line(Session& session)
     is_typing_ = line_.has_keyboard();
 }
 
+void ScriptPanel::settle(Session& session)
+{
+    if (has_line() && session.write(line_.text())) line_.offer("");
+}
+
 // The cursor goes to a line's end once the text has the keyboard.
 int ScriptPanel::on_text_event(ImGuiInputTextCallbackData* data)
 {

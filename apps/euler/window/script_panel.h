@@ -16,6 +16,8 @@ public:
     void show(Workspace& workspace, const CommandTable& commands);
     void grab_keyboard() { wants_keyboard_ = true; }
     void go_to_line(std::size_t line) { line_to_go_to_ = line; } ///< of the text, from 1, with the cursor
+    void settle(Session& session);                               ///< the line that is half typed is done
+    bool has_line() const { return !line_.text().empty(); }      ///< one that is not done
     /// Something is written into it.
     bool is_typing() const { return is_typing_; }
 

@@ -67,6 +67,14 @@ Vector3d way_out(const Eigen::AlignedBox3d& structure, const Eigen::AlignedBox3d
     return best;
 }
 
+/// The first of the points that lies there.
+std::optional<std::size_t> at_place(const std::vector<RitterPoint>& points, const Vector3d& place)
+{
+    const auto found = std::ranges::find(points, place, &RitterPoint::at);
+    if (found == points.end()) return std::nullopt;
+    return static_cast<std::size_t>(found - points.begin());
+}
+
 } // namespace
 
 void AskedBody::clear()
@@ -119,6 +127,12 @@ void AskedBody::put_moment_point(const Vector3d& about)
     subject_.reset();
 }
 
+void AskedBody::to_next_ritter_point()
+{
+    const std::size_t next = picture_->ritter ? *picture_->ritter + 1 : 0;
+    put_moment_point(picture_->ritter_points[next % picture_->ritter_points.size()].at);
+}
+
 Body AskedBody::body(const femoop::Model& model) const
 {
     if (const auto node = model.find_node(node_)) return body_of(*node);
@@ -161,8 +175,15 @@ const drawing::FreeBodyPicture* AskedBody::picture(const femoop::Model& model, c
     FreeBody lifted = lift_out(model, results, options.load_case, body);
     const Vector3d about = about_.value_or(usual_moment_point(lifted, model));
     std::vector<std::string> equations = equation_lines(lifted, model, about, options.tr);
-    picture_ = drawing::FreeBodyPicture{
-        .lifted = std::move(lifted), .aside = aside(model, body), .about = about, .equations = std::move(equations)};
+    std::vector<RitterPoint> points = ritter_points(lifted, model);
+    const auto ritter = at_place(points, about);
+    if (ritter) equations.push_back(ritter_line(lifted, model, points[*ritter], options.tr));
+    picture_ = drawing::FreeBodyPicture{.lifted = std::move(lifted),
+                                        .aside = aside(model, body),
+                                        .about = about,
+                                        .ritter_points = std::move(points),
+                                        .ritter = ritter,
+                                        .equations = std::move(equations)};
     return last();
 }
 

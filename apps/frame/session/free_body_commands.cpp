@@ -24,6 +24,12 @@ Reason needs_free_body(const Workspace& workspace)
     return translatable("no free body is shown; press B and click a member or a node");
 }
 
+Reason needs_ritter_points(const Workspace& workspace)
+{
+    if (workspace.session.free_body.has_ritter_points()) return std::nullopt;
+    return translatable("no cut through three bars of a plane truss is drawn; press B and draw a line across them");
+}
+
 std::optional<femoop::NodeId> selected_node(const Session& session)
 {
     const std::optional<Part> part = session.selection.only();
@@ -65,6 +71,9 @@ void add_free_body_commands(CommandTable& table)
     menu.step(
         {"view.free_body.turn", translatable("The other side of the cut"), {{Key::V, {}}}},
         [](Workspace& workspace) { workspace.session.free_body.turn_cut(); }, needs_cut);
+    menu.step(
+        {"view.free_body.ritter", translatable("Moments about the next Ritter point"), {{Key::Z, {}}}},
+        [](Workspace& workspace) { workspace.session.free_body.to_next_ritter_point(); }, needs_ritter_points);
     menu.step(
         {"view.free_body.close", translatable("Close the free body")},
         [](Workspace& workspace) { workspace.session.free_body.clear(); }, needs_free_body);

@@ -25,14 +25,17 @@ bool FreeBodyTool::is_at_moment_point(const AskedBody& body, const Aim& at)
            (picture->moment_point() - pointer_in_plane(at)).norm() <= reach * at.pixel;
 }
 
-// To the place of a force that is near, else to a round one; Alt takes the place as it is.
+// To a Ritter point or the place of a force that is near, else to a round one; Alt takes the place as it is.
 Vector3d FreeBodyTool::moment_point(const AskedBody& body, const Aim& at)
 {
     const drawing::FreeBodyPicture& picture = *body.last();
     const Vector3d place = pointer_in_plane(at) - picture.aside;
     if (at.is_exact) return place;
+    const auto is_near = [&](const Vector3d& other) { return (other - place).norm() <= reach * at.pixel; };
+    for (const auto& point : picture.ritter_points)
+        if (is_near(point.at)) return point.at;
     for (const auto& force : picture.lifted.forces)
-        if ((force.at - place).norm() <= reach * at.pixel) return force.at;
+        if (is_near(force.at)) return force.at;
     const double step = round_grid(4.0 * at.pixel);
     return {step * std::round(place.x() / step), step * std::round(place.y() / step), 0.0};
 }

@@ -52,16 +52,27 @@ bool writes(ui::Key key)
 
 } // namespace
 
+// The question after the kind of a new document has the keys first.
+ui::Input Application::without_answer(const ui::Input& all)
+{
+    ui::Input input = all;
+    if (!kind_question_.is_open() || ImGui::GetIO().WantTextInput || fields_.is_typing()) return input;
+    const auto n = std::erase_if(input.keys, [this](const ui::KeyEvent& event) {
+        return event.is_down && kind_question_.take(workspace(), commands(), event.key);
+    });
+    if (n > 0) input.text.clear();
+    return input;
+}
+
 // Those of the table and of what is typed; what is left are commands.
 std::vector<ui::KeyEvent> Application::take_keys(const ui::Input& all)
 {
-    const ui::Input input = tables_.take(workspace(), all);
+    const ui::Input input = tables_.take(workspace(), without_answer(all));
     const bool types = ImGui::GetIO().WantTextInput || fields_.is_typing();
     const bool types_place = !types && !input.modifiers.ctrl && workspace().tool_controller.type(input.text);
     std::vector<ui::KeyEvent> left;
     for (const ui::KeyEvent& event : input.keys) {
         if (!event.is_down || (types && is_for_field(event))) continue;
-        if (!types && kind_question_.take(workspace(), commands(), event.key)) continue;
         if (!types && handle_typing(event.key)) continue;
         if (!types_place || !writes(event.key) || event.modifiers.ctrl) left.push_back(event);
     }
@@ -237,7 +248,10 @@ void Application::show_canvas()
                    [this] { tool_bar(workspace(), commands(), gui(), fonts(), fields_); });
     if (workspace().transform)
         ui::button_bar("###transform", row + gap, [this] { transform_bar(workspace(), fields_); });
-    document_tabs(workspace());
+    document_tabs(workspace(), [this] {
+        settle_fields();
+        return !refuses_text();
+    });
     ui::picture_area(0.0F, [this] { canvas_.show(workspace(), gui()); });
 }
 

@@ -65,6 +65,7 @@ private:
     bool is_asking() const override { return tables_.is_asking(); }
     void leave_keys_to_dialog() override { TablesPanel::lend_keyboard(); }
     std::vector<ui::KeyEvent> take_keys(const ui::Input& all) override;
+    ui::Input without_answer(const ui::Input& all);
     void settle_fields() override;
     bool refuses_text() const override { return is_typing(); }
     bool is_for_field(const ui::KeyEvent& event) const;

@@ -91,7 +91,7 @@ Press document_tab(const DocumentTab& shown, float most, bool is_chosen, std::si
 
 } // namespace
 
-void document_tabs(Workspace& workspace)
+void document_tabs(Workspace& workspace, const std::function<bool()>& may_leave)
 {
     if (n_tabs(workspace) < 2) return;
     const std::vector<DocumentTab> tabs = tabs_of(workspace);
@@ -112,7 +112,7 @@ void document_tabs(Workspace& workspace)
     if (ImGui::IsWindowHovered() && ImGui::GetIO().MouseWheel != 0.0F)
         ImGui::SetScrollX(ImGui::GetScrollX() - 3.0F * ImGui::GetFontSize() * ImGui::GetIO().MouseWheel);
     ImGui::EndChild();
-    if (!chosen) return;
+    if (!chosen || !may_leave()) return;
     show_tab(workspace, chosen->first);
     if (chosen->second == Press::Close) leave_tab(workspace);
 }

@@ -136,6 +136,7 @@ void TablesPanel::show(Workspace& workspace, const CommandTable& commands, ui::I
     ImGui::BeginChild("###tables", {0.0F, 0.0F}, false, ImGuiWindowFlags_AlwaysUseWindowPadding);
     ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {0.4F * em, 0.3F * em});
     if (is_table_or_member(workspace.bottom.content)) show_tabs(workspace);
+    settle_before_leaving(workspace);
     follow(workspace);
     grab_keyboard_if_opened(workspace);
     go_to_wanted(workspace);
@@ -252,6 +253,7 @@ ui::Input TablesPanel::take(Workspace& workspace, const ui::Input& input)
         if (std::exchange(was_open_, false)) leave();
         return input;
     }
+    settle_before_leaving(workspace);
     grab_keyboard_if_opened(workspace);
     if (!has_keyboard_ && workspace.bottom.shows(BottomContent::Derivation))
         return take_presenter_keys(workspace, input);
@@ -276,6 +278,18 @@ void TablesPanel::settle(Workspace& workspace)
 {
     grid_.settle();
     if (const auto edit = grid_.apply_edit()) carry_out(workspace, *edit);
+}
+
+// To another table one goes with what was typed into this one, and not at all where that is refused.
+void TablesPanel::settle_before_leaving(Workspace& workspace)
+{
+    const bool stays = workspace.bottom.table == kind_ && workspace.bottom.shows(BottomContent::Table);
+    if (!grid_.is_editing() || stays) return;
+    const auto wanted = workspace.bottom;
+    workspace.bottom.table = kind_;
+    workspace.bottom.content = BottomContent::Table;
+    settle(workspace);
+    if (!grid_.is_editing()) workspace.bottom = wanted;
 }
 
 // While the hand is at the drawing the class is led on all the same.

@@ -45,6 +45,7 @@ public:
     std::optional<ui::Message> export_to(const Workspace& workspace, const std::filesystem::path& path);
 
 private:
+    void settle_before_leaving(Workspace& workspace);
     void follow(const Workspace& workspace);
     void follow_selection(const Workspace& workspace);
     void grab_keyboard_if_opened(Workspace& workspace);

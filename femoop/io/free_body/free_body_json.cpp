@@ -1,5 +1,6 @@
 #include <array>
 #include <string_view>
+#include <vector>
 
 #include "femoop/io/free_body/free_body_text.h"
 #include "femoop/result/components.h"
@@ -45,6 +46,13 @@ void write_equation(JsonWriter& json, const Equation& equation)
     json.end().member("sum", equation.sum).end();
 }
 
+void write_ritter_point(JsonWriter& json, const RitterPoint& point, const FreeBody& body, const Model& model)
+{
+    json.begin_object().member("bar", model[point.bar].id);
+    write_vector(json, "at", point.at);
+    json.member("arm", point.arm).member("N", ritter_force(body, point).force).end();
+}
+
 } // namespace
 
 void write_free_body(JsonWriter& json, const FreeBody& body, const Model& model, const Eigen::Vector3d& about)
@@ -64,6 +72,11 @@ void write_free_body(JsonWriter& json, const FreeBody& body, const Model& model,
     for (const Force& force : body.forces) write_force(json, force, model);
     json.end().key("equations").begin_array(Layout::Block);
     for (const Equation& equation : equations(body, model.analysis, about)) write_equation(json, equation);
+    json.end();
+    const std::vector<RitterPoint> points = ritter_points(body, model);
+    if (points.empty()) return;
+    json.key("ritter_points").begin_array(Layout::Block);
+    for (const RitterPoint& point : points) write_ritter_point(json, point, body, model);
     json.end();
 }
 

@@ -43,15 +43,23 @@ std::string symbol(Dof dof, AnalysisKind kind)
     return is_plane(kind) ? "ΣM" : "ΣM" + axis;
 }
 
-std::string sum_text(const Equation& equation, const Translator& tr)
+/// "60 + 54 − 114" without what is nothing; empty where all is.
+std::string added(const std::vector<double>& terms, const Translator& tr)
 {
     std::string text;
-    for (const double one : equation.terms) {
-        const double term = without_rounding(one, equation);
+    for (const double term : terms) {
         if (term == 0.0) continue;
         text += term < 0.0 ? (text.empty() ? "−" : " − ") : (text.empty() ? "" : " + ");
         text += six_digits(std::abs(term), tr);
     }
+    return text;
+}
+
+std::string sum_text(const Equation& equation, const Translator& tr)
+{
+    std::vector<double> terms;
+    for (const double term : equation.terms) terms.push_back(without_rounding(term, equation));
+    const std::string text = added(terms, tr);
     const std::string sum = six_digits(without_rounding(equation.sum, equation), tr);
     return text.empty() ? sum : text + " = " + sum;
 }
@@ -129,6 +137,18 @@ std::vector<std::string> equation_lines(const FreeBody& body, const Model& model
     return lines;
 }
 
+std::string ritter_line(const FreeBody& body, const Model& model, const RitterPoint& point, const Translator& tr)
+{
+    RitterForce found = ritter_force(body, point);
+    for (double& moment : found.moments) moment *= point.arm < 0.0 ? 1.0 : -1.0; // to the other side of the equation
+    std::string moments = added(found.moments, tr);
+    if (found.moments.size() > 1) moments = "(" + moments + ")";
+    const std::string by_arm = moments.empty() ? "" : moments + " / " + six_digits(std::abs(point.arm), tr) + " = ";
+    return fill(tr("N of {0} = {1}  [{2}]  about {3}, where the other bars meet"),
+                {model[point.bar].id, by_arm + (found.force == 0.0 ? "0" : added({found.force}, tr)),
+                 unit(dimension::force, model), point_text(point.at, model, tr)});
+}
+
 std::string free_body_text(const FreeBody& body, const Model& model, const Eigen::Vector3d& about, const Translator& tr)
 {
     const std::vector<Equation> equations = free_body::equations(body, model.analysis, about);
@@ -138,6 +158,7 @@ std::string free_body_text(const FreeBody& body, const Model& model, const Eigen
                        "\n\n" + tabular::plain_text(table(body, model, equations, tr), {indent, decimal_mark(tr)}) +
                        "\n";
     for (const std::string& line : equation_lines(body, model, about, tr)) text += line + "\n";
+    for (const RitterPoint& point : ritter_points(body, model)) text += ritter_line(body, model, point, tr) + "\n";
     return text;
 }
 

@@ -6,6 +6,7 @@
 
 #include "femoop/io/json/json_writer.h"
 #include "femoop/methods/free_body/free_body.h"
+#include "femoop/methods/free_body/ritter.h"
 #include "femoop/model/fault/translator.h"
 
 namespace femoop::free_body {
@@ -17,7 +18,10 @@ std::string force_text(const Force& force, const Model& model, const Translator&
 std::vector<std::string> equation_lines(const FreeBody& body, const Model& model, const Eigen::Vector3d& about,
                                         const Translator& tr);
 
-/// The body, a table of the forces on it with their moments about the point, and the equations.
+/// The force of a bar alone: "N of U1U2 = −270 / 4 = −67.5  [kN]  about (6, 0), where the other bars meet".
+std::string ritter_line(const FreeBody& body, const Model& model, const RitterPoint& point, const Translator& tr);
+
+/// The body, a table of the forces on it with their moments about the point, the equations, and the Ritter points.
 std::string free_body_text(const FreeBody& body, const Model& model, const Eigen::Vector3d& about,
                            const Translator& tr);
 

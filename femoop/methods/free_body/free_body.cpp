@@ -9,6 +9,7 @@
 
 #include "femoop/discretisation/case_loads.h"
 #include "femoop/load/case_terms.h"
+#include "femoop/methods/free_body/ritter.h"
 #include "femoop/rule/integration_rule.h"
 
 namespace femoop::free_body {
@@ -276,6 +277,7 @@ FreeBody lift_out(const Model& model, const Results& results, CaseId load_case, 
 
 Vector3d usual_moment_point(const FreeBody& body, const Model& model)
 {
+    if (const auto points = ritter_points(body, model); !points.empty()) return points.front().at;
     const auto section = std::ranges::find(body.forces, ForceKind::SectionForces, &Force::kind);
     if (section != body.forces.end()) return section->at;
     return body.body.nodes.empty() ? Vector3d(Vector3d::Zero()) : position_of(model, body.body.nodes.front());

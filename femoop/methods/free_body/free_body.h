@@ -49,8 +49,8 @@ struct FreeBody {
 /// Accuracy  what a foundation does is integrated along the exact deflection; all else is exact
 FreeBody lift_out(const Model& model, const Results& results, CaseId load_case, const Body& body);
 
-/// The point that moments are taken about if none is chosen: of the first section, so that its forces have no arm; else
-/// of the first node.
+/// The point that moments are taken about if none is chosen: the first Ritter point of a cut through bars; else that of
+/// the first section, so that its forces have no arm; else that of the first node.
 Eigen::Vector3d usual_moment_point(const FreeBody& body, const Model& model);
 
 /// An equation of equilibrium of a body: along an axis, or about it through a point.
