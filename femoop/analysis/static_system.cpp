@@ -1,13 +1,12 @@
 #include "femoop/analysis/static_system.h"
 
 #include <algorithm>
-#include <cmath>
 #include <iterator>
-#include <limits>
 #include <utility>
 
 #include "femoop/analysis/constraints.h"
 #include "femoop/analysis/member_mechanism.h"
+#include "femoop/analysis/settlement_force.h"
 #include "femoop/element/analysis_model.h"
 
 namespace femoop {
@@ -32,33 +31,6 @@ void balance(detail::CaseSolution& solution, const Eigen::VectorXd& F, double ou
     const double largest = F.size() > 0 ? F.cwiseAbs().maxCoeff() : 0.0;
     solution.balance = {.out_of_balance = out_of_balance, .imposed = largest};
     solution.equilibrium.residual = largest > 0.0 ? out_of_balance / largest : 0.0;
-}
-
-/// The softest part of a structure, a rotation counted by its arm: what resists an imposed displacement of 1 at least.
-double softest_part(const Discretisation& structure)
-{
-    const double size = structure.size(), none = std::numeric_limits<double>::infinity();
-    double softest = none;
-    const auto add = [&](double stiffness) {
-        if (stiffness > 0.0) softest = std::min(softest, stiffness);
-    };
-    const auto add_joint = [&](std::size_t axis, double stiffness) {
-        add(axis < 3 ? stiffness : stiffness / (size * size));
-    };
-    for (std::size_t i = 0; i < structure.members.size(); ++i) {
-        const MemberProperties& p = structure.properties_of(MemberId(i));
-        add(p.axial.EA / size);
-        for (const Beam& beam : {p.xy, p.xz}) {
-            add(beam.EI / std::pow(size, 3));
-            add(beam.foundation * structure.geometry(MemberId(i)).length);
-        }
-        if (const MemberEndConditions* conditions = structure.end_conditions_of(MemberId(i)))
-            for (const JointStiffness& joint : conditions->joints)
-                for (std::size_t axis = 0; axis < joint.size(); ++axis) add_joint(axis, joint[axis]);
-    }
-    for (const Discretisation::SupportRow& support : structure.supports)
-        for (const Dof dof : all_dofs) add_joint(index(dof), support.springs[index(dof)]);
-    return softest < none ? softest : 0.0;
 }
 
 /// Column c of the constraint displacements; empty without constraints.
@@ -164,7 +136,7 @@ std::vector<detail::CaseSolution> StaticSystem::solve_precisely(const std::vecto
 /// in 32 digits little is left of that, and it may be any number of times what the structure makes of the settlement.
 double StaticSystem::imposed_force(CaseLoads loads) const
 {
-    const double by_settlements = softest_part(*structure_) * largest_settlement(loads, structure_->size());
+    const double by_settlements = settlement_force(*structure_, loads);
     loads.settlements.clear();
     const Eigen::VectorXd f = assembler_->load_vector<double>(loads);
     const double by_loads = f.size() > 0 ? f.cwiseAbs().maxCoeff() : 0.0;

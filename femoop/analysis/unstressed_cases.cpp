@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "femoop/analysis/settlement_force.h"
 #include "femoop/result/end_vectors.h"
 
 namespace femoop {
@@ -22,28 +23,17 @@ bool has_forces(const CaseLoads& loads)
                                [&](const auto& load) { return !std::ranges::all_of(load.value, is_zero); });
 }
 
-/// Against a displacement of 1 across the member, or of a bar along it.
-double stiffness_of(const MemberProperties& properties, double length)
-{
-    const double EI = std::max(properties.xy.EI, properties.xz.EI);
-    return EI > 0.0 ? EI / std::pow(length, 3) : properties.axial.EA / length;
-}
-
-/// What the stiffest member would need to be held as it was.
+/// What would hold the structure as it was, at least.
 double holding_force(const Discretisation& structure, const CaseLoads& loads)
 {
-    const double settlement = largest_settlement(loads, structure.size());
-    double largest = 0.0;
-    for (std::size_t i = 0; i < structure.members.size(); ++i) {
-        const MemberProperties& properties = structure.properties_of(MemberId(i));
-        const double length = structure.geometry(MemberId(i)).length;
-        largest = std::max(largest, stiffness_of(properties, length) * settlement);
+    double largest = settlement_force(structure, loads);
+    for (std::size_t i = 0; i < structure.members.size(); ++i)
         for (const SpanLoad& load : loads.of(MemberId(i))) {
             if (load.kind != SpanLoad::Kind::Strain) continue;
-            largest = std::max(
-                {largest, std::abs(properties.axial.EA * load.start), std::abs(properties.xy.EI * load.end) / length});
+            const MemberProperties& properties = structure.properties_of(MemberId(i));
+            largest = std::max({largest, std::abs(properties.axial.EA * load.start),
+                                std::abs(properties.xy.EI * load.end) / structure.size()});
         }
-    }
     return std::isfinite(largest) ? largest : 0.0;
 }
 

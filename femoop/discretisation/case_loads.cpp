@@ -1,7 +1,5 @@
 #include "femoop/discretisation/case_loads.h"
 
-#include <algorithm>
-#include <cmath>
 #include <utility>
 
 #include "femoop/load/span_loads.h"
@@ -63,15 +61,6 @@ CaseLoads::OnNode on_node(NodeId node, const std::vector<Component>& components)
 }
 
 } // namespace
-
-double largest_settlement(const CaseLoads& loads, double size)
-{
-    double largest = 0.0;
-    for (const CaseLoads::OnNode& settlement : loads.settlements)
-        for (const Dof dof : all_dofs)
-            largest = std::max(largest, std::abs(settlement.value[index(dof)]) * (is_rotation(dof) ? size : 1.0));
-    return largest;
-}
 
 std::vector<CaseLoads> loads_of(const Model& model, const Discretisation& structure)
 {

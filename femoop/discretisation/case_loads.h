@@ -37,9 +37,6 @@ struct CaseLoads {
     }
 };
 
-/// A rotation counts as it moves the other end of a structure of that size.
-double largest_settlement(const CaseLoads& loads, double size);
-
 std::vector<CaseLoads> loads_of(const Model& model, const Discretisation& structure);
 
 } // namespace femoop

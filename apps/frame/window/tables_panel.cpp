@@ -70,6 +70,7 @@ void TablesPanel::follow(const Workspace& workspace)
 {
     const Session& session = workspace.session;
     const std::string now = std::to_string(workspace.tab) + ' ' + session.file_name() + ' ' +
+                            std::to_string(static_cast<int>(session.model().analysis)) + ' ' +
                             std::to_string(session.generation()) + ' ' + std::to_string(session.view.load_case.index) +
                             ' ' + std::string(code(session.units().system())) + ' ' + session.view.unit_choices.text() +
                             ' ' + std::string(code(session.view.tr.language())) + ' ' +
