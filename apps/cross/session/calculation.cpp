@@ -158,7 +158,8 @@ private:
         const Numbers numbers(document_, solution_, look_);
         tabular::Table told({tr_("member end"), to_the_right(tr_("stiffness")), to_the_right(""),
                              to_the_right(tr_("distribution factor")), to_the_right(""),
-                             to_the_right(tr_("carry-over")), to_the_right("FEM [" + numbers.moment_unit() + "]")});
+                             to_the_right(tr_("carry-over")),
+                             to_the_right(tr_("FEM") + " [" + numbers.moment_unit() + "]")});
         for (std::size_t e = 0; e < problem.ends.size(); ++e) {
             const fc::End& end = problem.ends[e];
             if (!problem.is_on_sheet(fc::EndId(e))) continue;

@@ -134,7 +134,7 @@ public:
         std::vector<tabular::Cell> factors{"μ"};
         for (const double factor : k.rotation_factor) factors.push_back(tabular::written_cell(signed_factor(factor)));
         table.add_row(std::move(factors));
-        table.add_row(row("FEM", problem_.loading.fixed_end));
+        table.add_row(row(tr_("FEM"), problem_.loading.fixed_end));
         for (std::size_t i = 0; i < std::min<std::size_t>(k.cycles.size(), most_cycles); ++i)
             table.add_row(row(std::to_string(i + 1), k.cycles[i].rotation_contribution));
         if (!problem_.sways.empty() && !k.cycles.empty())
@@ -274,9 +274,9 @@ private:
     std::string name_of(const fc::Row& written) const
     {
         switch (written.kind) {
-        case fc::RowKind::FixedEnd: return "FEM";
-        case fc::RowKind::Balance: return written.joint ? "BAL " + name_of(*written.joint) : "BAL";
-        case fc::RowKind::CarryOver: return "CO";
+        case fc::RowKind::FixedEnd: return tr_("FEM");
+        case fc::RowKind::Balance: return written.joint ? tr_("BAL") + " " + name_of(*written.joint) : tr_("BAL");
+        case fc::RowKind::CarryOver: return tr_("CO");
         case fc::RowKind::Total: return "Σ";
         }
         return "";

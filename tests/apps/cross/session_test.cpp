@@ -38,8 +38,8 @@ TEST_CASE("All faults of a file are told at once, in the words of an app")
     CHECK_FALSE(session.open("tests/scenarios/many_faults.json"));
     const std::string told = session.tr()(session.notice->sentence);
     CHECK(told.starts_with("many_faults.json was not opened: "));
-    CHECK(told.find("N9") != std::string::npos);
-    CHECK(told.find("N10") == std::string::npos);
+    CHECK(told.find("Node #10,") != std::string::npos);
+    CHECK(told.find("Node #11,") == std::string::npos);
     CHECK(told.ends_with("\n… and 4 more"));
     CHECK(std::ranges::count(told, '\n') == 10);
 }
