@@ -117,10 +117,8 @@ protected:
     virtual void leave_keys_to_dialog() {}           ///< of the app's own, or of every app's
     virtual std::vector<KeyEvent> take_keys(const Input& input) { return input.keys; } ///< \returns what is left
     virtual void settle_fields() { settle_field(); } ///< what is half typed is confirmed
-    virtual bool refuses_text() const
-    {
-        return false;
-    } ///< a field, what was settled: its document is neither saved nor left
+    /// A field, what was settled: its document is neither saved nor left.
+    virtual bool refuses_text() const { return false; }
     virtual bool close_topmost() { return dialogs_.close_topmost(); } ///< what Escape is for before it is a command
 
     virtual std::optional<FootMessage> foot_message() const;

@@ -46,8 +46,8 @@ public:
         const ui::LayerScope layer(scene_.sketch.painter(), ui::Layer::Symbols);
         for (const femoop::NodeId node : picture_.lifted.body.nodes) draw_node(node);
         for (const Force& force : picture_.lifted.forces) draw_force(force);
-        if (picture_.ritter) draw_lines_to(picture_.ritter_points[*picture_.ritter]);
-        for (const RitterPoint& point : picture_.ritter_points) draw_ritter_point(point);
+        if (picture_.ritter) draw_lines_to(picture_.lifted.ritter_points[*picture_.ritter]);
+        for (const RitterPoint& point : picture_.lifted.ritter_points) draw_ritter_point(point);
         draw_moment_point();
     }
 
@@ -153,14 +153,7 @@ private:
     {
         ui::Stroke stroke = scene_.sketch.thin(ui::Role::Dimension);
         stroke.dash = {4.0, 3.0};
-        const auto draw_from = [&](const Piece& piece, double x) {
-            const Vector3d cut = scene_.shape[piece.member].at(x);
-            if (piece.member != point.bar) scene_.sketch.line(at(cut), at(point.at), stroke, Clearance::Soft);
-        };
-        for (const Piece& piece : picture_.lifted.body.pieces) {
-            if (piece.begins_at_cut) draw_from(piece, piece.from);
-            if (piece.ends_at_cut) draw_from(piece, piece.to);
-        }
+        for (const Vector3d& cut : point.others) scene_.sketch.line(at(cut), at(point.at), stroke, Clearance::Soft);
     }
 
     void draw_ritter_point(const RitterPoint& point)
@@ -200,7 +193,7 @@ private:
 std::vector<Vector3d> places_of(const FreeBodyPicture& picture, const StructureShape& shape)
 {
     std::vector<Vector3d> places{picture.moment_point()};
-    for (const RitterPoint& point : picture.ritter_points) {
+    for (const RitterPoint& point : picture.lifted.ritter_points) {
         const Vector3d place = point.at + picture.aside;
         const double off = (place - picture.moment_point()).norm();
         if (off <= shape.size) places.push_back(place); // of nearly parallel bars one lies anywhere

@@ -2,7 +2,6 @@
 
 #include "apps/drawing/sketch/scene.h"
 #include "femoop/methods/free_body/free_body.h"
-#include "femoop/methods/free_body/ritter.h"
 
 #include <optional>
 #include <string>
@@ -15,9 +14,8 @@ struct FreeBodyPicture {
     femoop::free_body::FreeBody lifted;
     Eigen::Vector3d aside = Eigen::Vector3d::Zero(); ///< how far it is moved
     Eigen::Vector3d about = Eigen::Vector3d::Zero(); ///< the point of moments, where the body was [length]
-    std::vector<femoop::free_body::RitterPoint> ritter_points{};
-    std::optional<std::size_t> ritter{};  ///< which of these moments are taken about
-    std::vector<std::string> equations{}; ///< for the foot of the sheet
+    std::optional<std::size_t> ritter{};             ///< which of its Ritter points moments are taken about
+    std::vector<std::string> equations{};            ///< for the foot of the sheet
 
     Eigen::Vector3d moment_point() const { return about + aside; } ///< where it is seen
 };

@@ -130,7 +130,8 @@ void AskedBody::put_moment_point(const Vector3d& about)
 void AskedBody::to_next_ritter_point()
 {
     const std::size_t next = picture_->ritter ? *picture_->ritter + 1 : 0;
-    put_moment_point(picture_->ritter_points[next % picture_->ritter_points.size()].at);
+    const std::vector<RitterPoint>& points = picture_->lifted.ritter_points;
+    put_moment_point(points[next % points.size()].at);
 }
 
 Body AskedBody::body(const femoop::Model& model) const
@@ -175,13 +176,11 @@ const drawing::FreeBodyPicture* AskedBody::picture(const femoop::Model& model, c
     FreeBody lifted = lift_out(model, results, options.load_case, body);
     const Vector3d about = about_.value_or(usual_moment_point(lifted, model));
     std::vector<std::string> equations = equation_lines(lifted, model, about, options.tr);
-    std::vector<RitterPoint> points = ritter_points(lifted, model);
-    const auto ritter = at_place(points, about);
-    if (ritter) equations.push_back(ritter_line(lifted, model, points[*ritter], options.tr));
+    const auto ritter = at_place(lifted.ritter_points, about);
+    if (ritter) equations.push_back(ritter_line(lifted, model, lifted.ritter_points[*ritter], options.tr));
     picture_ = drawing::FreeBodyPicture{.lifted = std::move(lifted),
                                         .aside = aside(model, body),
                                         .about = about,
-                                        .ritter_points = std::move(points),
                                         .ritter = ritter,
                                         .equations = std::move(equations)};
     return last();

@@ -38,7 +38,7 @@ public:
     void turn_cut(); ///< the other side is lifted. \pre there is one
 
     void put_moment_point(const Eigen::Vector3d& about);
-    bool has_ritter_points() const { return picture_ && !picture_->ritter_points.empty(); }
+    bool has_ritter_points() const { return picture_ && !picture_->lifted.ritter_points.empty(); }
     void to_next_ritter_point(); ///< moments are taken about it. \pre the last picture has some
 
     /// Null where nothing is lifted, or where the case that is shown has no results.

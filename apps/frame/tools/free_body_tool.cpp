@@ -32,7 +32,7 @@ Vector3d FreeBodyTool::moment_point(const AskedBody& body, const Aim& at)
     const Vector3d place = pointer_in_plane(at) - picture.aside;
     if (at.is_exact) return place;
     const auto is_near = [&](const Vector3d& other) { return (other - place).norm() <= reach * at.pixel; };
-    for (const auto& point : picture.ritter_points)
+    for (const auto& point : picture.lifted.ritter_points)
         if (is_near(point.at)) return point.at;
     for (const auto& force : picture.lifted.forces)
         if (is_near(force.at)) return force.at;

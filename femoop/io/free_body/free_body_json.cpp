@@ -1,8 +1,8 @@
 #include <array>
 #include <string_view>
-#include <vector>
 
 #include "femoop/io/free_body/free_body_text.h"
+#include "femoop/methods/free_body/ritter.h"
 #include "femoop/result/components.h"
 
 namespace femoop::free_body {
@@ -73,10 +73,9 @@ void write_free_body(JsonWriter& json, const FreeBody& body, const Model& model,
     json.end().key("equations").begin_array(Layout::Block);
     for (const Equation& equation : equations(body, model.analysis, about)) write_equation(json, equation);
     json.end();
-    const std::vector<RitterPoint> points = ritter_points(body, model);
-    if (points.empty()) return;
+    if (body.ritter_points.empty()) return;
     json.key("ritter_points").begin_array(Layout::Block);
-    for (const RitterPoint& point : points) write_ritter_point(json, point, body, model);
+    for (const RitterPoint& point : body.ritter_points) write_ritter_point(json, point, body, model);
     json.end();
 }
 

@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <string_view>
 
+#include "femoop/methods/free_body/ritter.h"
 #include "femoop/model/fault/fault.h"
 #include "femoop/model/quantity/dimension.h"
 #include "femoop/model/quantity/number_text.h"
@@ -158,7 +159,7 @@ std::string free_body_text(const FreeBody& body, const Model& model, const Eigen
                        "\n\n" + tabular::plain_text(table(body, model, equations, tr), {indent, decimal_mark(tr)}) +
                        "\n";
     for (const std::string& line : equation_lines(body, model, about, tr)) text += line + "\n";
-    for (const RitterPoint& point : ritter_points(body, model)) text += ritter_line(body, model, point, tr) + "\n";
+    for (const RitterPoint& point : body.ritter_points) text += ritter_line(body, model, point, tr) + "\n";
     return text;
 }
 

@@ -6,7 +6,6 @@
 
 #include "femoop/io/json/json_writer.h"
 #include "femoop/methods/free_body/free_body.h"
-#include "femoop/methods/free_body/ritter.h"
 #include "femoop/model/fault/translator.h"
 
 namespace femoop::free_body {

@@ -68,6 +68,7 @@ public:
             return femoop::without_rounding(force.force.norm(), most.force) == 0.0 &&
                    femoop::without_rounding(force.moment.norm(), most.moment) == 0.0;
         });
+        free_.ritter_points = ritter_points(structure_, free_.body, free_.forces);
         return std::move(free_);
     }
 
@@ -277,7 +278,7 @@ FreeBody lift_out(const Model& model, const Results& results, CaseId load_case, 
 
 Vector3d usual_moment_point(const FreeBody& body, const Model& model)
 {
-    if (const auto points = ritter_points(body, model); !points.empty()) return points.front().at;
+    if (!body.ritter_points.empty()) return body.ritter_points.front().at;
     const auto section = std::ranges::find(body.forces, ForceKind::SectionForces, &Force::kind);
     if (section != body.forces.end()) return section->at;
     return body.body.nodes.empty() ? Vector3d(Vector3d::Zero()) : position_of(model, body.body.nodes.front());

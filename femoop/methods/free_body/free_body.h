@@ -39,10 +39,21 @@ struct Force {
     Eigen::Vector3d moment_about(const Eigen::Vector3d& point) const;
 };
 
+/// Of a body that is cut off through bars: the point in which the lines of all bars meet but one. Moments about it leave
+/// the force of that bar alone unknown.
+/// Source  [TimoshenkoYoung1965, ch. 2]
+struct RitterPoint {
+    MemberId bar;
+    Eigen::Vector3d at = Eigen::Vector3d::Zero();
+    double arm = 0.0;                    ///< of the bar's tension on the body, counter-clockwise positive
+    std::vector<Eigen::Vector3d> others; ///< where the bars are cut that meet in it
+};
+
 /// A body with all that acts on it in a load case or combination.
 struct FreeBody {
     Body body;
-    std::vector<Force> forces; ///< without those that are nothing but round-off
+    std::vector<Force> forces;              ///< without those that are nothing but round-off
+    std::vector<RitterPoint> ritter_points; ///< of every bar that has one, in the order of the pieces
 };
 
 /// What acts on a part of a structure. \pre the results are those of the model

@@ -3,6 +3,7 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <optional>
 
 namespace femoop::free_body {
@@ -61,16 +62,15 @@ std::optional<Vector3d> meeting_but(const std::vector<CutBar>& bars, std::size_t
 
 } // namespace
 
-std::vector<RitterPoint> ritter_points(const FreeBody& body, const Model& model)
+std::vector<RitterPoint> ritter_points(const Discretisation& structure, const Body& body,
+                                       const std::vector<Force>& forces)
 {
     constexpr std::size_t fewest = 3;
-    if (!is_plane(model.analysis)) return {};
-    const Discretisation structure = discretise(model);
-    const std::vector<CutBar> bars = cut_bars(structure, body.body);
+    if (!is_plane(structure.kind)) return {};
+    const std::vector<CutBar> bars = cut_bars(structure, body);
     const auto is_cut = [&](MemberId member) { return std::ranges::find(bars, member, &CutBar::member) != bars.end(); };
-    const bool all_known = std::ranges::all_of(body.forces, [&](const Force& force) {
-        return force.kind != ForceKind::SectionForces || is_cut(*force.member);
-    });
+    const bool all_known = std::ranges::all_of(
+        forces, [&](const Force& force) { return force.kind != ForceKind::SectionForces || is_cut(*force.member); });
     const bool all_bars = std::ranges::all_of(
         bars, [&](const CutBar& bar) { return carries_normal_force_alone(structure, bar.member); });
     if (bars.size() < fewest || !all_known || !all_bars) return {};
@@ -80,25 +80,25 @@ std::vector<RitterPoint> ritter_points(const FreeBody& body, const Model& model)
         const auto at = meeting_but(bars, i, near);
         if (!at) continue;
         const double arm = about_z(bars[i].at - *at, bars[i].outward);
-        if (std::abs(arm) > near) points.push_back({.bar = bars[i].member, .at = *at, .arm = arm});
+        if (std::abs(arm) <= near) continue;
+        points.push_back({.bar = bars[i].member, .at = *at, .arm = arm, .others = {}});
+        for (const CutBar& other : bars)
+            if (other.member != bars[i].member) points.back().others.push_back(other.at);
     }
     return points;
 }
 
 RitterForce ritter_force(const FreeBody& body, const RitterPoint& point)
 {
-    RitterForce found;
-    double size = 0.0, sum = 0.0;
-    for (const Force& force : body.forces) {
-        double moment = force.moment_about(point.at).z();
-        const double whole = force.moment.norm() + (force.at - point.at).norm() * force.force.norm();
-        if (force.kind == ForceKind::SectionForces && force.member == point.bar) moment -= force.section.N * point.arm;
-        size = std::max(size, whole);
-        found.moments.push_back(moment);
-    }
-    std::erase_if(found.moments, [&](double moment) { return std::abs(moment) <= negligible * size; });
-    for (const double moment : found.moments) sum += moment;
-    found.force = std::abs(sum) <= negligible * size ? 0.0 : -sum / point.arm;
+    const Equation about = equations(body, AnalysisKind::Truss2d, point.at).back();
+    const auto is_rounding = [&](double moment) { return std::abs(moment) <= negligible * about.size; };
+    RitterForce found{.moments = about.terms};
+    for (std::size_t i = 0; i < body.forces.size(); ++i)
+        if (body.forces[i].kind == ForceKind::SectionForces && body.forces[i].member == point.bar)
+            found.moments[i] -= body.forces[i].section.N * point.arm;
+    std::erase_if(found.moments, is_rounding);
+    const double sum = std::accumulate(found.moments.begin(), found.moments.end(), 0.0);
+    found.force = is_rounding(sum) ? 0.0 : -sum / point.arm;
     return found;
 }
 

@@ -36,7 +36,7 @@ TEST_SUITE("free body")
     {
         const Model model = read_model_file("examples/pratt_truss.json"); // 5 P of 30, panels of 3, height 4
         const FreeBody left = beside(model, "L0", {"L2L3", "U2L3", "U2U3"});
-        const std::vector<RitterPoint> points = ritter_points(left, model);
+        const std::vector<RitterPoint>& points = left.ritter_points;
         REQUIRE(points.size() == 2); // the chords are parallel: the diagonal has none
         for (const RitterPoint& point : points) {
             const bool is_lower = model[point.bar].id == "L2L3";
@@ -54,8 +54,8 @@ TEST_SUITE("free body")
         const Model model = read_model_file("examples/pratt_truss.json");
         const FreeBody left = beside(model, "L0", {"L2L3", "U2L3", "U2U3"});
         const FreeBody right = beside(model, "L6", {"L2L3", "U2L3", "U2U3"});
-        for (const RitterPoint& a : ritter_points(left, model))
-            for (const RitterPoint& b : ritter_points(right, model))
+        for (const RitterPoint& a : left.ritter_points)
+            for (const RitterPoint& b : right.ritter_points)
                 if (a.bar == b.bar)
                     CHECK(ritter_force(left, a).force == doctest::Approx(ritter_force(right, b).force).epsilon(1e-12));
     }
@@ -65,8 +65,8 @@ TEST_SUITE("free body")
         FrameMaker made;
         made.node("A", 0, 0, SupportKind::Fixed).node("B", 3, 0).node("C", 3, 4).node("D", 0, 4, SupportKind::Fixed);
         made.member("A", "B").member("D", "C").member("A", "C").member("B", "C").force("C", Dof::uy, -10.0);
-        CHECK(ritter_points(beside(made.model, "C", {"AB", "DC", "AC"}), made.model).empty());
+        CHECK(beside(made.model, "C", {"AB", "DC", "AC"}).ritter_points.empty());
         const Model truss = read_model_file("examples/pratt_truss.json");
-        CHECK(ritter_points(beside(truss, "L0", {"L0U1", "L0L1"}), truss).empty());
+        CHECK(beside(truss, "L0", {"L0U1", "L0L1"}).ritter_points.empty());
     }
 }
