@@ -20,6 +20,8 @@ constexpr double usual_arrow = 34.0; // [px] of the largest load, in the theme's
 constexpr double edge = 3.0;         // [px] that labels keep from the border of their panel
 constexpr double least_afar = 14.0;  // [px] of type that the last row reads in a small picture
 
+constexpr std::size_t most_with_all_values = 24; // members; of more the values are thinned out in a small picture
+
 struct Extent {
     ui::World2 low, high;
     double width() const { return high.x - low.x; }
@@ -539,6 +541,7 @@ Sketched sketched(ui::Painter& painter, const Panel& panel, const Scene& scene, 
         if (panel.stretch != 1.0 || !panel.storeys.is_to_scale())
             node.at[1] = femoop::Quantity(panel.stretch * panel.storeys(node.at[1].value()));
     }
+    for (femoop::Member& member : model.members) member.inextensible = false; // the method holds all: no mark tells it
     const drawing::StructureShape shape = drawing::shape_of(model);
     drawing::DrawOptions options;
     options.show = look.show;
@@ -554,12 +557,12 @@ Sketched sketched(ui::Painter& painter, const Panel& panel, const Scene& scene, 
                             .theme = &theme,
                             .room = room,
                             .symbol_factor = detail.symbol_share(),
-                            .is_reduced = detail.is_reduced(),
+                            .is_reduced = detail.is_reduced() && shape.members.size() > most_with_all_values,
                             .is_measured = pass == Pass::Measure});
     if (panel.title) sketch.reserve(*panel.title);
     options.load_factor = panel.arrows * load_factor(shape, projection, sketch.px(usual_arrow));
     const ui::DisplayUnits units = units_of(scene.document.model, scene.look.tr);
-    marks({model, shape, projection, options, state, units, sketch, detail, look.show});
+    marks({model, shape, projection, options, state, units, sketch, detail, look.show, look.units_stand});
     if (pass == Pass::Write) sketch.write_captions();
     return {sketch.grips(), sketch.bounds()};
 }
@@ -589,7 +592,8 @@ ui::PlaneCamera camera_around(const Marks& marks, const Panel& panel, const Scen
                               const ui::Fonts& fonts)
 {
     const Extent extent = extent_of(drawing::shape_of(scene.document.model));
-    const double title = title_ems * theme_in(panel, scene.look).type().normal;
+    const double title = panel.title ? panel.title->height()
+                                     : title_ems * theme_in(panel, scene.look).type().normal;
     Panel fitted = panel;
     constexpr int trials = 4; // the room that marks take changes little from one scale to the next
     for (int i = 0; i < trials; ++i) {

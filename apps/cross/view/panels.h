@@ -129,6 +129,7 @@ ui::Box title_box(const ui::Painter& painter, const Panel& panel, const std::str
 struct StructureLook {
     drawing::ShowSet show;
     std::optional<drawing::LockedScale> locked_scale{};
+    drawing::UnitsStand units_stand = drawing::UnitsStand::WithValues;
 };
 
 using Marks = std::function<void(const drawing::Scene&)>;

@@ -16,6 +16,8 @@
 #include "apps/drawing/structure/members.h"
 #include "apps/drawing/structure/supports.h"
 #include "femoop/methods/cross/symmetry.h"
+#include "ui/paint/label/oriented_box.h"
+#include "ui/paint/text_measure.h"
 
 namespace cross {
 
@@ -58,6 +60,8 @@ public:
     void lay_out()
     {
         lay_out(wanted_lines(), legible());
+        if (const std::string note = note_of_left_out(); !note.empty())
+            taken_.push_back(box_below(painter_, panel_, theme_in(panel_, scene_.look), note));
         if (is_sum()) key_ = place_of_key();
         if (is_sum() && !key_) make_room_for_long_title();
     }
@@ -70,6 +74,8 @@ public:
         const ui::LayerScope layer(painter_, ui::Layer::Labels);
         if (problem_.mirror) draw_axis(*problem_.mirror);
         mark_joints();
+        arrows_ = arrows_of_turn();
+        for (const Arrow& arrow : arrows_) draw(arrow);
         for (std::size_t e = 0; e < problem_.ends.size(); ++e)
             if (layout_.boxes[e] && layout_.boxes[e]->overlaps(panel_.box)) draw_column(fc::EndId(e));
         if (sheet_ != nullptr && !sheet_->steps.empty()) draw_flights();
@@ -377,8 +383,8 @@ private:
         const double em = layout_.type, middle = 0.5 * (box.min.x + box.max.x);
         ui::TextStyle name = style(ui::Role::FaintLabel, ui::Anchor::Center);
         name.size *= 0.9;
-        painter_.text({middle, box.min.y + 0.55 * em},
-                      head_within(painter_, scene_.document.model, end, name, box.width()), name);
+        write_over_arrows({middle, box.min.y + 0.55 * em},
+                          head_within(painter_, scene_.document.model, end, name, box.width()), name);
         if (!has_factor(id)) return;
         const ui::Box frame{{box.min.x + 0.15 * em, box.min.y + 1.1 * em},
                             {box.max.x - 0.05 * em, box.min.y + 2.55 * em}};
@@ -386,7 +392,8 @@ private:
         stroke.width = std::max(1.0, 0.07 * em);
         painter_.polyline({frame.min, {frame.max.x, frame.min.y}, frame.max, {frame.min.x, frame.max.y}}, stroke,
                           ui::PathEnds::Closed);
-        painter_.text(frame.center(), numbers_.factor(factors_[id.index]), style(ui::Role::Label, ui::Anchor::Center));
+        write_over_arrows(frame.center(), numbers_.factor(factors_[id.index]),
+                          style(ui::Role::Label, ui::Anchor::Center));
     }
 
     void draw_cells(const Column& column)
@@ -428,7 +435,7 @@ private:
         const ui::Weight weight = is_last ? ui::Weight::Bold : ui::Weight::Regular;
         ui::TextStyle text = style(role, ui::Anchor::Right, weight);
         text.plate = plate;
-        painter_.text(at, numbers_.moment(problem_[column.end], cell.value), text);
+        write_over_arrows(at, numbers_.moment(problem_[column.end], cell.value), text);
     }
 
     void underline(const Column& column, ui::Point at)
@@ -445,8 +452,8 @@ private:
         const double n = is_worked(id) ? static_cast<double>(n_shown()) : 0.0;
         const ui::Point at = line_at(id, n + 0.12);
         rule_sum(box, at.y);
-        painter_.text(at, numbers_.moment(problem_[id], total(id)),
-                      style(ui::Role::BendingMoment, ui::Anchor::Right, ui::Weight::Bold));
+        write_over_arrows(at, numbers_.moment(problem_[id], total(id)),
+                          style(ui::Role::BendingMoment, ui::Anchor::Right, ui::Weight::Bold));
     }
 
     /// Two lines over a sum that stands at this height.
@@ -517,12 +524,13 @@ private:
                 if (const ui::Box beside = ui::box_at({left, top}, size); is_free(beside.grown(-1.0))) return beside;
             if (!first) first = box->min;
         }
+        constexpr double apart = 2.0; // nearer to other lines it would seem to name those
         std::optional<ui::Box> best;
         for (double y = room_.min.y; first && y + size.height <= room_.max.y; y += em)
             for (double x = room_.min.x; x + size.width <= room_.max.x; x += em) {
                 const ui::Box box = ui::box_at({x, y}, size);
                 if (best && ui::distance(box.min, *first) >= ui::distance(best->min, *first)) continue;
-                if (is_free(box.grown(0.5 * em))) best = box;
+                if (is_free(box.grown(0.5 * em)) && !overlaps_column(box.grown(apart * em))) best = box;
             }
         return best;
     }
@@ -530,9 +538,14 @@ private:
     bool is_free(const ui::Box& box) const
     {
         const auto is_hit = [&](const ui::Box& other) { return other.overlaps(box); };
-        const auto is_column = [&](const std::optional<ui::Box>& other) { return other && other->overlaps(box); };
         return room_.contains(box) && panel_.box.contains(box) && std::ranges::none_of(taken_, is_hit) &&
-               std::ranges::none_of(layout_.boxes, is_column);
+               !overlaps_column(box);
+    }
+
+    bool overlaps_column(const ui::Box& box) const
+    {
+        const auto is_column = [&](const std::optional<ui::Box>& other) { return other && other->overlaps(box); };
+        return std::ranges::any_of(layout_.boxes, is_column);
     }
 
     /// The axis of symmetry, over the whole picture.
@@ -661,7 +674,6 @@ private:
         const auto from = end.far ? cell_of_last_turn(*end.far, RowKind::Balance) : std::nullopt;
         if (!from) return fly(column, cell, to, to, 1.0);
         const double share = (scene_.phase - balances_until) / (1.0 - balances_until);
-        if (share > 0.0) draw_arrow(*from, to, joint_place(end.node), std::min(1.0, share));
         fly(column, cell, *from, to, share);
     }
 
@@ -671,39 +683,79 @@ private:
         write(column, cell, from + std::min(1.0, share) * (to - from), theme_.background());
     }
 
-    /// From the balance to what it carries over, as far as it has come.
-    void draw_arrow(ui::Point from, ui::Point to, ui::Point joint, double share)
+    /// From a balance to what it carries over, as far as it has come.
+    struct Arrow {
+        ui::Point tail, tip;
+    };
+
+    std::vector<Arrow> arrows_of_turn() const
     {
-        const ui::LayerScope layer(painter_, ui::Layer::Lines);
+        const double share = (scene_.phase - balances_until) / (1.0 - balances_until);
+        std::vector<Arrow> arrows;
+        for (const Column& column : columns_) {
+            const auto& far = problem_[column.end].far;
+            const auto to = cell_of_last_turn(column.end, RowKind::CarryOver);
+            const auto from = far ? cell_of_last_turn(*far, RowKind::Balance) : std::nullopt;
+            if (!from || !to || share <= 0.0) continue;
+            const Arrow arrow = arrow_between(*from, *to, joint_place(problem_[column.end].node), std::min(1.0, share));
+            if (ui::distance(arrow.tail, arrow.tip) >= 1.2 * layout_.type) arrows.push_back(arrow);
+        }
+        return arrows;
+    }
+
+    Arrow arrow_between(ui::Point from, ui::Point to, ui::Point joint, double share) const
+    {
         const double em = layout_.type, width = column_width(em);
         // Along a column of the frame it runs down beside the numbers, away from the member.
         const bool is_upright = std::abs(to.x - from.x) < 0.6 * width;
         const bool leaves_right = is_upright ? from.x - 0.5 * width > joint.x : to.x > from.x;
         const ui::Point right{0.5 * em, 0.0}, left{-width, 0.0};
         const ui::Point a = from + (leaves_right ? right : left), b = to + (leaves_right == is_upright ? right : left);
-        const ui::Point tip = a + share * (b - a), d = ui::direction(b - a);
-        if (ui::distance(a, tip) < 1.2 * em) return;
+        return {a, a + share * (b - a)};
+    }
+
+    void draw(const Arrow& arrow)
+    {
+        const ui::LayerScope layer(painter_, ui::Layer::Lines);
+        const double em = layout_.type;
+        const auto& [tail, tip] = arrow;
+        const ui::Point d = ui::direction(tip - tail), n = ui::left_normal(d);
         ui::Stroke stroke = theme_.stroke(ui::Role::Created);
         stroke.width = 0.09 * em;
-        painter_.line(a, tip - 0.5 * em * d, stroke);
-        const ui::Point n = ui::left_normal(d);
+        painter_.line(tail, tip - 0.5 * em * d, stroke);
         painter_.polygon({tip, tip - 0.75 * em * d + 0.28 * em * n, tip - 0.75 * em * d - 0.28 * em * n}, stroke.color);
     }
 
-    void draw_left_out()
+    /// Where an arrow runs below a string, that has a ground to be read on.
+    void write_over_arrows(ui::Point at, const std::string& words, ui::TextStyle text)
+    {
+        const ui::Box box = ui::text_box(painter_.fonts(), at, words, text).grown(0.1 * layout_.type);
+        const ui::OrientedBox around(box.center(), box.size());
+        const auto is_below = [&](const Arrow& arrow) { return around.meets_segment(arrow.tail, arrow.tip); };
+        if (std::ranges::any_of(arrows_, is_below)) text.plate = theme_.background();
+        painter_.text(at, words, text);
+    }
+
+    /// "" where every column that is seen has room.
+    std::string note_of_left_out() const
     {
         std::size_t n = 0;
         for (std::size_t e = 0; e < layout_.boxes.size(); ++e)
             n += !layout_.boxes[e] && panel_.box.contains(joint_place(problem_.ends[e].node)) ? 1 : 0;
-        if (n == 0) return;
+        if (n == 0) return "";
         // Who has zoomed in sees columns below it: there it is short.
         const std::string_view words = panel_.is_zoomed
                                            ? translatable("columns without room: {count}")
                                            : translatable(
                                                  "member ends without room for their columns: {count}; zoom in, "
                                                  "or see the panel Table");
-        write_below(painter_, panel_, theme_in(panel_, scene_.look),
-                    scene_.look.tr(words, {{"count", std::to_string(n)}}));
+        return scene_.look.tr(words, {{"count", std::to_string(n)}});
+    }
+
+    void draw_left_out()
+    {
+        if (const std::string note = note_of_left_out(); !note.empty())
+            write_below(painter_, panel_, theme_in(panel_, scene_.look), note);
     }
 
     ui::Painter& painter_;
@@ -722,6 +774,7 @@ private:
     std::vector<ui::Box> taken_; // by the structure
     ui::Box room_;
     std::optional<ui::Box> key_;
+    std::vector<Arrow> arrows_; // of the last turn
 };
 
 std::string stage_name(const Scene& scene)

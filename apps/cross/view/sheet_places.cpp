@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "ui/paint/text_measure.h"
 #include "ui/paint/wrapped_lines.h"
 #include "ui/text/shortened.h"
 
@@ -123,18 +124,44 @@ std::optional<ui::Point> way_into_sight(const ui::Box& box, const ui::Box& sight
     return ui::distance({}, by) > 0.0 ? std::optional(by) : std::nullopt;
 }
 
+namespace {
+
+struct NoteBelow {
+    ui::TextStyle style;
+    std::vector<std::string> lines;
+    ui::Point corner; // of the last line, at the lower right
+    double step = 0.0;
+};
+
+NoteBelow note_below(const ui::Painter& painter, const Panel& panel, const ui::Theme& theme, const std::string& words)
+{
+    NoteBelow note{.style = theme.text(ui::Role::Warning, ui::Anchor::BottomRight)};
+    note.style.size = theme.type().small;
+    note.style.plate = theme.background();
+    note.lines = ui::wrapped_lines(painter.fonts(), words, note.style, 0.96 * panel.box.width());
+    note.corner = panel.box.max - ui::Point{0.5 * note.style.size, 0.5 * note.style.size};
+    note.step = 1.2 * note.style.size;
+    return note;
+}
+
+} // namespace
+
+ui::Box box_below(const ui::Painter& painter, const Panel& panel, const ui::Theme& theme, const std::string& words)
+{
+    const NoteBelow note = note_below(painter, panel, theme, words);
+    ui::Box box{note.corner, note.corner};
+    ui::Point at = note.corner;
+    for (auto line = note.lines.rbegin(); line != note.lines.rend(); ++line, at.y -= note.step)
+        box = ui::united(box, ui::text_box(painter.fonts(), at, *line, note.style));
+    return box;
+}
+
 void write_below(ui::Painter& painter, const Panel& panel, const ui::Theme& theme, const std::string& words)
 {
-    ui::TextStyle text = theme.text(ui::Role::Warning, ui::Anchor::BottomRight);
-    const double room = 0.96 * panel.box.width();
-    text.size = theme.type().small;
-    text.plate = theme.background();
-    const std::vector<std::string> lines = ui::wrapped_lines(painter.fonts(), words, text, room);
-    ui::Point at = panel.box.max - ui::Point{0.5 * text.size, 0.5 * text.size};
-    for (auto line = lines.rbegin(); line != lines.rend(); ++line) {
-        painter.text(at, *line, text);
-        at.y -= 1.2 * text.size;
-    }
+    const NoteBelow note = note_below(painter, panel, theme, words);
+    ui::Point at = note.corner;
+    for (auto line = note.lines.rbegin(); line != note.lines.rend(); ++line, at.y -= note.step)
+        painter.text(at, *line, note.style);
 }
 
 } // namespace cross

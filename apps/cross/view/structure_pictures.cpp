@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <optional>
 #include <utility>
 
@@ -223,7 +224,7 @@ namespace {
 
 constexpr std::size_t most_stiffnesses = 24; // of members that have theirs written
 
-/// "EI", "2EI" at the middle of every member, or along it.
+/// "EI", "2EI" at the middle of every member, or along it; in a narrow picture only where that takes room from nothing.
 void write_stiffnesses(const Scene& scene, const drawing::Scene& in)
 {
     const std::size_t n = scene.document.model.members.size();
@@ -239,7 +240,9 @@ void write_stiffnesses(const Scene& scene, const drawing::Scene& in)
                            .rank = drawing::Rank::Minor,
                            .size = in.sketch.theme().type().small,
                            .others = {at(0.35), at(0.65), at(0.2), at(0.8)}, // loads and their values come first
-                           .reach = 16.0});
+                           .reach = 16.0,
+                           .side = ui::HalfPlane{a, below},
+                           .is_repeat = in.units_stand == drawing::UnitsStand::InTitle});
     }
 }
 
@@ -247,25 +250,56 @@ void write_stiffnesses(const Scene& scene, const drawing::Scene& in)
 
 namespace {
 
-const StructureLook with_loads{{Show::Loads, Show::Values, Show::NodeNames, Show::Dimensions}};
-
-/// In a narrow picture the lengths of spans and storeys alone: so the structure is larger.
-drawing::Totals totals_in(const Panel& panel, const Scene& scene)
+/// Whether units of loads follow from those of forces and lengths, so that a title can say them for all.
+bool are_units_coherent(const ui::DisplayUnits& units)
 {
-    constexpr double narrow = 16.0; // ems
-    const bool is_narrow = panel.box.width() < narrow * scene.look.full_theme().type().normal;
-    return is_narrow ? drawing::Totals::LeftOut : drawing::Totals::Drawn;
+    const auto name = [&](ui::Measure measure) { return units.unit(measure).name; };
+    const std::string force = name(ui::Measure::Force), length = name(ui::Measure::Length);
+    return name(ui::Measure::ForcePerLength) == force + "/" + length &&
+           name(ui::Measure::Moment) == force + "·" + length;
 }
 
-Marks marks_of_loads(const Scene& scene, drawing::Totals totals)
+/// A narrow picture says its units in the title, and the lengths of spans and storeys alone: so the structure is larger.
+bool is_narrow(const Panel& panel, const Scene& scene)
 {
-    return [&scene, totals](const drawing::Scene& in) {
+    constexpr double narrow = 20.0; // ems
+    return panel.box.width() < narrow * scene.look.full_theme().type().normal;
+}
+
+StructureLook look_of_loads(const Panel& panel, const Scene& scene)
+{
+    const bool is_brief = is_narrow(panel, scene) && are_units_coherent(units_of(scene.document.model, scene.look.tr));
+    return {.show = {Show::Loads, Show::Values, Show::NodeNames, Show::Dimensions},
+            .units_stand = is_brief ? drawing::UnitsStand::InTitle : drawing::UnitsStand::WithValues};
+}
+
+drawing::Chains chains_in(const Panel& panel, const Scene& scene)
+{
+    return is_narrow(panel, scene) ? drawing::Chains::Brief : drawing::Chains::Full;
+}
+
+/// "Structure and loads: G", in a narrow picture "Loads: G [kN, m]".
+std::string title_of_loads(const Scene& scene, const StructureLook& look)
+{
+    const std::string& name = scene.document.model.case_name(scene.document.method.load_case);
+    if (look.units_stand == drawing::UnitsStand::WithValues)
+        return scene.look.tr("Structure and loads: {case}", {{"case", name}});
+    const ui::DisplayUnits units = units_of(scene.document.model, scene.look.tr);
+    return scene.look.tr("Loads: {case}", {{"case", name}}) + " [" + units.unit(ui::Measure::Force).name + ", " +
+           units.unit(ui::Measure::Length).name + "]";
+}
+
+enum class Stiffnesses : std::uint8_t { Written, LeftOut };
+
+Marks marks_of_loads(const Panel& panel, const Scene& scene, Stiffnesses stiffnesses)
+{
+    return [&scene, stiffnesses, chains = chains_in(panel, scene)](const drawing::Scene& in) {
         drawing::draw_members(in, drawing::Presence::Subject);
         draw_supports_and_joints(in);
         drawing::draw_loads(in);
         drawing::draw_names(in);
-        write_stiffnesses(scene, in);
-        drawing::draw_dimensions(in, totals);
+        drawing::draw_dimensions(in, chains);
+        if (stiffnesses == Stiffnesses::Written) write_stiffnesses(scene, in);
     };
 }
 
@@ -273,17 +307,18 @@ Marks marks_of_loads(const Scene& scene, drawing::Totals totals)
 
 LoadedView view_of_loads(const Panel& panel, const Scene& scene, const ui::Fonts& fonts)
 {
-    const Marks marks = marks_of_loads(scene, totals_in(panel, scene));
-    if (is_beam(drawing::shape_of(scene.document.model))) return beam_around(marks, panel, scene, with_loads, fonts);
-    return {camera_around(marks, panel, scene, with_loads, fonts)};
+    const Marks marks = marks_of_loads(panel, scene, Stiffnesses::LeftOut); // which stand where they find room
+    const StructureLook look = look_of_loads(panel, scene);
+    if (is_beam(drawing::shape_of(scene.document.model))) return beam_around(marks, panel, scene, look, fonts);
+    return {camera_around(marks, panel, scene, look, fonts)};
 }
 
 drawing::Grips draw_loaded(ui::Painter& painter, const Panel& panel, const Scene& scene)
 {
-    const std::string& name = scene.document.model.case_name(scene.document.method.load_case);
-    draw_title(painter, panel, scene.look.tr("Structure and loads: {case}", {{"case", name}}),
-               theme_in(panel, scene.look));
-    return draw_structure_in(painter, panel, scene, with_loads, marks_of_loads(scene, totals_in(panel, scene)));
+    const StructureLook look = look_of_loads(panel, scene);
+    Panel below = panel;
+    below.title = draw_title(painter, panel, title_of_loads(scene, look), theme_in(panel, scene.look));
+    return draw_structure_in(painter, below, scene, look, marks_of_loads(panel, scene, Stiffnesses::Written));
 }
 
 void draw_deformed_state(ui::Painter& painter, const Panel& panel, const Scene& scene)

@@ -1,14 +1,31 @@
 #include "apps/drawing/sketch/scene.h"
 
+#include <algorithm>
+#include <array>
 #include <optional>
 
 namespace drawing {
+
+namespace {
+
+bool is_of_forces_or_lengths(ui::Measure measure)
+{
+    constexpr std::array all{ui::Measure::Length, ui::Measure::Force, ui::Measure::Moment, ui::Measure::ForcePerLength,
+                             ui::Measure::MomentPerLength};
+    return std::ranges::find(all, measure) != all.end();
+}
+
+} // namespace
 
 std::string with_minus(const std::string& text) { return text.starts_with('-') ? "−" + text.substr(1) : text; }
 
 std::string Scene::number(double value, ui::Measure measure) const { return with_minus(units.number(value, measure)); }
 
-std::string Scene::text(double value, ui::Measure measure) const { return with_minus(units.text(value, measure)); }
+std::string Scene::text(double value, ui::Measure measure) const
+{
+    if (units_stand == UnitsStand::InTitle && is_of_forces_or_lengths(measure)) return number(value, measure);
+    return with_minus(units.text(value, measure));
+}
 
 bool Scene::explains() const
 {

@@ -9,7 +9,13 @@
 #include "femoop/model/model.h"
 #include "ui/text/display_units.h"
 
+#include <cstdint>
+#include <string>
+
 namespace drawing {
+
+/// Where a panel says the units of forces, moments and lengths: with each value, or once, in its title.
+enum class UnitsStand : std::uint8_t { WithValues, InTitle };
 
 /// What every part of a picture is drawn from. Lives while one panel is drawn.
 struct Scene {
@@ -22,6 +28,7 @@ struct Scene {
     Sketch& sketch;
     const LevelOfDetail& detail;
     ShowSet show; ///< what this panel shows of what the options ask for
+    UnitsStand units_stand = UnitsStand::WithValues;
 
     bool shows(Show item) const { return show.contains(item); }
     ui::Point place(femoop::NodeId node) const { return projection(shape[node]); }
@@ -30,7 +37,7 @@ struct Scene {
     {
         return projection.frame(member.at(along), member.x(), member.y());
     }
-    /// A number as books print it, with a true minus sign; `text` adds the unit.
+    /// A number as books print it, with a true minus sign; `text` adds the unit, but where the title says it.
     std::string number(double value, ui::Measure measure) const;
     std::string text(double value, ui::Measure measure) const;
     /// No result is drawn over the structure, so there is room to say what it is made of.

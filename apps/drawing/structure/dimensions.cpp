@@ -52,17 +52,17 @@ void draw_chain(const Scene& scene, const Chain& chain)
                      .length = chain.levels[i + 1] - chain.levels[i]});
 }
 
-void draw_with_total(const Scene& scene, const Chain& chain, double step, Totals totals)
+void draw_with_total(const Scene& scene, const Chain& chain, double step, Chains chains)
 {
     if (chain.levels.size() < 2) return;
     draw_chain(scene, chain);
-    if (chain.levels.size() == 2 || totals == Totals::LeftOut) return;
+    if (chain.levels.size() == 2 || chains == Chains::Brief) return;
     draw_chain(scene, {{chain.levels.front(), chain.levels.back()},
                        [&](double level) { return chain.at(level) + step * chain.outward; },
                        chain.outward});
 }
 
-void draw_in_plane(const Scene& scene, Totals totals)
+void draw_in_plane(const Scene& scene, Chains chains)
 {
     Sketch& sketch = scene.sketch;
     if (!sketch.bounds()) return;
@@ -76,18 +76,19 @@ void draw_in_plane(const Scene& scene, Totals totals)
                          return ui::Point{sheet(x, 0.0).x, around.max.y + gap};
                      },
                      ui::Point{0.0, 1.0}},
-                    step, totals);
+                    step, chains);
     const std::vector<double> heights = levels(scene, 1);
+    const ui::Point outward{chains == Chains::Brief ? 1.0 : -1.0, 0.0};
     draw_with_total(scene,
                     {heights,
                      [&](double y) {
                          return ui::Point{around.min.x - gap, sheet(0.0, y).y};
                      },
-                     ui::Point{-1.0, 0.0}},
-                    std::max(step, text_width(scene, heights) + sketch.px(14.0)), totals);
+                     outward},
+                    std::max(step, text_width(scene, heights) + sketch.px(14.0)), chains);
 }
 
-void draw_in_space(const Scene& scene, Totals totals)
+void draw_in_space(const Scene& scene, Chains chains)
 {
     Sketch& sketch = scene.sketch;
     const double unit = sketch.px(34.0) / scene.projection.scale();
@@ -97,7 +98,7 @@ void draw_in_space(const Scene& scene, Totals totals)
     if (x.empty()) return;
     const auto at = [&](double px, double py, double pz) { return scene.projection(Vector3d(px, py, pz)); };
     const auto chain = [&](std::vector<double> list, std::function<ui::Point(double)> place, ui::Point outward) {
-        draw_with_total(scene, {std::move(list), std::move(place), outward}, sketch.px(26.0), totals);
+        draw_with_total(scene, {std::move(list), std::move(place), outward}, sketch.px(26.0), chains);
     };
     chain(
         x, [&](double v) { return at(v, y.front() - unit, z.front()); },
@@ -123,11 +124,11 @@ std::vector<Eigen::Vector3d> dimensioned_corners(const StructureShape& shape)
     return {least, {most.x(), least.y(), least.z()}, {most.x(), most.y(), least.z()}, {least.x(), least.y(), most.z()}};
 }
 
-void draw_dimensions(const Scene& scene, Totals totals)
+void draw_dimensions(const Scene& scene, Chains chains)
 {
     const ui::LayerScope layer(scene.sketch.painter(), ui::Layer::Symbols);
-    if (scene.is_flat()) draw_in_plane(scene, totals);
-    else draw_in_space(scene, totals);
+    if (scene.is_flat()) draw_in_plane(scene, chains);
+    else draw_in_space(scene, chains);
 }
 
 } // namespace drawing

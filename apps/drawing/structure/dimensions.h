@@ -8,9 +8,10 @@
 namespace drawing {
 
 /// Chains of dimension lines outside everything drawn so far: below and at the left in plane models, along x, y and z
-/// in space. Each chain measures between neighbouring nodes, and over all when there are several and totals are drawn.
-enum class Totals : std::uint8_t { Drawn, LeftOut };
-void draw_dimensions(const Scene& scene, Totals totals = Totals::Drawn);
+/// in space. Each chain measures between neighbouring nodes, and over all when there are several; brief chains, which
+/// take the least room, have no totals, and the heights of a plane model stand between their chain and the structure.
+enum class Chains : std::uint8_t { Full, Brief };
+void draw_dimensions(const Scene& scene, Chains chains = Chains::Full);
 
 /// Where the chains of a structure in space begin and end: corners of the box around its nodes, which may lie far from
 /// any node.
