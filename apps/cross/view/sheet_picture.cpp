@@ -414,7 +414,7 @@ private:
         const ui::TextStyle sign = style(ui::Role::FaintLabel, ui::Anchor::Right);
         const auto line = static_cast<double>(is_short() ? n_head_lines() : 1);
         const double before = is_short() ? 0.3 * layout_.type + width_of_first(column) : 0.8 * layout_.type;
-        painter_.text(line_at(column.end, line) - ui::Point{before, 0.0}, "⋮", sign);
+        write_over_arrows(line_at(column.end, line) - ui::Point{before, 0.0}, "⋮", sign);
     }
 
     double width_of_first(const Column& column) const

@@ -6,6 +6,7 @@
 #include <sstream>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "apps/cross/document/file.h"
@@ -14,6 +15,7 @@
 #include "apps/cross/view/sheet_places.h"
 #include "tests/apps/cross/strings.h"
 #include "tests/golden/scene.h"
+#include "ui/paint/label/oriented_box.h"
 #include "ui/paint/surface.h"
 #include "ui/paint/surface/golden_text.h"
 
@@ -492,6 +494,109 @@ TEST_CASE("A carry-over whose balance has left its full column has no arrow, whi
     ArrowHeads heads;
     painter.picture().draw_on(heads);
     CHECK(heads.uppermost > 20.0);
+}
+
+namespace {
+
+const std::string stepped_frame = "tests/scenarios/cross/stepped_frame.json";
+
+/// Strings that an arrow runs through, with no ground of their own over it.
+class StruckStrings : public Strings {
+public:
+    StruckStrings(const ui::Fonts& fonts, const ui::Theme& theme)
+        : Strings(fonts), arrow_(theme.stroke(ui::Role::Created).color), ground_(theme.background())
+    {}
+
+    void stroke(const ui::Path& path, const ui::Stroke& stroke) override
+    {
+        if (stroke.color != arrow_ || path.points.size() != 2) return;
+        arrows_.emplace_back(path.points[0], path.points[1]);
+        grounds_.clear();
+    }
+    void fill(std::span<const ui::Point> polygon, ui::Color color) override
+    {
+        ui::Box box{polygon.front(), polygon.front()};
+        for (const ui::Point point : polygon) box = ui::united(box, {point, point});
+        if (color == ground_) grounds_.push_back(box);
+    }
+    void text(ui::Point at, std::string_view utf8, const ui::TextStyle& style) override
+    {
+        Strings::text(at, utf8, style);
+        const ui::Box box = all.back().box;
+        const ui::OrientedBox inside(box.center(), box.grown(-1.0).size());
+        const auto strikes = [&](const auto& arrow) { return inside.meets_segment(arrow.first, arrow.second); };
+        const auto covers = [&](const ui::Box& ground) { return ground.contains(box.center()); };
+        if (std::ranges::any_of(arrows_, strikes) && std::ranges::none_of(grounds_, covers))
+            struck.push_back(all.back());
+    }
+
+    std::size_t n_arrows() const { return arrows_.size(); }
+    std::vector<String> struck;
+
+private:
+    ui::Color arrow_, ground_;
+    std::vector<std::pair<ui::Point, ui::Point>> arrows_;
+    std::vector<ui::Box> grounds_;
+};
+
+} // namespace
+
+TEST_CASE("No arrow of what is carried over runs through a number")
+{
+    const ui::Fonts fonts;
+    const Look look{.theme = ui::ThemeName::Projector};
+    std::size_t n_arrows = 0;
+    for (const std::string& file : {stepped_frame, std::string("tests/cases/own/staged-two-storeys.json")}) {
+        Document document = read_document_file(file);
+        Solution solution = solve(document);
+        for (int turn = 1; turn <= 8 && next_turn(document, solution); ++turn) {
+            take_turns(document, solution, 1);
+            for (const ui::Size size : {ui::Size{450.0, 525.0}, ui::Size{640.0, 694.0}, ui::Size{1280.0, 694.0}}) {
+                CAPTURE(turn);
+                CAPTURE(size.width);
+                ui::Painter painter(size, fonts);
+                draw(painter, {document, solution, nullptr, 1.0, {}, look});
+                StruckStrings strings(fonts, ui::Theme(look.theme));
+                painter.picture().draw_on(strings);
+                n_arrows += strings.n_arrows();
+                for (const Strings::String& string : strings.struck) FAIL_CHECK(string.words);
+            }
+        }
+    }
+    CHECK(n_arrows > 0);
+}
+
+TEST_CASE("The note of columns without room stands on no name of a sum's lines")
+{
+    Document document = read_document_file(stepped_frame);
+    Solution solution = solve(document);
+    for (std::size_t stage = 0; stage < solution.task->n_sheets(); ++stage) {
+        document.stage = stage;
+        for (int turn = 0; turn < 40 && next_turn(document, solution); ++turn) take_turns(document, solution, 1);
+    }
+    document.stage = solution.task->n_sheets();
+    const ui::Fonts fonts;
+    bool has_note = false;
+    for (double width = 420.0; width <= 480.0; width += 10.0) {
+        CAPTURE(width);
+        ui::Painter painter({width, 525.0}, fonts);
+        draw(painter, {document, solution, nullptr, 1.0, {}, Look{}});
+        Strings strings(fonts);
+        painter.picture().draw_on(strings);
+        const auto with = [&](std::string_view words) {
+            std::vector<ui::Box> boxes;
+            for (const Strings::String& string : strings.all)
+                if (string.words.find(words) != std::string::npos) boxes.push_back(string.box);
+            return boxes;
+        };
+        for (const std::string_view note : {"member ends without", "zoom in", "Table"})
+            for (const ui::Box& box : with(note)) {
+                has_note = true;
+                for (const std::string_view name : {"loads", "sway at", "sum"})
+                    for (const ui::Box& line : with(name)) CHECK_FALSE(line.overlaps(box));
+            }
+    }
+    CHECK(has_note);
 }
 
 TEST_CASE("After all joints at once the shortest column shows the last balance and what was carried over to it")
