@@ -227,6 +227,7 @@ constexpr std::size_t most_stiffnesses = 24; // of members that have theirs writ
 /// "EI", "2EI" at the middle of every member, or along it; in a narrow picture only where that takes room from nothing.
 void write_stiffnesses(const Scene& scene, const drawing::Scene& in)
 {
+    const bool is_brief = in.units_stand == drawing::UnitsStand::InTitle;
     const std::size_t n = scene.document.model.members.size();
     for (std::size_t m = 0; m < n && n <= most_stiffnesses; ++m) {
         const femoop::MemberId id(m);
@@ -241,8 +242,8 @@ void write_stiffnesses(const Scene& scene, const drawing::Scene& in)
                            .size = in.sketch.theme().type().small,
                            .others = {at(0.35), at(0.65), at(0.2), at(0.8)}, // loads and their values come first
                            .reach = 16.0,
-                           .side = ui::HalfPlane{a, below},
-                           .is_repeat = in.units_stand == drawing::UnitsStand::InTitle});
+                           .side = is_brief ? std::optional(ui::HalfPlane{a, below}) : std::nullopt,
+                           .is_repeat = is_brief});
     }
 }
 
