@@ -62,13 +62,25 @@ private:
     double distance_ = 0.0;
 };
 
-void consider_levels(Nearest& nearest, const Session& session, const Drawn& drawn, const std::string& text)
+/// A length that leaves its unit to the picture's title is known by its colour.
+bool may_be_bare_length(const Session& session, const Drawn& drawn, const WrittenText& written)
+{
+    const ui::Color color = ui::Theme(session.look.theme).text(ui::Role::Dimension).color;
+    return written.color == color && drawn.is_in_structure(written.box.center());
+}
+
+void consider_levels(Nearest& nearest, const Session& session, const Drawn& drawn, const WrittenText& written)
 {
     const ui::DisplayUnits units = units_in(session);
+    const bool is_bare = may_be_bare_length(session, drawn, written);
+    const auto is_written = [&](double length) {
+        return units.text(length, Measure::Length) == written.text ||
+               (is_bare && units.number(length, Measure::Length) == written.text);
+    };
     for (const int axis : {0, 1}) {
         const std::vector<double> all = levels(session.document().model, static_cast<std::size_t>(axis));
         for (std::size_t i = 0; i + 1 < all.size(); ++i) {
-            if (units.text(all[i + 1] - all[i], Measure::Length) != text) continue;
+            if (!is_written(all[i + 1] - all[i])) continue;
             const double middle = 0.5 * (all[i] + all[i + 1]);
             const ui::Point at = drawn.on_sheet({axis == 0 ? middle : 0.0, axis == 0 ? 0.0 : middle});
             nearest.consider(Level{axis, all[i], all[i + 1]},
@@ -105,13 +117,27 @@ double distance_to(const drawing::LoadMark& mark, ui::Point at)
     return nearest;
 }
 
+/// A mark of the value itself, not of its arrows.
+bool is_around(const drawing::LoadMark& mark, ui::Point at)
+{
+    if (mark.area.empty()) return false;
+    ui::Box box{mark.area.front(), mark.area.front()};
+    for (const ui::Point corner : mark.area) box = ui::united(box, {corner, corner});
+    return box.contains(at);
+}
+
+/// A value that leaves its unit to the picture's title is known by the mark around it.
 void consider_loads(Nearest& nearest, const Session& session, const Drawn& drawn, const std::string& text)
 {
     const ui::DisplayUnits units = units_in(session);
     for (const drawing::LoadMark& mark : drawn.loads)
-        for (const frame::Number& number : frame::numbers(session.document().model, mark.load))
-            if (is_value(number) && units.text(std::abs(*number.value), number.measure) == text)
-                nearest.consider(number.id, distance_to(mark, nearest.at()));
+        for (const frame::Number& number : frame::numbers(session.document().model, mark.load)) {
+            if (!is_value(number)) continue;
+            const double value = std::abs(*number.value);
+            if (units.text(value, number.measure) == text) nearest.consider(number.id, distance_to(mark, nearest.at()));
+            else if (is_around(mark, nearest.at()) && units.number(value, number.measure) == text)
+                nearest.consider(number.id, 0.0);
+        }
 }
 
 void consider_stiffnesses(Nearest& nearest, const Session& session, const Drawn& drawn, const std::string& text)
@@ -135,7 +161,7 @@ std::optional<TypedValue> value_of(const Session& session, const Drawn& drawn, c
     Nearest nearest(written.box.center());
     consider_stiffnesses(nearest, session, drawn, written.text);
     if (!nearest.found) consider_loads(nearest, session, drawn, written.text);
-    if (!nearest.found) consider_levels(nearest, session, drawn, written.text);
+    if (!nearest.found) consider_levels(nearest, session, drawn, written);
     return nearest.found;
 }
 

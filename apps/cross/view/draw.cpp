@@ -44,7 +44,7 @@ public:
     void fill_disc(ui::Point /*center*/, double /*radius*/, ui::Color /*color*/) override {}
     void text(ui::Point at, std::string_view utf8, const ui::TextStyle& style) override
     {
-        texts.push_back({std::string(utf8), ui::text_box(fonts_, at, utf8, style)});
+        texts.push_back({std::string(utf8), ui::text_box(fonts_, at, utf8, style), style.color});
     }
 
     std::vector<WrittenText> texts;

@@ -54,6 +54,7 @@ struct CellMark {
 struct WrittenText {
     std::string text;
     ui::Box box;
+    ui::Color color;
 };
 
 /// What a picture shows, for a hand.
