@@ -117,15 +117,6 @@ double distance_to(const drawing::LoadMark& mark, ui::Point at)
     return nearest;
 }
 
-/// A mark of the value itself, not of its arrows.
-bool is_around(const drawing::LoadMark& mark, ui::Point at)
-{
-    if (mark.area.empty()) return false;
-    ui::Box box{mark.area.front(), mark.area.front()};
-    for (const ui::Point corner : mark.area) box = ui::united(box, {corner, corner});
-    return box.contains(at);
-}
-
 /// A value that leaves its unit to the picture's title is known by the mark around it.
 void consider_loads(Nearest& nearest, const Session& session, const Drawn& drawn, const std::string& text)
 {
@@ -134,9 +125,9 @@ void consider_loads(Nearest& nearest, const Session& session, const Drawn& drawn
         for (const frame::Number& number : frame::numbers(session.document().model, mark.load)) {
             if (!is_value(number)) continue;
             const double value = std::abs(*number.value);
-            if (units.text(value, number.measure) == text) nearest.consider(number.id, distance_to(mark, nearest.at()));
-            else if (is_around(mark, nearest.at()) && units.number(value, number.measure) == text)
-                nearest.consider(number.id, 0.0);
+            const bool is_bare = is_within(mark, nearest.at()) && units.number(value, number.measure) == text;
+            if (is_bare || units.text(value, number.measure) == text)
+                nearest.consider(number.id, distance_to(mark, nearest.at()));
         }
 }
 

@@ -237,9 +237,6 @@ std::optional<femoop::NodeId> pick_node(const Drawn& drawn, ui::Point at, double
     return found;
 }
 
-namespace {
-
-/// Where a moment acts is its node's, and its arc alone the moment's.
 bool is_within(const drawing::LoadMark& mark, ui::Point at)
 {
     constexpr double reach = 3.0, of_arc = 8.0; // [px]
@@ -251,8 +248,6 @@ bool is_within(const drawing::LoadMark& mark, ui::Point at)
     const bool is_arc = femoop::is_rotation(mark.dof) && box.grown(-of_arc).contains(mark.root);
     return !is_arc || std::abs(ui::distance(mark.root, at) - radius) <= of_arc;
 }
-
-} // namespace
 
 const drawing::LoadMark* pick_load(const Drawn& drawn, ui::Point at)
 {

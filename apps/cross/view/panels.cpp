@@ -592,7 +592,7 @@ ui::PlaneCamera camera_around(const Marks& marks, const Panel& panel, const Scen
                               const ui::Fonts& fonts)
 {
     const Extent extent = extent_of(drawing::shape_of(scene.document.model));
-    const double title = panel.title ? panel.title->height() : title_ems * theme_in(panel, scene.look).type().normal;
+    const double title = title_ems * theme_in(panel, scene.look).type().normal;
     Panel fitted = panel;
     constexpr int trials = 4; // the room that marks take changes little from one scale to the next
     for (int i = 0; i < trials; ++i) {

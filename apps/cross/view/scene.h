@@ -119,6 +119,8 @@ std::optional<femoop::NodeId> pick_node(const Drawn& drawn, ui::Point at, double
 std::optional<femoop::cross::JointId> pick(const Drawn& drawn, ui::Point at, double reach);
 /// The cell of a pupil's sheet that is there.
 std::optional<femoop::cross::BlankId> pick_cell(const Drawn& drawn, ui::Point at);
+/// Whether a load's arrows are there, or its value. Where a moment acts is its node's, and its arc alone the moment's.
+bool is_within(const drawing::LoadMark& mark, ui::Point at);
 /// The load whose arrows are there; null where there is none.
 const drawing::LoadMark* pick_load(const Drawn& drawn, ui::Point at);
 

@@ -60,10 +60,11 @@ public:
     void lay_out()
     {
         lay_out(wanted_lines(), legible());
+        if (!is_sum()) return;
         if (const std::string note = note_of_left_out(); !note.empty())
             taken_.push_back(box_below(painter_, panel_, theme_in(panel_, scene_.look), note));
-        if (is_sum()) key_ = place_of_key();
-        if (is_sum() && !key_) make_room_for_long_title();
+        key_ = place_of_key();
+        if (!key_) make_room_for_long_title();
     }
     /// What the lines of the columns are is written beside them.
     bool has_key() const { return key_.has_value(); }
@@ -673,9 +674,11 @@ private:
         }
         const auto from = end.far ? cell_of_last_turn(*end.far, RowKind::Balance) : std::nullopt;
         if (!from) return fly(column, cell, to, to, 1.0);
-        const double share = (scene_.phase - balances_until) / (1.0 - balances_until);
-        fly(column, cell, *from, to, share);
+        fly(column, cell, *from, to, share_carried());
     }
+
+    /// Of the way from a balance to what it carries over; before the turn comes to that, negative.
+    double share_carried() const { return (scene_.phase - balances_until) / (1.0 - balances_until); }
 
     void fly(const Column& column, const Cell& cell, ui::Point from, ui::Point to, double share)
     {
@@ -690,14 +693,15 @@ private:
 
     std::vector<Arrow> arrows_of_turn() const
     {
-        const double share = (scene_.phase - balances_until) / (1.0 - balances_until);
+        const double share = std::min(1.0, share_carried());
         std::vector<Arrow> arrows;
+        if (share <= 0.0) return arrows;
         for (const Column& column : columns_) {
             const auto& far = problem_[column.end].far;
             const auto to = cell_of_last_turn(column.end, RowKind::CarryOver);
             const auto from = far ? cell_of_last_turn(*far, RowKind::Balance) : std::nullopt;
-            if (!from || !to || share <= 0.0) continue;
-            const Arrow arrow = arrow_between(*from, *to, joint_place(problem_[column.end].node), std::min(1.0, share));
+            if (!from || !to) continue;
+            const Arrow arrow = arrow_between(*from, *to, joint_place(problem_[column.end].node), share);
             if (ui::distance(arrow.tail, arrow.tip) >= 1.2 * layout_.type) arrows.push_back(arrow);
         }
         return arrows;

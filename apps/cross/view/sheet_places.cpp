@@ -127,20 +127,24 @@ std::optional<ui::Point> way_into_sight(const ui::Box& box, const ui::Box& sight
 namespace {
 
 struct NoteBelow {
+    struct Line {
+        ui::Point at; // its lower right
+        std::string words;
+    };
     ui::TextStyle style;
-    std::vector<std::string> lines;
-    ui::Point corner; // of the last line, at the lower right
-    double step = 0.0;
+    std::vector<Line> lines; // the last one first
 };
 
 NoteBelow note_below(const ui::Painter& painter, const Panel& panel, const ui::Theme& theme, const std::string& words)
 {
     NoteBelow note{.style = theme.text(ui::Role::Warning, ui::Anchor::BottomRight)};
-    note.style.size = theme.type().small;
+    const double size = theme.type().small;
+    note.style.size = size;
     note.style.plate = theme.background();
-    note.lines = ui::wrapped_lines(painter.fonts(), words, note.style, 0.96 * panel.box.width());
-    note.corner = panel.box.max - ui::Point{0.5 * note.style.size, 0.5 * note.style.size};
-    note.step = 1.2 * note.style.size;
+    ui::Point at = panel.box.max - ui::Point{0.5 * size, 0.5 * size};
+    const auto lines = ui::wrapped_lines(painter.fonts(), words, note.style, 0.96 * panel.box.width());
+    for (auto line = lines.rbegin(); line != lines.rend(); ++line, at.y -= 1.2 * size)
+        note.lines.push_back({at, *line});
     return note;
 }
 
@@ -149,19 +153,16 @@ NoteBelow note_below(const ui::Painter& painter, const Panel& panel, const ui::T
 ui::Box box_below(const ui::Painter& painter, const Panel& panel, const ui::Theme& theme, const std::string& words)
 {
     const NoteBelow note = note_below(painter, panel, theme, words);
-    ui::Box box{note.corner, note.corner};
-    ui::Point at = note.corner;
-    for (auto line = note.lines.rbegin(); line != note.lines.rend(); ++line, at.y -= note.step)
-        box = ui::united(box, ui::text_box(painter.fonts(), at, *line, note.style));
+    ui::Box box{note.lines.front().at, note.lines.front().at};
+    for (const auto& [at, line] : note.lines)
+        box = ui::united(box, ui::text_box(painter.fonts(), at, line, note.style));
     return box;
 }
 
 void write_below(ui::Painter& painter, const Panel& panel, const ui::Theme& theme, const std::string& words)
 {
     const NoteBelow note = note_below(painter, panel, theme, words);
-    ui::Point at = note.corner;
-    for (auto line = note.lines.rbegin(); line != note.lines.rend(); ++line, at.y -= note.step)
-        painter.text(at, *line, note.style);
+    for (const auto& [at, line] : note.lines) painter.text(at, line, note.style);
 }
 
 } // namespace cross

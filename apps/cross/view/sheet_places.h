@@ -31,7 +31,7 @@ ui::Box sight_below(const ui::Box& title, const Panel& panel, const ui::Theme& t
 /// left is seen.
 std::optional<ui::Point> way_into_sight(const ui::Box& box, const ui::Box& sight);
 
-/// The box around a warning at the lower right of a panel.
+/// The box around a warning at the lower right of a panel. \pre it has words
 ui::Box box_below(const ui::Painter& painter, const Panel& panel, const ui::Theme& theme, const std::string& words);
 /// Writes it there.
 void write_below(ui::Painter& painter, const Panel& panel, const ui::Theme& theme, const std::string& words);
