@@ -60,7 +60,7 @@ public:
     /// Taken as well where the box leaves the room.
     Ground ground(std::size_t index)
     {
-        while (grounds_.size() <= index) grounds_.push_back(ground_at(box(grounds_.size())));
+        while (grounds_.size() <= index) grounds_.push_back(ground_at(grounds_.size()));
         return grounds_[index];
     }
 
@@ -68,13 +68,28 @@ public:
     {
         Candidate place{box(index), std::nullopt, rotation(index), ground(index) == Ground::Soft};
         if (index < n_wishes()) return place;
-        const Point border = place.box.nearest(label_->target);
-        if (distance(border, label_->target) > options_->leader_after)
+        const double away = distance(place.box.nearest(label_->target), label_->target);
+        if (away > options_->leader_after || is_cut_off(place.box))
             place.leader = Leader{leader_start(place.box), label_->target};
         return place;
     }
 
 private:
+    bool is_cut_off(const OrientedBox& box) const
+    {
+        const auto is_hidden = [&](Point place) { return is_cut_off(box.nearest(place), place); };
+        return label_->needs_sight && is_hidden(label_->target) &&
+               std::all_of(label_->others.begin(), label_->others.end(), is_hidden);
+    }
+    bool is_cut_off(Point border, Point place) const
+    {
+        const Point way = place - border;
+        const double open = length(way) - label_->clearance;
+        if (open <= 1.0) return false;
+        const Point middle = border + 0.5 * open * direction(way);
+        return obstacles_->ground_of({middle, {open, 1.0}, std::atan2(-way.y, way.x)}) == Ground::Taken;
+    }
+
     std::size_t n_wishes() const { return label_->wishes.size() + label_->turned.size(); }
     double rotation(std::size_t index) const
     {
@@ -110,11 +125,13 @@ private:
         return label_->target + (away + own_reach) * direction;
     }
 
-    Ground ground_at(const OrientedBox& place) const
+    Ground ground_at(std::size_t index) const
     {
+        const OrientedBox place = box(index);
         const bool is_in_room = is_finite(place.center) && options_->room.contains(place.bounds());
         const bool is_on_side = !label_->side || label_->side->contains(place.center);
-        return is_in_room && is_on_side ? obstacles_->ground_of(place.grown(options_->gap)) : Ground::Taken;
+        if (!is_in_room || !is_on_side || (index < n_wishes() && is_cut_off(place))) return Ground::Taken;
+        return obstacles_->ground_of(place.grown(options_->gap));
     }
 
     const Label* label_;

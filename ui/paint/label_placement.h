@@ -31,6 +31,9 @@ struct Label {
     double clearance = 5.0;          ///< least distance of the box from the target where no wish can be had
     double reach = 90.0;             ///< greatest distance of the box from the target
     std::optional<HalfPlane> side{}; ///< that the middle of the box never leaves
+    std::span<const Point> others{}; ///< places beside the target that it speaks of as well
+    /// It takes no place without a leader behind an obstacle, of which it would seem to speak.
+    bool needs_sight = false;
 };
 
 /// A straight line from the top or the bottom of a label to its target, drawn where they are far apart.

@@ -234,6 +234,8 @@ ui::Label Sketch::label_of(const Request& request) const
     if (caption.is_repeat) label.reach = std::min(label.reach, near_reach);
     label.clearance = caption.gap;
     label.side = caption.side;
+    label.others = caption.others;
+    label.needs_sight = caption.role == ui::Role::Load; // beyond a member it reads as the load of that one
     const auto wish = [&](ui::Point target, double angle, double gap) {
         label.wishes.push_back(center_beside(target, turned(caption.toward, angle), gap, request.size));
     };

@@ -187,6 +187,27 @@ TEST_CASE("A label that must go far gets a leader from its border to its target"
     CHECK(ui::distance(placement.labels[0]->leader->from, target) >= 60.0);
 }
 
+TEST_CASE("A label that needs sight of its target has a leader behind a line, however near it stands")
+{
+    // A load of 12 px below a beam: all places above it are beyond the beam.
+    ui::LabelPlacer placer({.room = {{0.0, 0.0}, {300.0, 112.0}}});
+    placer.obstacles().add_segment({0.0, 90.0}, {300.0, 90.0}, 4.0);
+    ui::Label label{.target = {150.0, 98.0}, .size = {40.0, 10.0}, .wishes = {{150.0, 80.0}}};
+    const auto place_of = [&] { return placer.place(std::vector{label}).labels[0]; };
+    REQUIRE(place_of());
+    CHECK_FALSE(place_of()->leader);
+    CHECK(place_of()->center == label.wishes[0]);
+
+    label.needs_sight = true;
+    REQUIRE(place_of());
+    CHECK(place_of()->leader);
+
+    const std::vector other{ui::Point{150.0, 86.0}}; // on this side
+    label.others = other;
+    CHECK(place_of()->center == label.wishes[0]);
+    CHECK_FALSE(place_of()->leader);
+}
+
 TEST_CASE("A leader never begins at the middle of its text's height, where it would read as a minus sign")
 {
     const ui::Point target{450.0, 300.0};
