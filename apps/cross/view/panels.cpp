@@ -506,12 +506,18 @@ ui::Box title_box(const ui::Painter& painter, const Panel& panel, const std::str
     for (const std::string& line : written.lines) width = std::max(width, painter.measure(line, written.style).width);
     const double size = written.style.size;
     return ui::box_at(panel.box.min,
-                      {width + 1.2 * size, (0.6 + 1.15 * static_cast<double>(written.lines.size())) * size});
+                      {width + 1.2 * size, (0.55 + 1.15 * static_cast<double>(written.lines.size())) * size});
 }
 
 namespace {
 
 enum class Pass : std::uint8_t { Measure, Write };
+
+/// Of one line at least.
+double height_of_title(const Panel& panel, const Look& look)
+{
+    return std::max(title_ems * theme_in(panel, look).type().normal, panel.title ? panel.title->height() : 0.0);
+}
 
 struct Sketched {
     drawing::Grips grips;
@@ -552,7 +558,7 @@ Sketched sketched(ui::Painter& painter, const Panel& panel, const Scene& scene, 
     const drawing::Projection projection(panel.camera, panel.box.min);
     const drawing::LevelOfDetail detail(shape, projection);
     ui::Box room = panel.box.grown(-edge);
-    if (!panel.title) room.min.y += title_ems * theme_in(panel, scene.look).type().normal;
+    if (!panel.title) room.min.y += height_of_title(panel, scene.look);
     drawing::Sketch sketch({.painter = &painter,
                             .theme = &theme,
                             .room = room,
@@ -592,7 +598,7 @@ ui::PlaneCamera camera_around(const Marks& marks, const Panel& panel, const Scen
                               const ui::Fonts& fonts)
 {
     const Extent extent = extent_of(drawing::shape_of(scene.document.model));
-    const double title = title_ems * theme_in(panel, scene.look).type().normal;
+    const double title = height_of_title(panel, scene.look);
     Panel fitted = panel;
     constexpr int trials = 4; // the room that marks take changes little from one scale to the next
     for (int i = 0; i < trials; ++i) {
@@ -611,7 +617,7 @@ LoadedView beam_around(const Marks& marks, const Panel& panel, const Scene& scen
                        const ui::Fonts& fonts)
 {
     ui::Box room = panel.box.grown(-edge);
-    room.min.y += title_ems * theme_in(panel, scene.look).type().normal;
+    room.min.y += height_of_title(panel, scene.look);
     Panel fitted = panel;
     std::optional<ui::Box> bounds;
     for (const double arrows : {1.0, 0.8, 0.65, 0.5}) {

@@ -310,8 +310,11 @@ LoadedView view_of_loads(const Panel& panel, const Scene& scene, const ui::Fonts
 {
     const Marks marks = marks_of_loads(panel, scene, Stiffnesses::LeftOut); // which stand where they find room
     const StructureLook look = look_of_loads(panel, scene);
-    if (is_beam(drawing::shape_of(scene.document.model))) return beam_around(marks, panel, scene, look, fonts);
-    return {camera_around(marks, panel, scene, look, fonts)};
+    Panel titled = panel;
+    titled.title = title_box(ui::Painter(panel.box.size(), fonts), panel, title_of_loads(scene, look),
+                             theme_in(panel, scene.look));
+    if (is_beam(drawing::shape_of(scene.document.model))) return beam_around(marks, titled, scene, look, fonts);
+    return {camera_around(marks, titled, scene, look, fonts)};
 }
 
 drawing::Grips draw_loaded(ui::Painter& painter, const Panel& panel, const Scene& scene)
