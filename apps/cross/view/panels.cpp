@@ -256,7 +256,7 @@ Panel panel_alone(Part part, const drawing::StructureShape& shape, ui::Size shee
 
 void let_columns_stand_in_turn(Panel& sheet, const drawing::StructureShape& shape, const ui::Theme& theme, double foot)
 {
-    constexpr double heading = 1.8, side = 0.6; // ems
+    constexpr double heading = 1.8, side = 1.2; // ems: half a support
     const double em = theme.type().normal, middle = 0.5 * (heading * em + sheet.box.height() - foot);
     sheet.columns = BeamColumns::InTurn;
     sheet.camera = beam_camera(extent_of(shape), sheet.box.size(), side * em, middle);

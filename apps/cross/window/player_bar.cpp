@@ -43,6 +43,15 @@ int slider(int done, int all, const std::string& words)
     return static_cast<int>(std::lround(place));
 }
 
+/// Numbers alone where there is little room.
+std::string step_words(int done, int all, const ui::Catalogue& tr)
+{
+    const std::string n = std::to_string(done), total = std::to_string(all);
+    std::string words = tr("step {n} of {total}", {{"n", n}, {"total", total}});
+    const float room = ImGui::GetContentRegionAvail().x - 2.0F * ImGui::GetStyle().FramePadding.x;
+    return ImGui::CalcTextSize(words.c_str()).x <= room ? words : n + " / " + total;
+}
+
 /// On the way that is gone: what is done, and what lies ahead.
 void jump_bar(Workspace& workspace)
 {
@@ -52,8 +61,7 @@ void jump_bar(Workspace& workspace)
     const int all = turn_tree != nullptr ? done + static_cast<int>(turn_tree->n_ahead()) : 0;
     ImGui::SetNextItemWidth(-1.0F);
     ImGui::BeginDisabled(all == 0);
-    const std::string words = workspace.tr()("step {n} of {total}",
-                                             {{"n", std::to_string(done)}, {"total", std::to_string(all)}});
+    const std::string words = step_words(done, all, workspace.tr());
     if (all == 0) empty_bar(words);
     else if (const int place = slider(done, all, words); place != done) session.jump(static_cast<std::size_t>(place));
     ImGui::EndDisabled();
