@@ -21,7 +21,6 @@
 #include "apps/frame/session/train_draft.h"
 #include "apps/frame/session/transform.h"
 #include "apps/frame/session/typical_draft.h"
-#include "apps/frame/tools/kept_settings.h"
 #include "apps/frame/tools/tool_controller.h"
 #include "ui/command/menu_builder.h"
 #include "ui/files/autosave.h"
@@ -57,8 +56,8 @@ struct Workspace : ui::Workspace {
     std::optional<ui::UnitSystem> units() const { return session.view.units; }
     const ui::UnitChoices& unit_choices() const { return session.view.unit_choices; }
     void set_language(ui::Language language) { session.set_language(language); }
-    std::string kept_tools() const { return kept_words(tool_controller.settings()); }
-    void take_up_tools(std::string_view words) { take_up(tool_controller.settings(), words); }
+    std::string kept_tools() const;
+    void take_up_tools(std::string_view words);
     std::string name() const;
     void notify(const ui::Message& sentence) { session.notify(sentence); }
     void tick(double seconds);

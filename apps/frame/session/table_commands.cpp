@@ -1,5 +1,6 @@
 #include "apps/frame/session/table_commands.h"
 
+#include <algorithm>
 #include <array>
 
 namespace frame {
@@ -35,6 +36,8 @@ constexpr std::array table_entries{
     TableEntry{TableKind::Envelope, "view.table.envelope"},
     TableEntry{TableKind::ReactionEnvelope, "view.table.reaction_envelope"},
 };
+
+constexpr std::string_view prefix = "view.table.", kept_word = "table ";
 
 bool shows_member(const Workspace& workspace) { return workspace.bottom.shows(BottomContent::Member); }
 
@@ -78,6 +81,21 @@ std::string_view command_id(TableKind kind)
         if (entry.kind == kind) return entry.id;
     }
     return "";
+}
+
+std::string kept_words(const BottomView& bottom)
+{
+    if (!bottom.shows(BottomContent::Table)) return {};
+    return std::string(kept_word) += command_id(bottom.table).substr(prefix.size());
+}
+
+void take_up(BottomView& bottom, std::string_view words)
+{
+    const auto is_named = [&](const TableEntry& entry) {
+        return words.ends_with(std::string(kept_word) += entry.id.substr(prefix.size()));
+    };
+    const auto named = std::find_if(table_entries.begin(), table_entries.end(), is_named);
+    if (named != table_entries.end()) bottom = {.is_open = true, .table = named->kind};
 }
 
 void add_table_commands(CommandTable& table)

@@ -3,7 +3,9 @@
 #include <utility>
 
 #include "apps/frame/session/commands.h"
+#include "apps/frame/session/table_commands.h"
 #include "apps/frame/session/tabs.h"
+#include "apps/frame/tools/kept_settings.h"
 
 namespace frame {
 
@@ -32,6 +34,18 @@ bool Workspace::is_moving() const
     const bool has_passing_notice = session.notice && session.notice->seconds_left;
     const bool is_walking = bottom.shows(BottomContent::Solver) && solver.is_playing();
     return is_swinging(session) || is_walking || has_passing_notice;
+}
+
+std::string Workspace::kept_tools() const
+{
+    const std::string tools = kept_words(tool_controller.settings()), table = kept_words(bottom);
+    return table.empty() ? tools : tools + " " + table;
+}
+
+void Workspace::take_up_tools(std::string_view words)
+{
+    take_up(tool_controller.settings(), words);
+    take_up(bottom, words);
 }
 
 bool Workspace::has_open_draft() const

@@ -552,6 +552,27 @@ TEST_CASE("The properties of a case are those of the case that is shown")
     CHECK(workspace.session.selection.only() == Part(MemberId(1)));
 }
 
+TEST_CASE("A window opens with the table that it was left with")
+{
+    Workspace left = workspace_with("portal.json");
+    const std::string without = left.kept_tools();
+    run(left, "view.table.node_loads");
+    CHECK(left.kept_tools() == without + " table node_loads");
+    Workspace next = workspace_with("portal.json");
+    next.take_up_tools(left.kept_tools());
+    CHECK(next.bottom.is_open);
+    CHECK(next.bottom.table == TableKind::NodeLoads);
+    CHECK(next.kept_tools() == left.kept_tools());
+
+    Workspace other = workspace_with("portal.json");
+    other.take_up_tools(without);
+    CHECK_FALSE(other.bottom.is_open);
+    other.take_up_tools(without + " table of a later version");
+    CHECK_FALSE(other.bottom.is_open);
+    run(left, "view.member_results"); // of one member, which another model lacks
+    CHECK(left.kept_tools() == without);
+}
+
 TEST_CASE("Nothing can be taken over where no linked window offers a change")
 {
     Workspace workspace = workspace_with("portal.json");
