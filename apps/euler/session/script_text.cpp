@@ -54,6 +54,8 @@ void Session::edit_text()
     script_fault.reset();
     faulty_line.reset();
     edited_text = text_before_ = stepper_.script();
+    if (given_up_ && given_up_->script == text_before_) edited_text = given_up_->text;
+    given_up_.reset();
 }
 
 // What is saved is the script with what was written into its text.
@@ -107,6 +109,10 @@ void Session::notify_fault(const topology::LineError& fault)
 
 void Session::cancel_text()
 {
+    if (is_text_changed()) {
+        given_up_ = GivenUpText{stepper_.script(), *std::move(edited_text)};
+        notify(translatable("The text was given up. It comes back when the script is edited as text (Shift+S)."));
+    }
     edited_text.reset();
     faulty_line.reset();
     script_fault.reset();

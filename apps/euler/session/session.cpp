@@ -52,6 +52,7 @@ void Session::restart(Stepper lesson)
     hover.reset();
     notice.reset();
     edited_text.reset();
+    given_up_.reset();
     faulty_line.reset();
     is_fitted = true;
     look_at_end();

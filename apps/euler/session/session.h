@@ -111,7 +111,7 @@ public:
     void edit_text();
     /// Runs the text in place of the script; else `script_fault` names the line, and nothing is changed.
     bool accept_text(); ///< \pre it is edited
-    void cancel_text();
+    void cancel_text(); ///< the text comes back when the same script is edited next
     std::optional<std::string> edited_text;  ///< while it is edited
     std::optional<std::size_t> faulty_line;  ///< of the text, from 1, where it could not be run
     bool is_fault_new = false;               ///< the line is to be brought into sight
@@ -157,6 +157,10 @@ private:
     std::string about(const ui::Catalogue& tr) const override;
     void note_saved() override { is_dirty_ = differs_from_saved(); }
 
+    struct GivenUpText {
+        std::string script; ///< in place of which it stood
+        std::string text;
+    };
     struct Motion {
         bool is_back;
         double done = 0.0; ///< 0 to 1
@@ -191,6 +195,7 @@ private:
     Stepper::Script whole_;       ///< the stepper's, to be saved
     bool is_dirty_ = false;       ///< kept, since a script can have a million steps
     std::string text_before_;     ///< that is edited, as it was
+    std::optional<GivenUpText> given_up_;
     std::uint64_t n_changes_ = 0; ///< of the script
     std::optional<Opening> opening_;
     std::vector<Snapshot> before_, after_, at_end_;
