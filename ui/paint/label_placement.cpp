@@ -266,8 +266,11 @@ public:
         std::vector<std::size_t> homeless = by_priority();
         for (const Ground worst : {Ground::Free, Ground::Soft}) {
             put_each(homeless, [&](std::size_t label) { return put_where_free(label, worst); });
-            put_each(homeless, [&](std::size_t label) { return put_by_moving_one(label, worst); });
+            put_each(homeless, [&](std::size_t label) { return put_by_moving_one(label, worst, Rank::Counts); });
         }
+        if (effort_ < most_effort)
+            put_each(homeless,
+                     [&](std::size_t label) { return put_by_moving_one(label, Ground::Soft, Rank::IsNothing); });
         LabelPlacement placement;
         for (std::size_t i = 0; i < labels_.size(); ++i) {
             placement.labels.emplace_back();
@@ -311,13 +314,16 @@ private:
         return n;
     }
 
-    bool put_where_free(std::size_t label, Ground worst)
+    enum class Leaders : std::uint8_t { Allowed, None };
+
+    bool put_where_free(std::size_t label, Ground worst, Leaders leaders = Leaders::Allowed)
     {
         Candidates& candidates = candidates_[label];
         const std::size_t n = n_tries(candidates);
         for (std::size_t i = 0; i < n; ++i) {
             if (candidates.ground(i) > worst) continue;
             const Candidate place = candidates[i];
+            if (leaders == Leaders::None && place.leader) continue;
             if (placed_.disturbed_by(place).n > 0) continue;
             effort_ -= n - i - 1;
             placed_.put(label, place);
@@ -326,7 +332,10 @@ private:
         return false;
     }
 
-    bool put_by_moving_one(std::size_t label, Ground worst)
+    /// Whether one of higher priority that stands near its target is not moved far from it.
+    enum class Rank : std::uint8_t { Counts, IsNothing };
+
+    bool put_by_moving_one(std::size_t label, Ground worst, Rank rank)
     {
         Candidates& candidates = candidates_[label];
         const std::size_t n = n_tries(candidates);
@@ -337,17 +346,19 @@ private:
             const auto in_the_way = placed_.disturbed_by(place);
             if (in_the_way.n != 1) continue;
             ++n_asked;
-            if (swap(label, place, in_the_way.first, worst)) return true;
+            if (swap(label, place, in_the_way.first, worst, rank)) return true;
         }
         return false;
     }
 
     /// Puts `label` at a place from which `other` finds another one; changes nothing if it finds none.
-    bool swap(std::size_t label, const Candidate& place, std::size_t other, Ground worst)
+    bool swap(std::size_t label, const Candidate& place, std::size_t other, Ground worst, Rank rank)
     {
         const Candidate before = placed_.take_away(other);
         placed_.put(label, place);
-        if (put_where_free(other, worst)) return true;
+        const bool is_higher = rank == Rank::Counts && labels_[other].priority > labels_[label].priority;
+        const bool keeps_near = is_higher && !before.leader;
+        if (put_where_free(other, worst, keeps_near ? Leaders::None : Leaders::Allowed)) return true;
         placed_.take_away(label);
         placed_.put(other, before);
         return false;

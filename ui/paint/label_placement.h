@@ -57,8 +57,9 @@ struct LabelPlacement {
 /// Finds a place for every label so that none covers another, an obstacle or another's leader.
 ///
 /// By falling priority each label takes the first free place among its wishes, the turned ones next, then on rings
-/// around its target, ever farther out. One that finds none asks the label in its way to move aside; if that fails too,
-/// it may cover what is `Firmness::Soft`; only then is it left out. The result depends on the input alone. Two hundred
+/// around its target, ever farther out. One that finds none asks the label in its way to move aside, one of higher
+/// priority not far from its target; if that fails too, it may cover what is `Firmness::Soft`; then that other one moves
+/// far after all; only then is it left out. The result depends on the input alone. Two hundred
 /// labels that find room nearby take about 1 ms. The search is bounded: where a thousand crowd a screen, those of low
 /// priority look nearby only, and the whole takes about 10 ms.
 class LabelPlacer {

@@ -310,6 +310,29 @@ TEST_CASE("A label moves aside for another that has no choice")
     CHECK(placement.labels[0]->center.x == 150.0);
 }
 
+TEST_CASE("A label of higher priority goes far from its target only where the other would be left out")
+{
+    ui::LabelPlacer placer({.room = {{0.0, 0.0}, {300.0, 100.0}}, .leader_after = 0.0});
+    placer.obstacles().add_box({{170.0, 40.0}, {230.0, 60.0}}, ui::Firmness::Soft);
+    std::vector<ui::Label> labels = {
+        {.target = {50.0, 80.0}, .size = {44.0, 13.0}, .wishes = {{50.0, 50.0}}, .priority = 2.0},
+        {.target = {50.0, 50.0},
+         .size = {44.0, 13.0},
+         .wishes = {{50.0, 50.0}, {200.0, 50.0}},
+         .priority = 1.0,
+         .reach = 0.0}};
+    auto placement = placer.place(labels);
+    REQUIRE(placement.n_left_out == 0);
+    CHECK_FALSE(placement.labels[0]->leader);
+    CHECK(placement.labels[1]->is_over_soft);
+
+    labels[1].wishes.pop_back();
+    placement = placer.place(labels);
+    REQUIRE(placement.n_left_out == 0);
+    CHECK(placement.labels[0]->leader);
+    CHECK(placement.labels[1]->center == labels[1].wishes[0]);
+}
+
 TEST_CASE("Where four labels found no room a fifth one need not look, unless it is smaller or elsewhere")
 {
     ui::FullCells full(room);
