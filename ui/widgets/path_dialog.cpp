@@ -95,7 +95,7 @@ bool PathDialog::show_list()
         const std::string label = shown_whole(entry.is_folder ? entry.name + "/" : entry.name);
         if (!ImGui::Selectable(label.c_str(), typed_ == entry.name, ImGuiSelectableFlags_AllowDoubleClick)) continue;
         if (entry.is_folder) entered = folder_ / entry.name;
-        if (!entry.is_folder) typed_ = entry.name;
+        if (!entry.is_folder) take_name(entry.name);
         must_confirm_overwrite_ = false;
         refusal_.reset();
         is_confirmed = !entry.is_folder && ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left);
@@ -105,18 +105,31 @@ bool PathDialog::show_list()
     return is_confirmed;
 }
 
+// Without the longest of its endings.
+std::string PathDialog::stem_of(const std::string& name) const
+{
+    const std::vector<std::string> wanted = wanted_endings();
+    const auto had = std::ranges::max(wanted, {},
+                                      [&](const std::string& one) { return has_ending(name, one) ? one.size() : 0; });
+    if (has_ending(name, had)) return name.substr(0, name.size() - had.size());
+    return fs::path(name).replace_extension().string();
+}
+
+// What is typed next takes the place of the name, not of its ending.
+void PathDialog::take_name(const std::string& name)
+{
+    typed_ = name;
+    n_marked_ = stem_of(name).size();
+    wants_keyboard_ = true;
+}
+
 // The ending that the name has gives way to this one.
 void PathDialog::take_ending(const std::string& ending)
 {
-    const auto had = std::ranges::max(endings_, {},
-                                      [&](const std::string& one) { return has_ending(typed_, one) ? one.size() : 0; });
-    if (has_ending(typed_, had)) typed_.resize(typed_.size() - had.size());
-    else typed_ = fs::path(typed_).replace_extension().string();
-    typed_ += ending;
+    take_name(stem_of(typed_) + ending);
     extension_ = ending;
     refusal_.reset();
     must_confirm_overwrite_ = false;
-    wants_keyboard_ = true;
 }
 
 void PathDialog::show_endings()
@@ -157,14 +170,24 @@ std::optional<fs::path> PathDialog::confirm()
     return path.lexically_normal();
 }
 
+int PathDialog::mark(ImGuiInputTextCallbackData* data)
+{
+    const auto n = std::exchange(static_cast<PathDialog*>(data->UserData)->n_marked_, std::nullopt);
+    if (!n) return 0;
+    data->SelectionStart = 0;
+    data->SelectionEnd = data->CursorPos = std::min(static_cast<int>(*n), data->BufTextLen);
+    return 0;
+}
+
 // A question that was answered for one name is none for another.
 bool PathDialog::show_field(const Catalogue& tr)
 {
     ImGui::SetNextItemWidth(-1.0F);
     if (std::exchange(wants_keyboard_, false)) ImGui::SetKeyboardFocusHere();
     const ImGuiInputTextFlags selects = selects_all_ ? ImGuiInputTextFlags_AutoSelectAll : ImGuiInputTextFlags_None;
-    const bool is_confirmed = ImGui::InputTextWithHint("###typed", tr("Path of the file").c_str(), &typed_,
-                                                       ImGuiInputTextFlags_EnterReturnsTrue | selects);
+    const bool is_confirmed = ImGui::InputTextWithHint(
+        "###typed", tr("Path of the file").c_str(), &typed_,
+        ImGuiInputTextFlags_EnterReturnsTrue | ImGuiInputTextFlags_CallbackAlways | selects, mark, this);
     if (ImGui::IsItemActive()) selects_all_ = false;
     if (ImGui::IsItemEdited()) {
         must_confirm_overwrite_ = false;
@@ -202,7 +225,8 @@ std::optional<fs::path> PathDialog::show(const Catalogue& tr)
     const bool is_escaped = ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape));
     if (answer_button(tr("Cancel")) || is_escaped || !stays_open) is_open_ = false;
     std::optional<fs::path> path = is_confirmed && is_open_ ? confirm() : std::nullopt;
-    if (is_confirmed && !path) wants_keyboard_ = true;
+    const bool is_clicked_elsewhere = ImGui::IsMouseReleased(ImGuiMouseButton_Left) && !ImGui::IsAnyItemActive();
+    if (is_clicked_elsewhere || (is_confirmed && !path)) wants_keyboard_ = true;
     if (!is_open_) ImGui::CloseCurrentPopup();
     ImGui::EndPopup();
     return path;

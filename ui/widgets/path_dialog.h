@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <filesystem>
 #include <optional>
@@ -8,6 +9,8 @@
 
 #include "ui/files/ending.h"
 #include "ui/text/catalogue.h"
+
+struct ImGuiInputTextCallbackData;
 
 namespace ui {
 
@@ -43,12 +46,16 @@ private:
     void show_endings();
     bool show_field(const Catalogue& tr);
     bool is_opening() const { return purpose_ == Purpose::Open; }
+    std::string stem_of(const std::string& name) const;
+    void take_name(const std::string& name);
     void take_ending(const std::string& ending);
+    static int mark(ImGuiInputTextCallbackData* data);
 
     bool is_open_ = false;
     bool is_fresh_ = false;
     bool wants_keyboard_ = false;
-    bool selects_all_ = false; ///< of what stands in the field, when it gets the keyboard
+    bool selects_all_ = false;              ///< of what stands in the field, when it gets the keyboard
+    std::optional<std::size_t> n_marked_{}; ///< letters that are marked in its place
     bool must_confirm_overwrite_ = false;
     std::optional<Message> refusal_{};
     Purpose purpose_ = Purpose::Open;

@@ -1,7 +1,9 @@
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <string>
+#include <utility>
 
 namespace ui {
 
@@ -13,5 +15,15 @@ struct YesOrNo {
 
 /// Asks over everything else; call it in every frame until it is answered.
 std::optional<bool> ask_yes_or_no(const YesOrNo& question);
+
+/// The same of what waits for the answer: it is done, or forgotten.
+template <class Workspace>
+void ask_before(std::function<void(Workspace&)>& waiting, Workspace& workspace, const YesOrNo& question)
+{
+    const auto answer = ask_yes_or_no(question);
+    if (!answer) return;
+    const auto then = std::exchange(waiting, {});
+    if (*answer) then(workspace);
+}
 
 } // namespace ui

@@ -18,9 +18,14 @@ enum class Topic : std::uint8_t { Sheet, Comparison, Sways, Convergence, Kani, E
 struct Workspace : ui::DocumentWorkspace<Workspace, Session> {
     using DocumentWorkspace::DocumentWorkspace;
 
+    /// Ends the exercise: at once where it is done, else the window asks first.
+    void end_exercise();
+
     Topic topic = Topic::Sheet;
     std::size_t first_column = 1; ///< beside the names, of a table that is too broad to be shown whole
     Seeded next_exercise{};       ///< what "New exercise" begins
+    /// What is to be done once the user has said that the exercise ends.
+    std::function<void(Workspace&)> after_exercise{};
 };
 
 using CommandTable = ui::CommandTable<Workspace>;

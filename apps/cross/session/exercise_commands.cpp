@@ -131,7 +131,7 @@ void add_judging(Menu& menu)
         [](Workspace& workspace) { workspace.session.start_over(); }, why_no_worksheet);
     menu.step(
         {"exercise.end", translatable("End the exercise")},
-        [](Workspace& workspace) { workspace.session.end_exercise(); }, why_no_worksheet);
+        [](Workspace& workspace) { workspace.end_exercise(); }, why_no_worksheet);
 }
 
 /// "3 17": difficulty and number.
@@ -168,6 +168,13 @@ Reason fill(Workspace& workspace, const ui::Argument& argument)
 }
 
 } // namespace
+
+void Workspace::end_exercise()
+{
+    const auto end = [](Workspace& workspace) { workspace.session.end_exercise(); };
+    if (session.hides_results()) after_exercise = end;
+    else end(*this);
+}
 
 void add_exercise_commands(CommandTable& table)
 {

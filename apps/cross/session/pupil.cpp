@@ -32,6 +32,12 @@ void Session::judge_worksheet()
     note_mistakes();
 }
 
+std::optional<Message> Session::why_not_here() const
+{
+    if (!hides_results() || document().pupil || seen_[present_].is_solution_seen) return std::nullopt;
+    return Message(translatable("an exercise is being done; end it first: Exercise, End the exercise"));
+}
+
 // Whoever saw that a cell is wrong gets no point for it.
 void Session::note_mistakes()
 {
@@ -41,10 +47,11 @@ void Session::note_mistakes()
         if (worksheet_->is_written(fc::BlankId(i)) && !worksheet_->is_good(fc::BlankId(i))) helped[i] = true;
 }
 
-// Whoever left the exercise, by Ctrl+Z too, saw what belongs in the cells that were not right.
+// Whoever left the exercise saw what belongs in the cells that were not right.
 void Session::note_all_seen()
 {
     if (!worksheet_ || worksheet_->is_solved()) return;
+    seen_[present_].is_solution_seen = true;
     std::vector<bool>& helped = seen_[present_].helped;
     for (std::size_t i = 0; i < helped.size(); ++i)
         if (!worksheet_->is_good(fc::BlankId(i))) helped[i] = true;
@@ -145,7 +152,9 @@ void Session::change_pupil(Pupil pupil, const Message& label)
     judge_again(*worksheet_, document());
     note_mistakes();
     find_state();
-    if (hid && !hides_results()) notify(translatable("every cell is right: the sheet is done"));
+    if (!hid || hides_results()) return;
+    seen_[present_].is_solution_seen = true;
+    notify(translatable("every cell is right: the sheet is done"));
 }
 
 std::optional<Message> Session::write(fc::BlankId cell, const std::string& text)

@@ -104,6 +104,8 @@ private:
     std::string file_text() const override; ///< the score goes with it
     std::string about(const ui::Catalogue& tr) const override;
     void prepare_to_go() override { change_at_once(); }
+    /// An exercise whose solution was not seen yet is left by its own command alone.
+    std::optional<ui::Message> why_not_here() const override;
     void follow(const Document& before) override;
     bool is_same(const Document& a, const Document& b) const override { return is_same_task(a, b); }
     void solve_again(SolveMode mode = SolveMode::Full);
@@ -139,6 +141,7 @@ private:
     struct ShownTurn {
         std::vector<std::size_t> n_hints;
         std::vector<bool> helped;
+        bool is_solution_seen = false; ///< it was left, or solved
     };
     std::vector<ShownTurn> seen_; ///< of every exercise on what is open, by Pupil::number
     std::size_t present_ = 0;     ///< the exercise of the paper

@@ -15,6 +15,7 @@
 #include "ui/files/ending.h"
 #include "ui/report/html.h"
 #include "ui/report/pages.h"
+#include "ui/widgets/yes_or_no.h"
 #include "ui/workbench/file_sentences.h"
 
 template class ui::DocumentApp<cross::Workspace>;
@@ -47,6 +48,17 @@ void Application::show_right()
         exercise_panel_.show_worksheet(workspace(), commands(), canvas_.cell_field(),
                                        is_drawn(session(), canvas_.drawn()));
     else if (is_asked) exercise_panel_.show_beginning(workspace(), commands());
+}
+
+void Application::show_own_dialogs()
+{
+    if (!workspace().after_exercise) return;
+    const ui::Catalogue& tr = session().tr();
+    ui::ask_before(workspace().after_exercise, workspace(),
+                   {.heading = tr("The exercise"),
+                    .sentence = tr("The exercise is not done yet. Its end shows what belongs in every cell."),
+                    .no = tr("Go on with it"),
+                    .yes = tr("End the exercise")});
 }
 
 void Application::show_canvas()

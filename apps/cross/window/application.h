@@ -32,6 +32,7 @@ private:
     bool refuses_text() const override { return method_panel_.is_typing() || canvas_.is_typing_value(); }
     void show_left() override;
     void show_right() override;
+    void show_own_dialogs() override;
     void show_canvas() override;
     void fit() override { workspace().session.look.zoom = {}; }
     void zoom(double factor) override { canvas_.zoom(workspace().session, factor); }

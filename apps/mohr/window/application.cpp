@@ -46,13 +46,11 @@ void Application::show_own_dialogs()
 {
     if (!workspace().after_exercise) return;
     const ui::Catalogue& tr = session().tr();
-    const auto is_left = ui::ask_yes_or_no({.heading = tr("The exercise"),
-                                            .sentence = tr("The exercise is not done yet. Its answers are not kept."),
-                                            .no = tr("Go on with it"),
-                                            .yes = tr("End the exercise")});
-    if (!is_left) return;
-    const auto then = std::exchange(workspace().after_exercise, {});
-    if (*is_left) then(workspace());
+    ui::ask_before(workspace().after_exercise, workspace(),
+                   {.heading = tr("The exercise"),
+                    .sentence = tr("The exercise is not done yet. Its answers are not kept."),
+                    .no = tr("Go on with it"),
+                    .yes = tr("End the exercise")});
 }
 
 void Application::show_canvas()
