@@ -19,6 +19,7 @@
 #include "ui/command/command_table.h"
 #include "ui/context/write_picture.h"
 #include "ui/files/linked_copy.h"
+#include "ui/text/shortened.h"
 #include "ui/widgets/command_menu.h"
 #include "ui/widgets/kept_field.h"
 #include "ui/widgets/offer.h"
@@ -395,7 +396,10 @@ void DocumentApp<Workspace>::show_panels_and_canvas_above(float height, const st
 template <class Workspace> std::optional<FootMessage> DocumentApp<Workspace>::foot_message() const
 {
     const Catalogue& tr = session().tr();
-    if (session().notice) return FootMessage{{tr(session().notice->sentence)}, {tr("Close") + "###close notice"}};
+    constexpr std::size_t most_lines = 10; // a foot of more leaves little of the picture
+    if (session().notice)
+        return FootMessage{{first_lines(tr(session().notice->sentence), most_lines, tr)},
+                           {tr("Close") + "###close notice"}};
     if (workspace_.offer.empty()) return std::nullopt;
     return offer_message(workspace_.offer, tr);
 }

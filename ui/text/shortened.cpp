@@ -1,5 +1,7 @@
 #include "ui/text/shortened.h"
 
+#include <algorithm>
+
 namespace ui {
 
 std::string shortened(std::string_view utf8, std::size_t most)
@@ -12,6 +14,15 @@ std::string shortened(std::string_view utf8, std::size_t most)
         if (++n_letters > most) return std::string(utf8.substr(0, cut)) + "…";
     }
     return std::string(utf8);
+}
+
+std::string first_lines(const std::string& text, std::size_t most, const Catalogue& tr)
+{
+    const auto n = static_cast<std::size_t>(std::ranges::count(text, '\n')) + 1;
+    if (n <= most) return text;
+    std::size_t end = text.find('\n');
+    for (std::size_t i = 1; i < most; ++i) end = text.find('\n', end + 1);
+    return text.substr(0, end + 1) + tr("… and {count} more", {{"count", std::to_string(n - most)}});
 }
 
 } // namespace ui

@@ -1,6 +1,5 @@
 #include "ui/workbench/file_sentences.h"
 
-#include <algorithm>
 #include <span>
 #include <utility>
 
@@ -27,13 +26,8 @@ Message not_opened(const std::filesystem::path& path, const Message& reason)
 
 Message not_opened(const std::filesystem::path& path, const std::vector<Message>& reasons)
 {
-    constexpr std::size_t most = 10; // a foot of more lines leaves little of the picture
     Message list = reasons.front();
-    for (const Message& next : std::span(reasons).first(std::min(reasons.size(), most)).subspan(1))
-        list = with_line(std::move(list), next);
-    if (reasons.size() > most)
-        list = with_line(std::move(list),
-                         {translatable("… and {count} more"), {{"count", std::to_string(reasons.size() - most)}}});
+    for (const Message& next : std::span(reasons).subspan(1)) list = with_line(std::move(list), next);
     return not_opened(path, list);
 }
 

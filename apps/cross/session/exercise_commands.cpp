@@ -130,8 +130,8 @@ void add_judging(Menu& menu)
         {"exercise.start_over", translatable("Start over")},
         [](Workspace& workspace) { workspace.session.start_over(); }, why_no_worksheet);
     menu.step(
-        {"exercise.end", translatable("End the exercise")},
-        [](Workspace& workspace) { workspace.end_exercise(); }, why_no_worksheet);
+        {"exercise.end", translatable("End the exercise")}, [](Workspace& workspace) { workspace.end_exercise(); },
+        why_no_worksheet);
 }
 
 /// "3 17": difficulty and number.

@@ -110,8 +110,8 @@ public:
     std::optional<ui::Message> why_not_edit_text() const;
     void edit_text();
     /// Runs the text in place of the script; else `script_fault` names the line, and nothing is changed.
-    bool accept_text(); ///< \pre it is edited
-    void cancel_text(); ///< the text comes back when the same script is edited next
+    bool accept_text();                      ///< \pre it is edited
+    void cancel_text();                      ///< the text comes back when the same script is edited next
     std::optional<std::string> edited_text;  ///< while it is edited
     std::optional<std::size_t> faulty_line;  ///< of the text, from 1, where it could not be run
     bool is_fault_new = false;               ///< the line is to be brought into sight
@@ -192,9 +192,9 @@ private:
     Side side_ = Side::Before;
     int earned_ = 0; ///< points of challenges that have gone
     Stepper stepper_;
-    Stepper::Script whole_;       ///< the stepper's, to be saved
-    bool is_dirty_ = false;       ///< kept, since a script can have a million steps
-    std::string text_before_;     ///< that is edited, as it was
+    Stepper::Script whole_;   ///< the stepper's, to be saved
+    bool is_dirty_ = false;   ///< kept, since a script can have a million steps
+    std::string text_before_; ///< that is edited, as it was
     std::optional<GivenUpText> given_up_;
     std::uint64_t n_changes_ = 0; ///< of the script
     std::optional<Opening> opening_;

@@ -8,6 +8,7 @@
 #include "apps/frame/document/fault/sentence.h"
 #include "apps/frame/session/truss_commands.h"
 #include "apps/frame/window/no_results.h"
+#include "ui/paint/label/oriented_box.h"
 #include "ui/paint/theme.h"
 #include "ui/paint/wrapped_lines.h"
 
@@ -15,21 +16,33 @@ namespace frame {
 
 namespace {
 
-// At the foot of the sheet, each in as many lines as it needs.
-void draw_at_foot(ui::Painter& painter, const std::vector<std::string>& sentences, const ui::Theme& theme)
+/// Whether a member passes there, or its names would.
+bool is_drawn_in(const ui::Box& box, const Projection& projection, const StructureShape& shape, double names)
 {
+    const ui::OrientedBox wide(0.5 * (box.min + box.max), {box.width() + 2.0 * names, box.height() + 2.0 * names});
+    const auto passes = [&](const MemberShape& member) {
+        return wide.meets_segment(projection(member.start), projection(member.end));
+    };
+    return std::ranges::any_of(shape.members, passes);
+}
+
+// At the foot of the sheet, unless the structure is there: the status bar says it too.
+void write_at_foot(ui::Painter& painter, const std::string& sentence, const ui::Theme& theme,
+                   const Projection& projection, const StructureShape& shape)
+{
+    constexpr double beside = 16.0, below = 10.0, line_height = 1.4, names = 1.8; // [px], then ems
     ui::TextStyle style = theme.text(ui::Role::Error, ui::Anchor::BottomLeft);
     style.plate = theme.background();
-    std::vector<std::string> lines;
-    for (const std::string& one : sentences) {
-        const auto wrapped = ui::wrapped_lines(painter.fonts(), one, style, painter.size().width - 32.0);
-        lines.insert(lines.end(), wrapped.begin(), wrapped.end());
-    }
+    const auto lines = ui::wrapped_lines(painter.fonts(), sentence, style, painter.size().width - 2.0 * beside);
+    double width = 0.0;
+    for (const std::string& line : lines) width = std::max(width, painter.measure(line, style).width);
+    const double step = line_height * style.size, foot = painter.sheet().max.y - below;
+    const double height = step * static_cast<double>(lines.size());
+    if (is_drawn_in({{beside, foot - height}, {beside + width, foot}}, projection, shape, names * style.size)) return;
     const ui::LayerScope layer(painter, ui::Layer::Overlay);
-    const double step = 1.4 * style.size;
-    double y = painter.sheet().max.y - 10.0 - step * static_cast<double>(lines.size() - 1);
+    double y = foot - height + step;
     for (const std::string& line : lines) {
-        painter.text({16.0, y}, line, style);
+        painter.text({beside, y}, line, style);
         y += step;
     }
 }
@@ -86,7 +99,7 @@ void draw_loose_part(ui::Painter& painter, const Session& session, const DrawOpt
     for (const MemberShape& member : loose)
         painter.line(projection(member.start), projection(member.end), theme.stroke(ui::Role::Mechanism));
     if (const femoop::Fault* const fault = why_not_solved(session))
-        draw_at_foot(painter, {sentence(*fault, options.tr)}, theme);
+        write_at_foot(painter, sentence(*fault, options.tr), theme, projection, shape);
 }
 
 } // namespace frame

@@ -21,7 +21,8 @@ std::vector<std::string> why_no_diagram(const Session& session);
 std::vector<std::string> why_no_train_values(const Session& session);
 
 /// Where a part of the structure stands and another can move: the members of that one, and why there are no results. It
-/// takes the place of the motion while members are drawn, and moves nothing under the hand.
+/// takes the place of the motion while members are drawn, and moves nothing under the hand; the reason is written where
+/// nothing is drawn.
 void draw_loose_part(ui::Painter& painter, const Session& session, const DrawOptions& options,
                      const Projection& projection, const StructureShape& shape);
 

@@ -286,15 +286,18 @@ void Canvas::hold_still(Session& session, const Subject::Plan& before)
 }
 
 // Drawing must not move the picture under the hand; it moves where a node would be lost, and with no tool in the hand
-// where other marks would be.
+// where other marks would be. A line that is carried on may have a node beside the legend.
 bool Canvas::is_all_in_sight(const Workspace& workspace) const
 {
     if (plan_.panels.empty()) return false;
     const bool is_at_rest = workspace.tool_controller.kind() == ToolKind::Select && !shown_mechanism(workspace) &&
                             lent_ <= 0.0;
     if (is_at_rest && was_whole_ && !drawn_.is_whole) return false;
-    const ui::Box box = plan_.panels.front().box;
-    const Projection projection(plan_.camera, box.min);
+    const Tool& tool = workspace.tool_controller.tool();
+    const bool is_carried_on = tool.from() || tool.from_in_space();
+    const ui::Box panel = plan_.panels.front().box;
+    const ui::Box box = is_carried_on ? ui::box_at({0.0, 0.0}, sheet()) : panel;
+    const Projection projection(plan_.camera, panel.min);
     return std::ranges::all_of(shape_.nodes, [&](const auto& node) { return box.contains(projection(node)); });
 }
 

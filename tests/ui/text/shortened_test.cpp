@@ -12,4 +12,12 @@ TEST_CASE("A text with too many letters is cut between letters, and ends with do
     CHECK(ui::shortened("", 1).empty());
 }
 
+TEST_CASE("A text with too many lines ends with the number of the rest; one that fits is left alone")
+{
+    const ui::Catalogue english;
+    CHECK(ui::first_lines("one\ntwo\nthree", 3, english) == "one\ntwo\nthree");
+    CHECK(ui::first_lines("one\ntwo\nthree\nfour", 2, english) == "one\ntwo\n… and 2 more");
+    CHECK(ui::first_lines("", 1, english).empty());
+}
+
 TEST_SUITE_END();
