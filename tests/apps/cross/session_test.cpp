@@ -39,9 +39,8 @@ TEST_CASE("All faults of a file are told at once, in the words of an app")
     const std::string told = session.tr()(session.notice->sentence);
     CHECK(told.starts_with("many_faults.json was not opened: "));
     CHECK(told.find("Node #10,") != std::string::npos);
-    CHECK(told.find("Node #11,") == std::string::npos);
-    CHECK(told.ends_with("\n… and 4 more"));
-    CHECK(std::ranges::count(told, '\n') == 10);
+    CHECK(told.find("Node #14,") != std::string::npos);
+    CHECK(std::ranges::count(told, '\n') == 13);
 }
 
 TEST_CASE("Kani's method waits while a hand drags and is there once it lets go")
