@@ -32,6 +32,7 @@ void PathDialog::open(Purpose purpose, const fs::path& start, std::string extens
 {
     is_open_ = is_fresh_ = wants_keyboard_ = selects_all_ = true;
     must_confirm_overwrite_ = false;
+    n_marked_.reset();
     refusal_.reset();
     purpose_ = purpose;
     extension_ = std::move(extension);
