@@ -48,7 +48,13 @@ int rank_at(std::size_t at, std::string_view word, std::string_view text)
     const bool begins = at == 0 || !is_letter(text[at - 1]);
     const bool ends = end == text.size() || !is_letter(text[end]);
     if (!begins) return worst_rank_of_words;
-    return ends ? 0 : 1;
+    return ends ? 1 : 2;
+}
+
+bool begins_with_words(const std::string& text, const std::string& wanted)
+{
+    if (wanted.empty() || !text.starts_with(wanted)) return false;
+    return text.size() == wanted.size() || !is_letter(text[wanted.size()]);
 }
 
 // Of all places where the word stands, the best.
@@ -64,8 +70,9 @@ std::optional<int> rank_of_word(std::string_view word, std::string_view text)
 
 std::optional<int> rank_of_words(const std::string& wanted, const std::string& text)
 {
+    if (begins_with_words(text, wanted)) return 0;
     std::istringstream words(wanted);
-    int worst = 0;
+    int worst = 1;
     for (std::string word; words >> word;) {
         const std::optional<int> rank = rank_of_word(word, text);
         if (!rank) return std::nullopt;
