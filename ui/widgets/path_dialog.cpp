@@ -30,9 +30,8 @@ fs::path expanded(const std::string& typed)
 
 void PathDialog::open(Purpose purpose, const fs::path& start, std::string extension, std::string left_out)
 {
-    is_open_ = is_fresh_ = wants_keyboard_ = selects_all_ = true;
+    is_open_ = is_fresh_ = wants_keyboard_ = true;
     must_confirm_overwrite_ = false;
-    n_marked_.reset();
     refusal_.reset();
     purpose_ = purpose;
     extension_ = std::move(extension);
@@ -42,6 +41,7 @@ void PathDialog::open(Purpose purpose, const fs::path& start, std::string extens
     start_ = fs::absolute(start.empty() ? fs::current_path(error) / "" : start, error);
     enter(start_.has_filename() ? start_.parent_path() : start_);
     typed_ = is_opening() ? "" : start_.filename().string();
+    n_marked_ = typed_.size();
 }
 
 void PathDialog::open_export(const fs::path& start, std::vector<std::string> endings)
@@ -54,7 +54,8 @@ void PathDialog::open_export(const fs::path& start, std::vector<std::string> end
 void PathDialog::refuse(const Message& reason)
 {
     is_open_ = is_fresh_ = wants_keyboard_ = true;
-    selects_all_ = must_confirm_overwrite_ = false;
+    must_confirm_overwrite_ = false;
+    n_marked_.reset();
     refusal_ = reason;
 }
 
@@ -185,11 +186,9 @@ bool PathDialog::show_field(const Catalogue& tr)
 {
     ImGui::SetNextItemWidth(-1.0F);
     if (std::exchange(wants_keyboard_, false)) ImGui::SetKeyboardFocusHere();
-    const ImGuiInputTextFlags selects = selects_all_ ? ImGuiInputTextFlags_AutoSelectAll : ImGuiInputTextFlags_None;
     const bool is_confirmed = ImGui::InputTextWithHint(
         "###typed", tr("Path of the file").c_str(), &typed_,
-        ImGuiInputTextFlags_EnterReturnsTrue | ImGuiInputTextFlags_CallbackAlways | selects, mark, this);
-    if (ImGui::IsItemActive()) selects_all_ = false;
+        ImGuiInputTextFlags_EnterReturnsTrue | ImGuiInputTextFlags_CallbackAlways, mark, this);
     if (ImGui::IsItemEdited()) {
         must_confirm_overwrite_ = false;
         refusal_.reset();

@@ -54,8 +54,7 @@ private:
     bool is_open_ = false;
     bool is_fresh_ = false;
     bool wants_keyboard_ = false;
-    bool selects_all_ = false;              ///< of what stands in the field, when it gets the keyboard
-    std::optional<std::size_t> n_marked_{}; ///< letters that are marked in its place
+    std::optional<std::size_t> n_marked_{}; ///< letters from the first that are marked once the field has the keyboard
     bool must_confirm_overwrite_ = false;
     std::optional<Message> refusal_{};
     Purpose purpose_ = Purpose::Open;

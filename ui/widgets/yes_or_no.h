@@ -1,8 +1,8 @@
 #pragma once
 
-#include <functional>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <utility>
 
 namespace ui {
@@ -16,13 +16,19 @@ struct YesOrNo {
 /// Asks over everything else; call it in every frame until it is answered.
 std::optional<bool> ask_yes_or_no(const YesOrNo& question);
 
-/// The same of what waits for the answer: it is done, or forgotten.
-template <class Workspace>
-void ask_before(std::function<void(Workspace&)>& waiting, Workspace& workspace, const YesOrNo& question)
+/// While something waits in `after_exercise` for the end of an exercise that is not done: asks whether it ends, and does
+/// what waits, or forgets it.
+/// \param cost  what the end means, to be translated
+template <class Workspace> void ask_to_end_exercise(Workspace& workspace, std::string_view cost)
 {
-    const auto answer = ask_yes_or_no(question);
+    if (!workspace.after_exercise) return;
+    const auto& tr = workspace.tr();
+    const auto answer = ask_yes_or_no({.heading = tr("The exercise"),
+                                       .sentence = tr(cost),
+                                       .no = tr("Go on with it"),
+                                       .yes = tr("End the exercise")});
     if (!answer) return;
-    const auto then = std::exchange(waiting, {});
+    const auto then = std::exchange(workspace.after_exercise, {});
     if (*answer) then(workspace);
 }
 

@@ -52,13 +52,8 @@ void Application::show_right()
 
 void Application::show_own_dialogs()
 {
-    if (!workspace().after_exercise) return;
-    const ui::Catalogue& tr = session().tr();
-    ui::ask_before(workspace().after_exercise, workspace(),
-                   {.heading = tr("The exercise"),
-                    .sentence = tr("The exercise is not done yet. Its end shows what belongs in every cell."),
-                    .no = tr("Go on with it"),
-                    .yes = tr("End the exercise")});
+    ui::ask_to_end_exercise(workspace(),
+                            translatable("The exercise is not done yet. Its end shows what belongs in every cell."));
 }
 
 void Application::show_canvas()

@@ -44,13 +44,7 @@ void Application::show_right()
 
 void Application::show_own_dialogs()
 {
-    if (!workspace().after_exercise) return;
-    const ui::Catalogue& tr = session().tr();
-    ui::ask_before(workspace().after_exercise, workspace(),
-                   {.heading = tr("The exercise"),
-                    .sentence = tr("The exercise is not done yet. Its answers are not kept."),
-                    .no = tr("Go on with it"),
-                    .yes = tr("End the exercise")});
+    ui::ask_to_end_exercise(workspace(), translatable("The exercise is not done yet. Its answers are not kept."));
 }
 
 void Application::show_canvas()
