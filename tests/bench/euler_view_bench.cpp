@@ -69,8 +69,8 @@ public:
         data.CmdListsCount = 1;
         data.DisplaySize = {1280.0F, 800.0F};
         data.FramebufferScale = {1.0F, 1.0F};
-        renderer_.clear(ui::rgb(0xFFFFFF));
-        renderer_.render(data);
+        background_ = background_ == ui::rgb(0xFFFFFF) ? ui::rgb(0xFEFEFE) : ui::rgb(0xFFFFFF); // draws all of it
+        renderer_.render(data, background_);
         context_.gl().Finish();
     }
     int n_triangles() const { return list_.IdxBuffer.Size / 3; }
@@ -79,6 +79,7 @@ private:
     ui::Fonts fonts_;
     ui::Offscreen context_;
     ui::DrawListRenderer renderer_;
+    ui::Color background_{};
     ui::GlyphAtlas atlas_;
     ImDrawListSharedData shared_;
     ImDrawList list_;

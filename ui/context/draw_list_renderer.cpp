@@ -6,9 +6,9 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstddef>
 #include <string>
+#include <vector>
 
 namespace ui {
 
@@ -92,44 +92,6 @@ gl::Uint linked(const gl::Functions& gl, const char* fragment_source)
 
 const void* offset_of(std::size_t bytes) { return reinterpret_cast<const void*>(bytes); } // NOLINT: as OpenGL asks
 
-struct Scissor {
-    int x, y, width, height; // from the bottom left corner
-};
-
-Scissor scissor(const ImDrawCmd& command, const ImDrawData& data)
-{
-    const float left = std::max(command.ClipRect.x - data.DisplayPos.x, 0.0F);
-    const float top = std::max(command.ClipRect.y - data.DisplayPos.y, 0.0F);
-    const float right = std::min(command.ClipRect.z - data.DisplayPos.x, data.DisplaySize.x);
-    const float bottom = std::min(command.ClipRect.w - data.DisplayPos.y, data.DisplaySize.y);
-    const auto whole = [](float v) { return static_cast<int>(std::lround(v)); };
-    return {whole(left), whole(data.DisplaySize.y - bottom), whole(right) - whole(left), whole(bottom) - whole(top)};
-}
-
-} // namespace
-
-namespace {
-
-/// How many of the command's first indices belong to an opaque rectangle along the axes, such as a window's
-/// background: 6 or none. A software renderer fills it several times faster without image and blending.
-unsigned n_of_background(const ImDrawList& list, const ImDrawCmd& command)
-{
-    constexpr unsigned n = 6; // of Dear ImGui's rectangle: 0 1 2, 0 2 3
-    if (command.ElemCount < n) return 0;
-    const auto* const indices = list.IdxBuffer.Data + command.IdxOffset;
-    const ImDrawVert* const corners = list.VtxBuffer.Data + command.VtxOffset + indices[0];
-    constexpr std::array<unsigned, n> of_rectangle = {0, 1, 2, 0, 2, 3};
-    for (unsigned i = 0; i < n; ++i)
-        if (indices[i] != indices[0] + of_rectangle[i]) return 0;
-    const auto is_like_first = [&](const ImDrawVert& v) {
-        return v.col == corners[0].col && v.uv.x == corners[0].uv.x && v.uv.y == corners[0].uv.y;
-    };
-    const bool is_plain = std::all_of(corners, corners + 4, is_like_first) && corners[0].col >> IM_COL32_A_SHIFT == 255;
-    const bool is_level = corners[0].pos.y == corners[1].pos.y && corners[1].pos.x == corners[2].pos.x &&
-                          corners[2].pos.y == corners[3].pos.y && corners[3].pos.x == corners[0].pos.x;
-    return is_plain && is_level ? n : 0;
-}
-
 } // namespace
 
 DrawListRenderer::DrawListRenderer(Context& context) : context_(context)
@@ -147,6 +109,8 @@ DrawListRenderer::DrawListRenderer(Context& context) : context_(context)
     gl.GenVertexArrays(1, &vertex_array_);
     gl.GenBuffers(1, &vertices_);
     gl.GenBuffers(1, &indices_);
+    gl.GenFramebuffers(1, &framebuffer_);
+    gl.GenRenderbuffers(1, &renderbuffer_);
     gl.BindVertexArray(vertex_array_);
     gl.BindBuffer(gl::array_buffer, vertices_);
     gl.BindBuffer(gl::element_array_buffer, indices_);
@@ -165,14 +129,35 @@ DrawListRenderer::~DrawListRenderer()
     gl.DeleteBuffers(1, &vertices_);
     gl.DeleteBuffers(1, &indices_);
     gl.DeleteVertexArrays(1, &vertex_array_);
+    gl.DeleteFramebuffers(1, &framebuffer_);
+    gl.DeleteRenderbuffers(1, &renderbuffer_);
     gl.DeleteProgram(plain_.name);
     gl.DeleteProgram(image_.name);
 }
 
-void DrawListRenderer::clear(Color color)
+/// Gives the kept picture the size of the context's.
+void DrawListRenderer::fit_picture()
 {
     const auto& gl = context_.gl();
-    gl.Disable(gl::scissor_test);
+    gl.BindFramebuffer(gl::framebuffer, framebuffer_);
+    if (size_ == context_.size()) return;
+    size_ = context_.size();
+    gl.BindRenderbuffer(gl::renderbuffer, renderbuffer_);
+    gl.RenderbufferStorage(gl::renderbuffer, gl::rgba8, size_.width, size_.height);
+    gl.FramebufferRenderbuffer(gl::framebuffer, gl::color_attachment0, gl::renderbuffer, renderbuffer_);
+    if (gl.CheckFramebufferStatus(gl::framebuffer) != gl::framebuffer_complete)
+        throw ContextError("OpenGL: the driver cannot draw into a picture in memory");
+}
+
+void DrawListRenderer::scissor(const PixelBox& box)
+{
+    context_.gl().Scissor(box.left, size_.height - box.bottom, box.right - box.left, box.bottom - box.top);
+}
+
+void DrawListRenderer::clear(const PixelBox& box, Color color)
+{
+    const auto& gl = context_.gl();
+    scissor(box);
     const auto part = [](std::uint8_t c) { return static_cast<float>(c) / 255.0F; };
     gl.ClearColor(part(color.r), part(color.g), part(color.b), part(color.a));
     gl.Clear(gl::color_buffer_bit);
@@ -181,7 +166,7 @@ void DrawListRenderer::clear(Color color)
 void DrawListRenderer::set_state(const ImDrawData& data)
 {
     const auto& gl = context_.gl();
-    gl.Viewport(0, 0, context_.size().width, context_.size().height);
+    gl.Viewport(0, 0, size_.width, size_.height);
     gl.Enable(gl::blend);
     gl.BlendEquation(gl::func_add);
     gl.BlendFuncSeparate(gl::src_alpha, gl::one_minus_src_alpha, gl::one, gl::one_minus_src_alpha);
@@ -225,14 +210,6 @@ gl::Uint DrawListRenderer::texture(const AlphaImage& image)
     return texture.name;
 }
 
-/// Makes ready for a command with this image, or with none.
-void DrawListRenderer::use(const AlphaImage* image)
-{
-    const auto& gl = context_.gl();
-    gl.UseProgram(image ? image_.name : plain_.name);
-    if (image) gl.BindTexture(gl::texture_2d, texture(*image));
-}
-
 void DrawListRenderer::forget_unused_textures()
 {
     for (auto it = textures_.begin(); it != textures_.end();) {
@@ -245,39 +222,74 @@ void DrawListRenderer::forget_unused_textures()
     }
 }
 
-void DrawListRenderer::render(const ImDrawData& data)
+/// \pre all batches are of one list
+void DrawListRenderer::render_list(std::span<const DrawBatch> batches)
+{
+    std::vector<unsigned> indices;
+    std::vector<Stretch> stretches;
+    for (const DrawBatch& batch : batches) {
+        const auto by_box = tiles_.triangles_by_box(batch);
+        for (std::size_t i = 0; i < by_box.size(); ++i) {
+            const std::vector<unsigned>& triangles = by_box[i];
+            if (triangles.empty()) continue;
+            stretches.push_back({&batch, common_part(batch.clip, tiles_.boxes()[i]), indices.size(), triangles.size()});
+            indices.insert(indices.end(), triangles.begin(), triangles.end());
+        }
+    }
+    if (stretches.empty()) return;
+    const auto& gl = context_.gl();
+    const auto& vertices = batches.front().list->VtxBuffer;
+    gl.BufferData(gl::array_buffer, vertices.size_in_bytes(), vertices.Data, gl::stream_draw);
+    gl.BufferData(gl::element_array_buffer, static_cast<gl::Intptr>(indices.size() * sizeof(unsigned)), indices.data(),
+                  gl::stream_draw);
+    for (const Stretch& stretch : stretches) draw(stretch);
+}
+
+void DrawListRenderer::draw(const Stretch& stretch)
+{
+    const auto& gl = context_.gl();
+    const DrawBatch& batch = *stretch.batch;
+    scissor(stretch.box);
+    if (!batch.is_blended) gl.Disable(gl::blend);
+    gl.UseProgram(batch.image ? image_.name : plain_.name);
+    if (batch.image) gl.BindTexture(gl::texture_2d, texture(*batch.image));
+    gl.DrawElements(gl::triangles, static_cast<gl::Sizei>(stretch.n), gl::unsigned_int,
+                    offset_of(stretch.first * sizeof(unsigned)));
+    if (!batch.is_blended) gl.Enable(gl::blend);
+}
+
+void DrawListRenderer::copy_to(gl::Uint framebuffer)
+{
+    const auto& gl = context_.gl();
+    gl.Disable(gl::scissor_test);
+    gl.BindFramebuffer(gl::read_framebuffer, framebuffer_);
+    gl.BindFramebuffer(gl::draw_framebuffer, framebuffer);
+    gl.BlitFramebuffer(0, 0, size_.width, size_.height, 0, 0, size_.width, size_.height, gl::color_buffer_bit,
+                       gl::nearest);
+    gl.BindFramebuffer(gl::framebuffer, framebuffer);
+}
+
+void DrawListRenderer::render(const ImDrawData& data, Color background)
 {
     if (data.DisplaySize.x <= 0.0F || data.DisplaySize.y <= 0.0F) return; // a minimized window
     ++n_rendered_;
-    set_state(data);
     const auto& gl = context_.gl();
-    constexpr gl::Enum index_type = sizeof(ImDrawIdx) == 2 ? gl::unsigned_short : gl::unsigned_int;
-    for (int k = 0; k < data.CmdListsCount; ++k) {
-        const ImDrawList& list = *data.CmdLists[k];
-        gl.BufferData(gl::array_buffer, list.VtxBuffer.size_in_bytes(), list.VtxBuffer.Data, gl::stream_draw);
-        gl.BufferData(gl::element_array_buffer, list.IdxBuffer.size_in_bytes(), list.IdxBuffer.Data, gl::stream_draw);
-        for (const ImDrawCmd& command : list.CmdBuffer) {
-            if (command.UserCallback && command.UserCallback != ImDrawCallback_ResetRenderState)
-                command.UserCallback(&list, &command);
-            const Scissor box = scissor(command, data);
-            if (command.UserCallback || command.ElemCount == 0 || box.width <= 0 || box.height <= 0) continue;
-            gl.Scissor(box.x, box.y, box.width, box.height);
-            const auto draw_indices = [&](unsigned first, unsigned n) {
-                gl.DrawElementsBaseVertex(gl::triangles, static_cast<gl::Sizei>(n), index_type,
-                                          offset_of((command.IdxOffset + first) * sizeof(ImDrawIdx)),
-                                          static_cast<gl::Int>(command.VtxOffset));
-            };
-            const unsigned n_first = n_of_background(list, command);
-            if (n_first > 0) {
-                gl.Disable(gl::blend);
-                use(nullptr);
-                draw_indices(0, n_first);
-                gl.Enable(gl::blend);
-            }
-            use(static_cast<const AlphaImage*>(command.GetTexID()));
-            draw_indices(n_first, command.ElemCount - n_first);
-        }
+    gl::Int shown = 0;
+    gl.GetIntegerv(gl::framebuffer_binding, &shown);
+    fit_picture();
+    set_state(data);
+    const std::vector<DrawBatch> batches = batches_of(data);
+    for (const DrawBatch& batch : batches)
+        if (batch.image) texture(*batch.image); // none is forgotten while the picture shows it
+    tiles_.compare(batches, size_, background);
+    for (const PixelBox& box : tiles_.boxes()) clear(box, background);
+    for (auto begin = batches.begin(); begin != batches.end();) {
+        const auto end = std::find_if(begin, batches.end(),
+                                      [&](const DrawBatch& batch) { return batch.list != begin->list; });
+        render_list({begin, end});
+        begin = end;
     }
+    copy_to(static_cast<gl::Uint>(shown));
     forget_unused_textures();
 }
 

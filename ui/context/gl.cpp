@@ -28,6 +28,7 @@ Functions::Functions(Loader load)
     load_one(load, "glBindVertexArray", BindVertexArray);
     load_one(load, "glBlendEquation", BlendEquation);
     load_one(load, "glBlendFuncSeparate", BlendFuncSeparate);
+    load_one(load, "glBlitFramebuffer", BlitFramebuffer);
     load_one(load, "glBufferData", BufferData);
     load_one(load, "glCheckFramebufferStatus", CheckFramebufferStatus);
     load_one(load, "glClear", Clear);
@@ -43,7 +44,7 @@ Functions::Functions(Loader load)
     load_one(load, "glDeleteTextures", DeleteTextures);
     load_one(load, "glDeleteVertexArrays", DeleteVertexArrays);
     load_one(load, "glDisable", Disable);
-    load_one(load, "glDrawElementsBaseVertex", DrawElementsBaseVertex);
+    load_one(load, "glDrawElements", DrawElements);
     load_one(load, "glEnable", Enable);
     load_one(load, "glEnableVertexAttribArray", EnableVertexAttribArray);
     load_one(load, "glFinish", Finish);

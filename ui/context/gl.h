@@ -40,7 +40,8 @@ inline constexpr Enum triangles = 0x0004, unsigned_byte = 0x1401, unsigned_short
                       r8 = 0x8229, rgba8 = 0x8058, unpack_alignment = 0x0CF5, pack_alignment = 0x0D05,
                       array_buffer = 0x8892, element_array_buffer = 0x8893, stream_draw = 0x88E0,
                       vertex_shader = 0x8B31, fragment_shader = 0x8B30, compile_status = 0x8B81, link_status = 0x8B82,
-                      framebuffer = 0x8D40, renderbuffer = 0x8D41, color_attachment0 = 0x8CE0,
+                      framebuffer = 0x8D40, read_framebuffer = 0x8CA8, draw_framebuffer = 0x8CA9,
+                      framebuffer_binding = 0x8CA6, nearest = 0x2600, renderbuffer = 0x8D41, color_attachment0 = 0x8CE0,
                       framebuffer_complete = 0x8CD5, version = 0x1F02, renderer = 0x1F01,
                       max_renderbuffer_size = 0x84E8;
 inline constexpr Bitfield color_buffer_bit = 0x00004000;
@@ -64,6 +65,7 @@ struct Functions {
     void(UI_GL_CALL* BindVertexArray)(Uint);
     void(UI_GL_CALL* BlendEquation)(Enum);
     void(UI_GL_CALL* BlendFuncSeparate)(Enum, Enum, Enum, Enum);
+    void(UI_GL_CALL* BlitFramebuffer)(Int, Int, Int, Int, Int, Int, Int, Int, Bitfield, Enum);
     void(UI_GL_CALL* BufferData)(Enum, Intptr, const void*, Enum);
     Enum(UI_GL_CALL* CheckFramebufferStatus)(Enum);
     void(UI_GL_CALL* Clear)(Bitfield);
@@ -79,7 +81,7 @@ struct Functions {
     void(UI_GL_CALL* DeleteTextures)(Sizei, const Uint*);
     void(UI_GL_CALL* DeleteVertexArrays)(Sizei, const Uint*);
     void(UI_GL_CALL* Disable)(Enum);
-    void(UI_GL_CALL* DrawElementsBaseVertex)(Enum, Sizei, Enum, const void*, Int);
+    void(UI_GL_CALL* DrawElements)(Enum, Sizei, Enum, const void*);
     void(UI_GL_CALL* Enable)(Enum);
     void(UI_GL_CALL* EnableVertexAttribArray)(Uint);
     void(UI_GL_CALL* Finish)();

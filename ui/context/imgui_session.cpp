@@ -301,8 +301,7 @@ void ImGuiSession::end_frame()
     look_for_field();
     ImGui::Render();
     context_.make_current();
-    renderer_.clear(theme_.background());
-    renderer_.render(*ImGui::GetDrawData());
+    renderer_.render(*ImGui::GetDrawData(), theme_.background());
 }
 
 void ImGuiSession::show(const Picture& picture, ImDrawList& list, Point corner)

@@ -22,7 +22,6 @@ Pixels rasterized(const Picture& picture, const Fonts& fonts, const Raster& rast
     const Size physical = raster.scale * picture.size();
     Offscreen context({.size = {whole(physical.width), whole(physical.height)}, .scale = raster.scale});
     DrawListRenderer renderer(context);
-    renderer.clear(raster.background);
     GlyphAtlas atlas(fonts);
     ImDrawListSharedData shared;
     const ImVec2 size(static_cast<float>(context.size().width), static_cast<float>(context.size().height));
@@ -42,7 +41,7 @@ Pixels rasterized(const Picture& picture, const Fonts& fonts, const Raster& rast
     data.CmdListsCount = 1;
     data.DisplaySize = size;
     data.FramebufferScale = {1.0F, 1.0F};
-    renderer.render(data);
+    renderer.render(data, raster.background);
     return context.pixels();
 }
 
