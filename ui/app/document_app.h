@@ -103,6 +103,8 @@ protected:
 
     virtual void show_body() { show_panels_and_canvas(); }
     virtual void show_beside_words() {} ///< more buttons
+    /// Whether undo is the document's although a field of text has the keyboard: nothing was typed into it.
+    virtual bool leaves_undo() const { return false; }
     virtual void show_own_dialogs() {}
     virtual void handle_own_requests() {}
     virtual float covered_width() const
@@ -236,7 +238,8 @@ template <class Workspace> void DocumentApp<Workspace>::handle_keys(const Input&
     const bool types = ImGui::GetIO().WantTextInput || is_typing();
     for (const KeyEvent& event : keys) {
         const bool is_escape = event.key == Key::Escape;
-        const bool edits_text = ImGui::GetIO().WantTextInput && is_edit_of_text(event.chord());
+        const bool edits_text = ImGui::GetIO().WantTextInput && is_edit_of_text(event.chord()) &&
+                                !(is_undo_or_redo(event.chord()) && leaves_undo());
         const bool writes = !is_escape && !event.modifiers.ctrl && !is_function_key(event.key);
         const bool is_for_field = edits_text || (types && writes);
         if (!event.is_down || is_for_field || (is_escape && close_topmost())) continue;

@@ -59,6 +59,8 @@ bool is_edit_of_text(Chord chord)
     return chord.modifiers == ctrl && std::ranges::find(keys, chord.key) != keys.end();
 }
 
+bool is_undo_or_redo(Chord chord) { return chord.modifiers == ctrl && (chord.key == Key::Y || chord.key == Key::Z); }
+
 std::optional<Chord> chord_typed(std::string_view text)
 {
     Chord chord;

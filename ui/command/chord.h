@@ -104,6 +104,8 @@ std::optional<Chord> chord_typed(std::string_view text);
 
 /// What a field of text does itself: take all, copy, cut, paste, undo, redo.
 bool is_edit_of_text(Chord chord);
+/// Those of them that a field in which nothing was typed may leave to the document.
+bool is_undo_or_redo(Chord chord);
 /// F1 to F12, which no field of text takes.
 constexpr bool is_function_key(Key key) { return key >= Key::F1 && key <= Key::F12; }
 

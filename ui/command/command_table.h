@@ -129,9 +129,11 @@ private:
     {
         std::optional<int> best;
         for (const Catalogue& words : {tr, Catalogue()}) {
-            const std::string name = words(command.menu) + ' ' + ui::label(command, session, words);
-            const std::optional<int> rank = match_rank(typed, name);
-            if (rank && (!best || *rank < *best)) best = rank;
+            const std::string label = ui::label(command, session, words);
+            for (const std::string& name : {label, words(command.menu) + ' ' + label}) {
+                const std::optional<int> rank = match_rank(typed, name);
+                if (rank && (!best || *rank < *best)) best = rank;
+            }
         }
         return best;
     }

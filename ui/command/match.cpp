@@ -40,7 +40,8 @@ std::string folded(std::string_view utf8)
     return plain;
 }
 
-bool is_letter(char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0; }
+/// Of a word: the s of "one's" is none of its own.
+bool is_letter(char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '\''; }
 
 int rank_at(std::size_t at, std::string_view word, std::string_view text)
 {
@@ -48,13 +49,14 @@ int rank_at(std::size_t at, std::string_view word, std::string_view text)
     const bool begins = at == 0 || !is_letter(text[at - 1]);
     const bool ends = end == text.size() || !is_letter(text[end]);
     if (!begins) return worst_rank_of_words;
-    return ends ? 1 : 2;
+    return ends ? 2 : 3;
 }
 
-bool begins_with_words(const std::string& text, const std::string& wanted)
+std::optional<int> rank_at_beginning(const std::string& wanted, const std::string& text)
 {
-    if (wanted.empty() || !text.starts_with(wanted)) return false;
-    return text.size() == wanted.size() || !is_letter(text[wanted.size()]);
+    if (wanted.empty() || !text.starts_with(wanted)) return std::nullopt;
+    const bool ends = text.size() == wanted.size() || !is_letter(text[wanted.size()]);
+    return ends ? 0 : 1;
 }
 
 // Of all places where the word stands, the best.
@@ -70,9 +72,9 @@ std::optional<int> rank_of_word(std::string_view word, std::string_view text)
 
 std::optional<int> rank_of_words(const std::string& wanted, const std::string& text)
 {
-    if (begins_with_words(text, wanted)) return 0;
+    if (const auto rank = rank_at_beginning(wanted, text)) return rank;
     std::istringstream words(wanted);
-    int worst = 1;
+    int worst = 2;
     for (std::string word; words >> word;) {
         const std::optional<int> rank = rank_of_word(word, text);
         if (!rank) return std::nullopt;

@@ -29,6 +29,7 @@ private:
     std::optional<ui::Message> write(const std::filesystem::path& path) override;
     std::optional<ui::Message> write_report(const std::filesystem::path& path) const;
     bool is_typing() const override { return method_panel_.is_typing() || exercise_panel_.is_typing(); }
+    bool leaves_undo() const override { return canvas_.cell_field().is_untouched(); }
     bool refuses_text() const override { return method_panel_.is_typing() || canvas_.is_typing_value(); }
     void show_left() override;
     void show_right() override;

@@ -215,7 +215,8 @@ void Canvas::follow_pupil(Session& session)
         cell_in_sight_ = cell; // it was seen: nothing moves under the hand
     }
     if (is_released() && !is_moving_view() && !pressed_cell_ && !cell_field_.is_half_typed()) session.go_to_cell({});
-    const bool is_tab = ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Tab)) && !ImGui::GetIO().WantTextInput;
+    const bool hears_keys = !ImGui::GetIO().WantTextInput && !ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopup);
+    const bool is_tab = hears_keys && ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Tab));
     if (is_tab && !session.cell()) session.go_to_cell(session.neighbour(ImGui::GetIO().KeyShift ? -1 : 1, true));
 }
 

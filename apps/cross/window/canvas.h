@@ -26,6 +26,7 @@ public:
     /// About the pointer, else about the middle of the calculation sheet.
     void zoom(Session& session, double factor);
     CellField& cell_field() { return cell_field_; }
+    const CellField& cell_field() const { return cell_field_; }
     bool is_typing_value() const { return value_field_.is_open(); } ///< on the picture
     /// The picture without what the pointer marks.
     ui::Picture picture_of(const Session& session) const;

@@ -101,6 +101,7 @@ void CellField::follow(Session& session)
     keyboard_.forget();
     ++n_openings_;
     is_fresh_ = true;
+    was_typed_into_ = false;
 }
 
 void CellField::edit(Session& session, Place place)
@@ -114,9 +115,11 @@ void CellField::edit(Session& session, Place place)
     const bool is_entered = ImGui::InputText("###number", &text_, flags, ui::KeyboardBack::place_cursor, &keyboard_);
     keyboard_.after_field();
     ImGui::PopID();
-    is_fresh_ = is_fresh_ && !ImGui::IsItemActive(); // it takes a frame or two to get the keyboard
+    has_keyboard_ = ImGui::IsItemActive();
+    was_typed_into_ |= ImGui::IsItemEdited();
+    is_fresh_ = is_fresh_ && !has_keyboard_; // it takes a frame or two to get the keyboard
     const bool is_left = ImGui::IsItemDeactivated();
-    const bool is_tab = (ImGui::IsItemActive() || is_left) && ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Tab));
+    const bool is_tab = (has_keyboard_ || is_left) && ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Tab));
     if (!is_entered && !is_tab && !is_left) return;
     if (is_left && ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape))) {
         drop_reason(session);

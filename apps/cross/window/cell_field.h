@@ -23,6 +23,8 @@ public:
     /// Likewise where no panel is seen: at the foot of the picture, with what is asked. \param picture  in the window
     void show_at_foot(Session& session, const ui::Box& picture, float scale);
     bool is_half_typed() const { return cell_ && text_ != written_; }
+    /// Has the keyboard, and was not typed into since it was opened.
+    bool is_untouched() const { return cell_ && has_keyboard_ && !was_typed_into_; }
 
 private:
     void follow(Session& session);
@@ -36,7 +38,7 @@ private:
     std::string text_, written_, reason_; ///< why the text was not taken
     Place place_ = Place::Sheet;          ///< where it was last: it may have left the picture with its cell
     int n_openings_ = 0;
-    bool is_fresh_ = false;
+    bool is_fresh_ = false, has_keyboard_ = false, was_typed_into_ = false;
     std::size_t of_ = 0; ///< solution: of another exercise
     bool was_told_ = true;
     ui::KeyboardBack keyboard_;

@@ -171,17 +171,33 @@ TEST_SUITE("ui command")
         CHECK(table.matching("", {}, ui::Catalogue()).at(1)->id == "long"); // where nothing was typed: as in the menus
     }
 
+    TEST_CASE("The command whose own name begins with the typed words comes before those with the words elsewhere")
+    {
+        ui::CommandTable<Lamp> table;
+        const auto add = [&](std::string_view id, std::string_view menu, std::string_view label) {
+            table.add({.id = id, .menu = menu, .label = label, .run = [](Lamp&) {}});
+        };
+        add("to the end", "Construction", "To the end");
+        add("end", "Exercises", "End the exercise");
+        for (const char* typed : {"end", "end t", "end the", "exercises end"}) {
+            CAPTURE(typed);
+            CHECK(table.matching(typed, {}, ui::Catalogue()).at(0)->id == "end");
+        }
+    }
+
     TEST_CASE("A whole word is better than its beginning, that better than its middle, and that than scattered letters")
     {
-        CHECK(ui::match_rank("moment", "Bending moment") == 1);
+        CHECK(ui::match_rank("moment", "Bending moment") == 2);
         CHECK(ui::match_rank("bending", "Bending moment") == 0);
-        CHECK(ui::match_rank("bend", "Bending moment") == 2);
-        CHECK(ui::match_rank("mom", "Bending moment") == 2);
-        CHECK(ui::match_rank("omen", "Bending moment") == 3);
+        CHECK(ui::match_rank("bend", "Bending moment") == 1);
+        CHECK(ui::match_rank("mom", "Bending moment") == 3);
+        CHECK(ui::match_rank("omen", "Bending moment") == 4);
         CHECK(ui::match_rank("bnm", "Bending moment").value() > ui::worst_rank_of_words);
-        CHECK(ui::match_rank("acao", "Reação").value() >= 2);
-        CHECK(ui::match_rank("case", "New case (load cases)") == 1); // also behind a worse place
-        CHECK(ui::match_rank("moment bending", "Bending moment") == 1);
+        CHECK(ui::match_rank("acao", "Reação").value() >= 3);
+        CHECK(ui::match_rank("case", "New case (load cases)") == 2); // also behind a worse place
+        CHECK(ui::match_rank("moment bending", "Bending moment") == 2);
+        CHECK(ui::match_rank("bending mom", "Bending moment") == 1);
+        CHECK(ui::match_rank("s", "An order of one's own") == 4);
         CHECK_FALSE(ui::match_rank("xyz", "Bending moment"));
     }
 
@@ -204,5 +220,7 @@ TEST_SUITE("ui command")
             CHECK(ui::is_edit_of_text(*ui::chord_typed(keys)));
         for (const char* keys : {"Z", "Shift+Z", "Ctrl+Shift+Z", "Ctrl+S", "Ctrl+Enter"})
             CHECK_FALSE(ui::is_edit_of_text(*ui::chord_typed(keys)));
+        for (const char* keys : {"Ctrl+Y", "Ctrl+Z"}) CHECK(ui::is_undo_or_redo(*ui::chord_typed(keys)));
+        for (const char* keys : {"Z", "Ctrl+A", "Ctrl+X"}) CHECK_FALSE(ui::is_undo_or_redo(*ui::chord_typed(keys)));
     }
 }
