@@ -9,6 +9,8 @@
 #include <cmath>
 #include <numbers>
 #include <numeric>
+#include <optional>
+#include <vector>
 
 namespace ui {
 
@@ -44,9 +46,16 @@ std::array<Point, n_directions> ring_directions()
 /// up when it is first asked for, and kept.
 class Candidates {
 public:
-    Candidates(const Label& label, const LabelPlacer::Options& options, const ObstacleMap& obstacles)
-        : label_(&label), options_(&options), obstacles_(&obstacles), step_(std::max(4.0, 0.7 * label.size.height))
+    /// \param labels  all of the run, of which it is the one at `own`
+    Candidates(std::span<const Label> labels, std::size_t own, const LabelPlacer::Options& options,
+               const ObstacleMap& obstacles)
+        : labels_(labels),
+          label_(&labels[own]),
+          options_(&options),
+          obstacles_(&obstacles),
+          step_(std::max(4.0, 0.7 * label_->size.height))
     {
+        const Label& label = *label_;
         const Box bounds = OrientedBox(label.target, label.size, label.rotation).bounds();
         half_ = {0.5 * bounds.width(), 0.5 * bounds.height()};
         if (label.reach >= label.clearance)
@@ -69,17 +78,43 @@ public:
         Candidate place{box(index), std::nullopt, rotation(index), ground(index) == Ground::Soft};
         if (index < n_wishes()) return place;
         const double away = distance(place.box.nearest(label_->target), label_->target);
-        if (away > options_->leader_after || is_cut_off(place.box))
+        if (away > options_->leader_after || needs_leader(place.box))
             place.leader = Leader{leader_start(place.box), label_->target};
         return place;
     }
 
 private:
-    bool is_cut_off(const OrientedBox& box) const
+    /// Lest it seem to speak of something else.
+    bool needs_leader(const OrientedBox& box)
     {
+        if (!label_->needs_sight) return false;
         const auto is_hidden = [&](Point place) { return is_cut_off(box.nearest(place), place); };
-        return label_->needs_sight && is_hidden(label_->target) &&
-               std::all_of(label_->others.begin(), label_->others.end(), is_hidden);
+        const bool is_behind = is_hidden(label_->target) &&
+                               std::all_of(label_->others.begin(), label_->others.end(), is_hidden);
+        return is_behind || (label_->others.empty() && is_nearer_to_another(box.center));
+    }
+    static double distance_of(const Label& label, Point middle)
+    {
+        double least = distance(label.target, middle);
+        for (const Point other : label.others) least = std::min(least, distance(other, middle));
+        return least;
+    }
+    bool is_nearer_to_another(Point middle)
+    {
+        constexpr double rounding = 1.0; // [px]
+        if (!rivals_) find_rivals();
+        const double own = distance(label_->target, middle) - rounding;
+        return std::any_of(rivals_->begin(), rivals_->end(),
+                           [&](const Label* rival) { return distance_of(*rival, middle) < own; });
+    }
+    /// The other such labels whose targets may be nearer to one of its places.
+    void find_rivals()
+    {
+        const double reach = 2.0 * (label_->reach + length({label_->size.width, label_->size.height}));
+        rivals_.emplace();
+        for (const Label& rival : labels_)
+            if (&rival != label_ && rival.needs_sight && distance_of(rival, label_->target) < reach)
+                rivals_->push_back(&rival);
     }
     bool is_cut_off(Point border, Point place) const
     {
@@ -125,18 +160,20 @@ private:
         return label_->target + (away + own_reach) * direction;
     }
 
-    Ground ground_at(std::size_t index) const
+    Ground ground_at(std::size_t index)
     {
         const OrientedBox place = box(index);
         const bool is_in_room = is_finite(place.center) && options_->room.contains(place.bounds());
         const bool is_on_side = !label_->side || label_->side->contains(place.center);
-        if (!is_in_room || !is_on_side || (index < n_wishes() && is_cut_off(place))) return Ground::Taken;
+        if (!is_in_room || !is_on_side || (index < n_wishes() && needs_leader(place))) return Ground::Taken;
         return obstacles_->ground_of(place.grown(options_->gap));
     }
 
+    std::span<const Label> labels_;
     const Label* label_;
     const LabelPlacer::Options* options_;
     const ObstacleMap* obstacles_;
+    std::optional<std::vector<const Label*>> rivals_; ///< found when they are first asked for
     double step_;
     Point half_{};
     std::size_t n_rings_ = 0;
@@ -258,7 +295,7 @@ public:
         : labels_(labels), room_(options.room), obstacles_(obstacles), placed_(labels.size(), options)
     {
         candidates_.reserve(labels.size());
-        for (const Label& label : labels) candidates_.emplace_back(label, options, obstacles_);
+        for (std::size_t i = 0; i < labels.size(); ++i) candidates_.emplace_back(labels, i, options, obstacles_);
     }
 
     LabelPlacement result()

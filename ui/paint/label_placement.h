@@ -32,7 +32,8 @@ struct Label {
     double reach = 90.0;             ///< greatest distance of the box from the target
     std::optional<HalfPlane> side{}; ///< that the middle of the box never leaves
     std::span<const Point> others{}; ///< places beside the target that it speaks of as well
-    /// It takes no place without a leader behind an obstacle, of which it would seem to speak.
+    /// It takes no place without a leader where it would seem to speak of something else: behind an obstacle, or, if it
+    /// speaks of one place alone, with its middle nearer to what another such label speaks of.
     bool needs_sight = false;
 };
 

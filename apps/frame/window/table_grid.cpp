@@ -65,13 +65,26 @@ void TableGrid::keep_places(const Table& before, const std::vector<std::size_t>&
     }
     for (std::size_t i = 0; i < order.size(); ++i) // what was changed where it is listed
         if (!seen[i] && order[i] < now.rows.size() && !is_placed[order[i]]) put(i, order[i]);
+    std::vector<GoneRow> back; // by undo
+    for (std::size_t row = 0; row < now.rows.size(); ++row) {
+        const auto gone = is_placed[row] ? gone_.end()
+                                         : std::ranges::find(gone_, text_of(now.rows[row]), &GoneRow::text);
+        if (gone == gone_.end()) continue;
+        is_placed[row] = true;
+        back.push_back({.place = gone->place, .row = row});
+        gone_.erase(gone);
+    }
     std::size_t next = 0; // of the others
     order_.clear();
-    for (const std::optional<std::size_t>& row : seen) {
-        while (!row && next < now.rows.size() && is_placed[next]) ++next;
-        if (row) order_.push_back(*row);
+    for (std::size_t i = 0; i < seen.size(); ++i) {
+        while (!seen[i] && next < now.rows.size() && is_placed[next]) ++next;
+        if (seen[i]) order_.push_back(*seen[i]);
         else if (next < now.rows.size()) order_.push_back(next++);
+        else if (i < order.size()) gone_.push_back({.text = text_of(before.rows[order[i]]), .place = i});
     }
+    std::ranges::sort(back, {}, &GoneRow::place);
+    for (const GoneRow& row : back)
+        order_.insert(order_.begin() + static_cast<std::ptrdiff_t>(std::min(row.place, order_.size())), row.row);
     if (!sorted_by_ || order_ == sorted(now)) return;
     sorted_by_.reset();
     is_descending_ = false;

@@ -60,8 +60,8 @@ public:
     void reset();
     /// Makes the grid fit a table that has changed.
     void follow(const Table& table, bool can_grow);
-    /// Every row is seen where it was, and new ones at the end, though the table may list them in another order now:
-    /// what is typed next goes on in the same row. \param order  in which the rows of `before` were seen
+    /// Every row is seen where it was, one that was removed and comes back too, and new ones at the end, though the table
+    /// may list them in another order now: what is typed next goes on in the same row. \param order  in which the rows of `before` were seen
     void keep_places(const Table& before, const std::vector<std::size_t>& order, const Table& now);
     /// Goes to a row of the table (not as it is seen); to the cell of a column, where one is named.
     void go_to(std::size_t row, std::optional<std::size_t> column = std::nullopt);
@@ -83,6 +83,12 @@ private:
     struct Place {
         std::size_t row = 0, column = 0;
         friend bool operator==(const Place&, const Place&) = default;
+    };
+    /// A row that is seen no more.
+    struct GoneRow {
+        std::string text{};
+        std::size_t place = 0; ///< in which it was seen
+        std::size_t row = 0;   ///< of the table, where it is back
     };
     enum class Direction { Stay, Down, Right, Up, Left };
 
@@ -110,6 +116,7 @@ private:
 
     Place cursor_, anchor_;
     std::vector<std::size_t> order_;
+    std::vector<GoneRow> gone_;
     std::optional<std::size_t> sorted_by_;
     bool is_descending_ = false;
     std::size_t n_rows_ = 0, n_columns_ = 0; ///< the row for new ones counted

@@ -69,23 +69,20 @@ float TablesPanel::height(const Workspace& workspace, float room) const
 void TablesPanel::follow(const Workspace& workspace)
 {
     const Session& session = workspace.session;
-    const std::string now = std::to_string(workspace.tab) + ' ' + session.file_name() + ' ' +
-                            std::to_string(static_cast<int>(session.model().analysis)) + ' ' +
-                            std::to_string(session.generation()) + ' ' + std::to_string(session.view.load_case.index) +
-                            ' ' + std::string(code(session.units().system())) + ' ' + session.view.unit_choices.text() +
-                            ' ' + std::string(code(session.view.tr.language())) + ' ' +
-                            std::to_string(static_cast<int>(workspace.bottom.table)) +
-                            (session.hidden ? " hidden " : " ") +
-                            envelope_text(session.model(), session.results_view());
-    const std::string document = std::to_string(workspace.tab) + ' ' + session.file_name();
-    const bool is_other = kind_ != workspace.bottom.table || document_ != document;
+    const std::string now =
+        std::to_string(session.number()) + ' ' + std::to_string(static_cast<int>(session.model().analysis)) + ' ' +
+        std::to_string(session.generation()) + ' ' + std::to_string(session.view.load_case.index) + ' ' +
+        std::string(code(session.units().system())) + ' ' + session.view.unit_choices.text() + ' ' +
+        std::string(code(session.view.tr.language())) + ' ' + std::to_string(static_cast<int>(workspace.bottom.table)) +
+        (session.hidden ? " hidden " : " ") + envelope_text(session.model(), session.results_view());
+    const bool is_other = kind_ != workspace.bottom.table || session_ != session.number();
     if (is_other) {
         grid_.reset();
         message_.clear();
         chosen_ = {};
     }
     kind_ = workspace.bottom.table;
-    document_ = document;
+    session_ = session.number();
     if (now == made_for_) return;
     made_for_ = now;
     const Table before = std::exchange(table_, table_of(session, kind_));

@@ -77,7 +77,7 @@ private:
     Table table_;
     std::string made_for_; ///< what the table was made for: another state of it makes it anew
     TableKind kind_ = TableKind::Nodes;
-    std::string document_; ///< whose rows the cursor is in
+    std::uint64_t session_ = 0; ///< whose rows the cursor is in
     std::pair<BottomContent, TableKind> shown_{};
     bool was_open_ = false;
     bool has_keyboard_ = false;

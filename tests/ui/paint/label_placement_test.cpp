@@ -208,6 +208,26 @@ TEST_CASE("A label that needs sight of its target has a leader behind a line, ho
     CHECK_FALSE(place_of()->leader);
 }
 
+TEST_CASE("A label that needs sight has a leader where its middle is nearer to what another of its kind speaks of")
+{
+    std::vector<ui::Label> labels(2);
+    labels[0] = {.target = {150.0, 150.0}, .size = {40.0, 12.0}, .wishes = {{160.0, 140.0}}, .needs_sight = true};
+    labels[1] = {.target = {176.0, 150.0}, .size = {40.0, 12.0}, .wishes = {{200.0, 300.0}}, .needs_sight = true};
+    const auto first = [&] { return ui::LabelPlacer({.room = {{0.0, 0.0}, {400.0, 400.0}}}).place(labels).labels[0]; };
+    CHECK(first()->center == labels[0].wishes[0]);
+
+    labels[0].wishes[0].x = 166.0;
+    REQUIRE(first());
+    CHECK(first()->center != labels[0].wishes[0]);
+    labels[1].needs_sight = false;
+    CHECK(first()->center == labels[0].wishes[0]);
+
+    labels[1].needs_sight = true;
+    const std::vector along{ui::Point{130.0, 150.0}};
+    labels[0].others = along; // as of a load along a member
+    CHECK(first()->center == labels[0].wishes[0]);
+}
+
 TEST_CASE("A leader never begins at the middle of its text's height, where it would read as a minus sign")
 {
     const ui::Point target{450.0, 300.0};
