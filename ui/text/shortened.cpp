@@ -16,6 +16,16 @@ std::string shortened(std::string_view utf8, std::size_t most)
     return std::string(utf8);
 }
 
+std::string shortened_to_fit(std::string_view utf8, std::size_t least,
+                             const std::function<bool(const std::string&)>& fits)
+{
+    if (std::string whole(utf8); fits(whole)) return whole;
+    for (std::size_t most = utf8.size(); most >= std::max<std::size_t>(least, 1); --most)
+        if (std::string beginning = shortened(utf8, most); beginning != utf8 && fits(beginning))
+            return beginning;
+    return {};
+}
+
 std::string first_lines(const std::string& text, std::size_t most, const Catalogue& tr)
 {
     const auto n = static_cast<std::size_t>(std::ranges::count(text, '\n')) + 1;

@@ -59,14 +59,20 @@ std::vector<std::string> parts_of(const Workspace& workspace)
     return parts;
 }
 
-/// The first parts, as many as there is room for.
+/// The first parts, as many as there is room for, the last of them shortened.
 std::string first_of(const std::vector<std::string>& parts, float room)
 {
+    constexpr std::size_t least_letters = 20;
     std::string text;
     for (const std::string& part : parts) {
-        const std::string longer = text.empty() ? part : text + "   ·   " + part;
-        if (!text.empty() && ImGui::CalcTextSize(longer.c_str()).x > room) break;
-        text = longer;
+        const std::string before = text.empty() ? "" : text + "   ·   ";
+        const auto fits = [&](const std::string& begun) {
+            return ImGui::CalcTextSize((before + begun).c_str()).x <= room;
+        };
+        const std::string begun = ui::shortened_to_fit(part, least_letters, fits);
+        if (begun.empty()) break;
+        text = before + begun;
+        if (begun != part) break;
     }
     return text;
 }

@@ -12,6 +12,16 @@ TEST_CASE("A text with too many letters is cut between letters, and ends with do
     CHECK(ui::shortened("", 1).empty());
 }
 
+TEST_CASE("A text is shortened until it fits, but not to less than was asked")
+{
+    const auto of_bytes = [](std::size_t n) { return [n](const std::string& text) { return text.size() <= n; }; };
+    CHECK(ui::shortened_to_fit("not solved", 3, of_bytes(10)) == "not solved");
+    CHECK(ui::shortened_to_fit("not solved", 3, of_bytes(9)) == "not so…");
+    CHECK(ui::shortened_to_fit("not solved", 3, of_bytes(5)) == "no…");
+    CHECK(ui::shortened_to_fit("not solved", 3, of_bytes(4)).empty());
+    CHECK(ui::shortened_to_fit("", 3, of_bytes(0)).empty());
+}
+
 TEST_CASE("A text with too many lines ends with the number of the rest; one that fits is left alone")
 {
     const ui::Catalogue english;
