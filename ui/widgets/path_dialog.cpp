@@ -26,6 +26,14 @@ fs::path expanded(const std::string& typed)
     return typed;
 }
 
+/// What follows a name's last point, with it; a number, as in "v1.2", is no ending.
+std::string ending_of(const fs::path& path)
+{
+    std::string ending = path.extension().string();
+    const bool is_number = ending.find_first_not_of("0123456789", 1) == std::string::npos;
+    return is_number ? "" : ending;
+}
+
 } // namespace
 
 void PathDialog::open(Purpose purpose, const fs::path& start, std::string extension, std::string left_out)
@@ -114,7 +122,7 @@ std::string PathDialog::stem_of(const std::string& name) const
     const auto had = std::ranges::max(wanted, {},
                                       [&](const std::string& one) { return has_ending(name, one) ? one.size() : 0; });
     if (has_ending(name, had)) return name.substr(0, name.size() - had.size());
-    return fs::path(name).replace_extension().string();
+    return name.substr(0, name.size() - ending_of(name).size());
 }
 
 // What is typed next takes the place of the name, not of its ending.
@@ -159,7 +167,8 @@ std::optional<fs::path> PathDialog::confirm()
         typed_.clear();
         return std::nullopt;
     }
-    if (!path.has_extension()) path += extension_;
+    const bool came_so = path.has_extension() && (is_opening() || path == start_);
+    if (!came_so && ending_of(path).empty()) path += extension_;
     const bool is_kept = path == start_; // a file may go on under the name that it came with
     if (refusal_ = is_opening() || is_kept ? std::nullopt : why_not_ending(path, wanted_endings()); refusal_)
         return std::nullopt;
@@ -217,7 +226,9 @@ std::optional<fs::path> PathDialog::show(const Catalogue& tr)
     bool is_confirmed = show_list();
     show_endings();
     if (show_field(tr)) is_confirmed = true;
-    if (must_confirm_overwrite_) wrapped_text(tr("This file exists. Save again to replace it."));
+    if (must_confirm_overwrite_)
+        wrapped_text(verb({}, translatable("This file exists. Save again to replace it."),
+                          translatable("This file exists. Export again to replace it.")));
     if (refusal_) wrapped_text(tr(*refusal_));
     const std::string button = verb(translatable("Open"), translatable("Save"), translatable("Export"));
     if (answer_button(button + "###confirm")) is_confirmed = true;

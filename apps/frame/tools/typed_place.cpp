@@ -57,6 +57,16 @@ std::optional<Vector2d> from_start(const std::optional<Vector2d>& arm, const Dra
     return arm && hand.from ? std::optional<Vector2d>(*hand.from + *arm) : std::nullopt;
 }
 
+/// Whether the text is one number, where a comma may be the decimal mark and a line has begun.
+bool is_one_number(std::string_view text, bool has_begun, const ui::DisplayUnits& shown)
+{
+    if (text.find_first_of("@<;") != std::string_view::npos) return false;
+    const auto n_commas = std::ranges::count(text, ',');
+    const bool has_decimal_comma = n_commas == 1 && has_begun && shown.format().mark == ui::DecimalMark::Comma &&
+                                   text.find(' ') == std::string_view::npos;
+    return n_commas == 0 || has_decimal_comma;
+}
+
 /// A length towards the pointer.
 std::optional<Vector2d> towards_pointer(std::string_view text, const DrawingHand& hand)
 {
@@ -96,7 +106,7 @@ std::optional<Vector3d> place_typed_in_space(std::string_view text, const SpaceH
         if (!is_relative) return numbers;
         return hand.from ? std::optional<Vector3d>(*hand.from + *numbers) : std::nullopt;
     }
-    const bool is_length = text.find_first_of("@<,;") == std::string_view::npos;
+    const bool is_length = is_one_number(text, hand.from.has_value(), hand.shown);
     const auto length = is_length ? length_typed(text, in_plane) : std::nullopt;
     if (is_length) return length ? towards_pointer_in_space(*length, hand) : std::nullopt;
     const auto place = place_typed(text, in_plane);
@@ -110,8 +120,7 @@ std::optional<Vector2d> place_typed(std::string_view text, const DrawingHand& ha
 {
     if (text.starts_with('@')) return from_start(pair(text.substr(1), hand), hand);
     if (text.find('<') != std::string_view::npos) return from_start(polar(text, hand), hand);
-    if (text.find(',') != std::string_view::npos || text.find(';') != std::string_view::npos) return pair(text, hand);
-    return towards_pointer(text, hand);
+    return is_one_number(text, hand.from.has_value(), hand.shown) ? towards_pointer(text, hand) : pair(text, hand);
 }
 
 } // namespace frame

@@ -18,7 +18,8 @@ namespace frame {
 ///              of its own: `4<30°`, `4<30 deg`, `4<0.5 rad`
 ///     4        a length, towards the pointer
 ///
-/// Where the numbers have decimal commas a semicolon stands between them: `6,5;4`, `@3,25;2`, and `4,5<30`.
+/// Where the numbers have decimal commas a semicolon stands between them: `6,5;4`, `@3,25;2`, and `4,5<30`. Where they
+/// are shown with commas, and drawing has begun, `4,5` is a length.
 struct DrawingHand {
     std::optional<Eigen::Vector2d> from;               ///< where drawing began
     Eigen::Vector2d pointer = Eigen::Vector2d::Zero(); ///< the place that it is drawn to

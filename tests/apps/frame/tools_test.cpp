@@ -215,6 +215,20 @@ TEST_SUITE("frame tools")
         CHECK(typed("2,5<180") == Vector2d(-1.5, 2));
     }
 
+    TEST_CASE("Where numbers have decimal commas, one of them is a length once a line has begun")
+    {
+        const ui::DisplayUnits with_commas(ui::UnitSystem::KnM, {}, {.mark = ui::DecimalMark::Comma});
+        const frame::DrawingHand begun{.from = Vector2d(0, 0), .pointer = Vector2d(1, 0), .shown = with_commas};
+        CHECK(frame::place_typed("4,5", begun) == Vector2d(4.5, 0));
+        CHECK(frame::place_typed("4,5;2", begun) == Vector2d(4.5, 2));
+        CHECK(frame::place_typed("4, 5", begun) == Vector2d(4, 5));
+        CHECK(frame::place_typed("@4,5", begun) == Vector2d(4, 5));
+        CHECK(frame::place_typed("4,5", {.shown = with_commas}) == Vector2d(4, 5));
+        CHECK(frame::place_typed_in_space("4,5", {.from = Eigen::Vector3d::Zero(),
+                                                  .pointer = Eigen::Vector3d::UnitZ(),
+                                                  .shown = with_commas}) == Eigen::Vector3d(0, 0, 4.5));
+    }
+
     TEST_CASE("The angle of a typed place may have a unit")
     {
         const frame::DrawingHand tool_controller{.from = Vector2d(1, 2), .pointer = Vector2d(4, 6)};

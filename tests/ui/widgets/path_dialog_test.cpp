@@ -104,6 +104,18 @@ TEST_CASE("An export with a wrong ending keeps the dialog and the keyboard, and 
     CHECK(stage.chosen == folder.path() / "beam.report.pdf");
 }
 
+TEST_CASE("A number after a point belongs to the name")
+{
+    if (!ui_test::has_renderer()) return;
+    const Folder folder;
+    DialogStage stage;
+    stage.dialog.open_export(folder.path() / "beam.svg", {".svg", ".report.pdf"});
+    stage.rest();
+    stage.type("beam v1.2");
+    stage.key(ui::Key::Enter);
+    CHECK(stage.chosen == folder.path() / "beam v1.2.svg");
+}
+
 TEST_CASE("What cannot be written is asked for again, with the name that was typed")
 {
     if (!ui_test::has_renderer()) return;
