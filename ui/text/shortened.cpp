@@ -21,8 +21,7 @@ std::string shortened_to_fit(std::string_view utf8, std::size_t least,
 {
     if (std::string whole(utf8); fits(whole)) return whole;
     for (std::size_t most = utf8.size(); most >= std::max<std::size_t>(least, 1); --most)
-        if (std::string beginning = shortened(utf8, most); beginning != utf8 && fits(beginning))
-            return beginning;
+        if (std::string beginning = shortened(utf8, most); beginning != utf8 && fits(beginning)) return beginning;
     return {};
 }
 
