@@ -5,6 +5,7 @@
 #include <cmath>
 #include <utility>
 
+#include "femoop/geometry/plane_vectors.h"
 #include "femoop/io/free_body/free_body_text.h"
 
 namespace frame {
@@ -14,10 +15,9 @@ namespace {
 using Eigen::Vector2d;
 using Eigen::Vector3d;
 using namespace femoop::free_body;
+using femoop::cross_product;
 
 constexpr double share_aside = 0.35; // of the structure's size, that a body is moved
-
-double cross(const Vector2d& a, const Vector2d& b) { return a.x() * b.y() - a.y() * b.x(); }
 
 /// Where a line crosses members, and the nodes of these on its left.
 struct Crossed {
@@ -32,12 +32,12 @@ Crossed crossed(const femoop::Discretisation& structure, const AskedBody::CutLin
     for (std::size_t i = 0; i < structure.members.size(); ++i) {
         const femoop::MemberGeometry member = structure.geometry(femoop::MemberId(i));
         const Vector2d start = member.start.head<2>() - line.from, along = (member.end - member.start).head<2>();
-        const double determinant = cross(d, along);
+        const double determinant = cross_product(d, along);
         if (determinant == 0.0) continue;
-        const double t = -cross(d, start) / determinant, s = -cross(along, start) / determinant;
+        const double t = -cross_product(d, start) / determinant, s = -cross_product(along, start) / determinant;
         if (t <= 0.0 || t >= 1.0 || s < 0.0 || s > 1.0) continue;
         found.cuts.push_back({femoop::MemberId(i), t * member.length});
-        const bool is_start_left = cross(d, start) > 0.0;
+        const bool is_start_left = cross_product(d, start) > 0.0;
         found.left.push_back(structure.members[i].nodes[is_start_left ? 0 : 1]);
     }
     return found;

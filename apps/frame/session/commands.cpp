@@ -154,8 +154,10 @@ void compare_tab(Workspace& workspace)
 
 Reason why_not_compare(const Workspace& workspace)
 {
-    if (workspace.session.reference || workspace.session.solution().results) return std::nullopt;
-    return translatable("the model has no results");
+    if (workspace.session.reference) return std::nullopt;
+    if (!workspace.session.solution().results) return translatable("the model has no results");
+    if (workspace.session.model().n_cases() > 0) return std::nullopt;
+    return translatable("the model has no load case; add one first");
 }
 
 Reason why_no_envelope(const Workspace& workspace)

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "femoop/geometry/plane_vectors.h"
 #include "femoop/io/truss/truss_equation.h"
 #include "femoop/io/truss/truss_sentence.h"
 #include "femoop/model/fault/fault.h"
@@ -41,7 +42,7 @@ public:
         tabular::Table table({tr_("Joint"), tr_("Force"), in_force("Fx"), in_force("Fy"), in_moment("M")});
         Eigen::Vector3d sum = Eigen::Vector3d::Zero();
         for (const ExternalForce& force : truss_.forces) {
-            const double moment = cross(truss_.joints[force.joint.index], force.force);
+            const double moment = cross_product(truss_.joints[force.joint.index], force.force);
             table.add_row({model_[force.joint].id, force.cause == ForceCause::Load ? tr_("load") : tr_("reaction"),
                            number(force.force.x()), number(force.force.y()), number(moment)});
             sum += Eigen::Vector3d(force.force.x(), force.force.y(), moment);

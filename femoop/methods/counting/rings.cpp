@@ -12,6 +12,7 @@
 #include <utility>
 
 #include "femoop/discretisation/parts.h"
+#include "femoop/geometry/plane_vectors.h"
 
 namespace femoop::counting {
 
@@ -56,8 +57,7 @@ double twice_area(const std::vector<Eigen::Vector2d>& line)
 {
     double sum = 0.0;
     for (std::size_t i = 0; i < line.size(); ++i) {
-        const Eigen::Vector2d &a = line[i], &b = line[(i + 1) % line.size()];
-        sum += a.x() * b.y() - a.y() * b.x();
+        sum += cross_product(line[i], line[(i + 1) % line.size()]);
     }
     return sum;
 }
@@ -67,7 +67,7 @@ Eigen::Vector2d centroid(const std::vector<Eigen::Vector2d>& line)
     Eigen::Vector2d sum = Eigen::Vector2d::Zero();
     for (std::size_t i = 0; i < line.size(); ++i) {
         const Eigen::Vector2d a = line[i] - line[0], b = line[(i + 1) % line.size()] - line[0];
-        sum += (a.x() * b.y() - a.y() * b.x()) * (a + b);
+        sum += cross_product(a, b) * (a + b);
     }
     return line[0] + sum / (3.0 * twice_area(line));
 }

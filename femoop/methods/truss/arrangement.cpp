@@ -4,6 +4,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "femoop/geometry/plane_vectors.h"
+
 namespace femoop::truss {
 
 namespace {
@@ -111,7 +113,7 @@ private:
 
 double clockwise_angle(const Eigen::Vector2d& from, const Eigen::Vector2d& to)
 {
-    const double angle = std::atan2(-cross(from, to), from.dot(to));
+    const double angle = std::atan2(-cross_product(from, to), from.dot(to));
     return angle > 0.0 ? angle : angle + 2.0 * std::numbers::pi;
 }
 

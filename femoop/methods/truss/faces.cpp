@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <limits>
 
+#include "femoop/geometry/plane_vectors.h"
 #include "femoop/methods/truss/arrangement.h"
 
 namespace femoop::truss {
@@ -21,7 +22,7 @@ struct BarLine {
         const Eigen::Vector2d to = point - begin;
         const double share = to.dot(along) / along.squaredNorm();
         return share > touching && share < 1.0 - touching &&
-               std::abs(cross(along, to)) <= touching * along.squaredNorm();
+               std::abs(cross_product(along, to)) <= touching * along.squaredNorm();
     }
 };
 
@@ -33,10 +34,10 @@ BarLine line_of(const Truss& truss, MemberId bar)
 
 std::optional<Eigen::Vector2d> crossing_of(const BarLine& a, const BarLine& b)
 {
-    const double turn = cross(a.along, b.along);
+    const double turn = cross_product(a.along, b.along);
     if (std::abs(turn) <= touching * a.along.norm() * b.along.norm()) return std::nullopt;
     const Eigen::Vector2d to = b.begin - a.begin;
-    const double on_a = cross(to, b.along) / turn, on_b = cross(to, a.along) / turn;
+    const double on_a = cross_product(to, b.along) / turn, on_b = cross_product(to, a.along) / turn;
     const auto is_inside = [](double share) { return share > touching && share < 1.0 - touching; };
     if (!is_inside(on_a) || !is_inside(on_b)) return std::nullopt;
     return a.at(on_a);
@@ -99,7 +100,7 @@ double loop_area(const Truss& truss, const std::vector<Way>& loop)
 {
     double sum = 0.0;
     for (const Way& way : loop)
-        sum += cross(truss.joints[begin_of(truss, way).index], truss.joints[end_of(truss, way).index]);
+        sum += cross_product(truss.joints[begin_of(truss, way).index], truss.joints[end_of(truss, way).index]);
     return sum;
 }
 

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include "femoop/geometry/plane_vectors.h"
+
 namespace femoop::truss {
 
 namespace {
@@ -90,7 +92,7 @@ private:
             const Eigen::Vector2d direction = outward(other);
             if (truss_.are_parallel(first, direction)) continue;
             const Eigen::Vector2d to = truss_.joints[joint_inside(other).index] - at;
-            equation.ritter_point = at + cross(to, direction) / cross(first, direction) * first;
+            equation.ritter_point = at + cross_product(to, direction) / cross_product(first, direction) * first;
             break;
         }
         if (others.size() == 1) equation.ritter_point = joint_off(equation.bar, others[0]);
@@ -103,7 +105,7 @@ private:
     {
         const Eigen::Vector2d at = truss_.joints[joint_inside(bar).index];
         const Eigen::Vector2d inside = truss_.joints[joint_inside(other).index];
-        const bool is_off = std::abs(cross(outward(bar), inside - at)) > negligible_arm * size_;
+        const bool is_off = std::abs(cross_product(outward(bar), inside - at)) > negligible_arm * size_;
         return is_off ? inside : truss_.joints[truss_.other_joint(other, joint_inside(other)).index];
     }
 
@@ -116,7 +118,7 @@ private:
     double factor(const CutEquation& equation, NodeId joint, const Eigen::Vector2d& direction) const
     {
         if (!equation.ritter_point) return equation.across.dot(direction);
-        return cross(truss_.joints[joint.index] - *equation.ritter_point, direction);
+        return cross_product(truss_.joints[joint.index] - *equation.ritter_point, direction);
     }
 
     std::vector<Share> shares(const CutEquation& equation) const

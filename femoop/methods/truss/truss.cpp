@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "femoop/geometry/node_position.h"
+#include "femoop/geometry/plane_vectors.h"
 #include "femoop/load/case_terms.h"
 
 namespace femoop::truss {
@@ -101,8 +102,6 @@ private:
 
 } // namespace
 
-double cross(const Eigen::Vector2d& a, const Eigen::Vector2d& b) { return a.x() * b.y() - a.y() * b.x(); }
-
 NodeId Truss::other_joint(MemberId bar, NodeId joint) const
 {
     return bars[bar.index].joints[bars[bar.index].joints[0] == joint ? 1 : 0];
@@ -125,7 +124,7 @@ bool Truss::is_zero(double force) const { return std::abs(force) <= negligible_s
 
 bool Truss::are_parallel(const Eigen::Vector2d& a, const Eigen::Vector2d& b) const
 {
-    return std::abs(cross(a, b)) <= negligible_share * a.norm() * b.norm();
+    return std::abs(cross_product(a, b)) <= negligible_share * a.norm() * b.norm();
 }
 
 std::optional<Refusal> why_no_truss(const Model& model, const Results& results)

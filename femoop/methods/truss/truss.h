@@ -51,9 +51,6 @@ struct Truss {
     bool are_parallel(const Eigen::Vector2d& a, const Eigen::Vector2d& b) const; ///< of any lengths
 };
 
-/// The cross product of two plane vectors: positive where the second is counter-clockwise of the first.
-double cross(const Eigen::Vector2d& a, const Eigen::Vector2d& b);
-
 /// Why statics alone does not give its forces, if so: no plane truss, no load case, or statically indeterminate.
 std::optional<Refusal> why_no_truss(const Model& model, const Results& results);
 
