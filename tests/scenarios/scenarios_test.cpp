@@ -4,6 +4,7 @@
 #include "apps/frame/window/stage.h"
 #include "tests/folder.h"
 #include "tests/scenarios/played.h"
+#include "tests/scenarios/random_hand.h"
 #include "tests/scenarios/script_files.h"
 
 #include <doctest/doctest.h>
@@ -31,6 +32,13 @@ std::string played(const std::string& script, ui::PixelSize size = {1280, 800})
 }
 
 } // namespace
+
+TEST_CASE("Random hands spoil no picture of a structure")
+{
+    let_random_hands_work<Application, OffscreenStage>(
+        as_a_person_begins(), {"examples/portal.json", "examples/influence.json", "examples/pratt_truss.json",
+                               "examples/grillage.json", "examples/mechanism.json", "examples/bridge.json"});
+}
 
 TEST_CASE("The steps on the reference page of scenarios can be played")
 {

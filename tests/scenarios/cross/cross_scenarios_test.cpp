@@ -3,6 +3,7 @@
 #include "apps/cross/window/run.h"
 #include "apps/cross/window/stage.h"
 #include "tests/scenarios/played.h"
+#include "tests/scenarios/random_hand.h"
 #include "tests/scenarios/script_files.h"
 
 #include <doctest/doctest.h>
@@ -21,6 +22,12 @@ namespace {
 std::string played(const std::string& script) { return played_in<Application, OffscreenStage>(script, Session()); }
 
 } // namespace
+
+TEST_CASE("Random hands spoil no picture of moment distribution")
+{
+    let_random_hands_work<Application, OffscreenStage>(
+        Session(), {"examples/portal.json", "examples/continuous_beam.json", "examples/storey_frame.json"});
+}
 
 TEST_CASE("The steps on the page of moment distribution can be played")
 {

@@ -3,6 +3,7 @@
 #include "apps/euler/window/run.h"
 #include "apps/euler/window/stage.h"
 #include "tests/scenarios/played.h"
+#include "tests/scenarios/random_hand.h"
 #include "tests/scenarios/script_files.h"
 
 #include <doctest/doctest.h>
@@ -19,6 +20,12 @@ namespace {
 std::string played(const std::string& script) { return played_in<Application, OffscreenStage>(script, Session()); }
 
 } // namespace
+
+TEST_CASE("Random hands spoil no picture of a solid")
+{
+    let_random_hands_work<Application, OffscreenStage>(
+        Session(), {"examples/cube.eul", "examples/hoffmann.eul", "examples/shell_and_hole.eul"});
+}
 
 TEST_CASE("The steps on the stepper's reference page can be played")
 {
