@@ -82,7 +82,7 @@ std::string AskedEffect::named(std::string_view key) const
 }
 
 /// An id may hold commas: what follows one is a part of its own where it begins with a key.
-void AskedEffect::take(std::string_view option, std::string_view text, const ui::Catalogue& tr)
+void AskedEffect::set(std::string_view option, std::string_view text, const ui::Catalogue& tr)
 {
     within_ = option;
     const std::array<std::pair<std::string_view, std::optional<std::string>*>, 4> keys{

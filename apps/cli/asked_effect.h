@@ -18,7 +18,7 @@ public:
     void declare(CLI::App& app, const ui::Catalogue& tr);
 
     /// The same in one text: member=M,at=X,component=C or node=N,component=C. \throws UsageError naming `option`
-    void take(std::string_view option, std::string_view text, const ui::Catalogue& tr);
+    void set(std::string_view option, std::string_view text, const ui::Catalogue& tr);
 
     bool is_asked() const { return member_ || node_ || component_ || at_; }
     std::string option() const; ///< by which messages name it

@@ -37,7 +37,7 @@ std::vector<femoop::MovingEffect> AskedRedundants::redundants(const femoop::Mode
             throw UsageError(
                 tr("{option}: automatic chooses every redundant; name none beside it", {{"option", option}}));
         AskedEffect asked;
-        asked.take(option, one, tr);
+        asked.set(option, one, tr);
         asked.require_sensible(tr);
         all.push_back(asked.sound_effect(model, tr));
     }

@@ -238,7 +238,7 @@ CaseId Solve::followed_case(const Model& model, const ui::Catalogue& tr) const
 std::string Solve::derivation(const Model& model, const Results& results, const ui::Catalogue& tr) const
 {
     AskedEffect asked;
-    asked.take("--why", *asked_number_, tr);
+    asked.set("--why", *asked_number_, tr);
     asked.require_sensible(tr, AskedEffect::Place::Optional);
     const femoop::MovingEffect effect = asked.sound_effect(model, tr);
     if (const auto member = femoop::derivation::constrained_member(model))
@@ -252,7 +252,7 @@ std::string Solve::derivation(const Model& model, const Results& results, const 
 std::string Solve::virtual_work(const Model& model, const Results& results, const ui::Catalogue& tr) const
 {
     AskedEffect asked;
-    asked.take("--virtual-work", *worked_displacement_, tr);
+    asked.set("--virtual-work", *worked_displacement_, tr);
     asked.require_sensible(tr);
     const femoop::MovingEffect displacement = asked.sound_effect(model, tr);
     if (displacement.quantity != femoop::ExpectedQuantity::Displacement)

@@ -45,7 +45,7 @@ bool Pivots::note(std::int32_t equation, double pivot, double reference, Signs s
     return is_complete;
 }
 
-void Pivots::take(const Pivots& later)
+void Pivots::include(const Pivots& later)
 {
     if (!is_complete || later.weakest == SystemPattern::none) return;
     is_complete = later.is_complete;

@@ -37,7 +37,7 @@ struct Pivots {
     /// Takes note of a pivot; false if elimination must stop.
     bool note(std::int32_t equation, double pivot, double reference, Signs signs = Signs::Positive);
     /// Takes note of what was eliminated after this, independent of it.
-    void take(const Pivots& later);
+    void include(const Pivots& later);
 };
 
 /// Solves K x = b for a symmetric sparse K, in three steps that can be repeated from any of them: a new pattern, new

@@ -6,7 +6,7 @@ namespace ui {
 
 using Purpose = ChosenFile::Purpose;
 
-bool Dialogs::take(Request request, const std::optional<std::filesystem::path>& file, const Catalogue& tr)
+bool Dialogs::handle_request(Request request, const std::optional<std::filesystem::path>& file, const Catalogue& tr)
 {
     switch (request) {
     case Request::OpenDialog: open_dialog(Purpose::Open, file); return true;

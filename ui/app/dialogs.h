@@ -35,7 +35,7 @@ public:
 
     /// Opens what is asked for; false where the request is for something else. \param file  the open document's: a
     /// picture is written beside it, under its name \param tr  has the name of one of a document without a file
-    bool take(Request request, const std::optional<std::filesystem::path>& file, const Catalogue& tr);
+    bool handle_request(Request request, const std::optional<std::filesystem::path>& file, const Catalogue& tr);
     /// The keys belong to what is open.
     bool wants_keys() const { return palette_.is_open() || path_dialog_.is_open(); }
     bool shows_dialog() const { return path_dialog_.is_open(); } ///< of files

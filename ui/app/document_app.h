@@ -141,7 +141,7 @@ private:
     void run_command_of(const KeyEvent& event);
     void handle_requests();
     void handle_common_request(Request request);
-    void take(const ChosenFile& file);
+    void handle_file(const ChosenFile& file);
     void begin_export(const std::filesystem::path& path);
     void go_on_with_export();
     void hand_over(ExportToApp exported);
@@ -271,7 +271,8 @@ template <class Workspace> void DocumentApp<Workspace>::handle_requests()
 
 template <class Workspace> void DocumentApp<Workspace>::handle_common_request(Request request)
 {
-    if (dialogs_.take(request, session().path(), session().tr()) || session_store_.take(request)) return;
+    if (dialogs_.handle_request(request, session().path(), session().tr()) || session_store_.handle_request(request))
+        return;
     switch (request) {
     case Request::CopyPicture: return copy_picture();
     case Request::Fit: return fit();
@@ -298,7 +299,7 @@ template <class Workspace> void DocumentApp<Workspace>::start(const ExportToApp&
     if (const auto reason = start_program(exported)) workspace_.notify(*reason);
 }
 
-template <class Workspace> void DocumentApp<Workspace>::take(const ChosenFile& file)
+template <class Workspace> void DocumentApp<Workspace>::handle_file(const ChosenFile& file)
 {
     using enum ChosenFile::Purpose;
     switch (file.purpose) {
@@ -362,7 +363,7 @@ template <class Workspace> void DocumentApp<Workspace>::answer_offer(Request req
 {
     if constexpr (Linkable<Session>) {
         if (!linked_ || !linked_->offered()) return;
-        if (request == Request::TakeOver) workspace_.session.adopt(linked_->take());
+        if (request == Request::TakeOver) workspace_.session.adopt(linked_->accept());
         else linked_->keep();
     }
 }
@@ -416,7 +417,7 @@ template <class Workspace> void DocumentApp<Workspace>::answer(const FootMessage
 template <class Workspace> void DocumentApp<Workspace>::show_dialogs()
 {
     const Catalogue tr = session().tr(); // a command may change the language
-    if (const auto file = dialogs_.show_dialog(tr)) take(*file);
+    if (const auto file = dialogs_.show_dialog(tr)) handle_file(*file);
     dialogs_.show_palette_and_keys(commands_, workspace_);
     show_own_dialogs();
     if (bool& is_open = dialogs_.shows_description())

@@ -39,7 +39,7 @@ void SessionStore::note(const std::optional<std::filesystem::path>& file)
 void SessionStore::note(const Settings& now, double seconds)
 {
     constexpr double patience = 1.0; // s
-    const Settings& chosen = chosen_.take(now);
+    const Settings& chosen = chosen_.update(now);
     unkept_ = chosen == settings_ ? unkept_ + seconds : 0.0;
     settings_ = chosen;
     if (unkept_ > patience) keep_settings();
@@ -74,7 +74,7 @@ void SessionStore::end()
     autosave_.reset(); // else the frame that ends the program would begin again
 }
 
-bool SessionStore::take(Request request)
+bool SessionStore::handle_request(Request request)
 {
     asks_for_recent_ |= request == Request::RecentList;
     return request == Request::RecentList;

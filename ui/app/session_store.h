@@ -45,7 +45,7 @@ public:
     void end();
 
     /// Opens what is asked for; false where the request is for something else.
-    bool take(Request request);
+    bool handle_request(Request request);
     bool is_open() const { return asks_for_recent_ || shows_recoverable_files(); }
     /// Shows the list of the last files, or what a program left behind when it was killed.
     template <class Workspace> void show(Workspace& workspace)

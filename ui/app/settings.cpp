@@ -64,7 +64,7 @@ Settings Settings::or_else(const Settings& others) const
             .tools = tools ? tools : others.tools};
 }
 
-template <class Value> void ChosenSettings::take(std::optional<Value> Settings::*setting, const Settings& now)
+template <class Value> void ChosenSettings::update(std::optional<Value> Settings::*setting, const Settings& now)
 {
     std::optional<Value>& asked = asked_for_.*setting;
     if (asked && asked == now.*setting) return;
@@ -72,15 +72,15 @@ template <class Value> void ChosenSettings::take(std::optional<Value> Settings::
     chosen_.*setting = now.*setting;
 }
 
-const Settings& ChosenSettings::take(const Settings& now)
+const Settings& ChosenSettings::update(const Settings& now)
 {
-    take(&Settings::theme, now);
-    take(&Settings::language, now);
-    take(&Settings::units, now);
-    take(&Settings::unit_choices, now);
-    take(&Settings::has_panels, now);
-    take(&Settings::window, now);
-    take(&Settings::tools, now);
+    update(&Settings::theme, now);
+    update(&Settings::language, now);
+    update(&Settings::units, now);
+    update(&Settings::unit_choices, now);
+    update(&Settings::has_panels, now);
+    update(&Settings::window, now);
+    update(&Settings::tools, now);
     return chosen_;
 }
 

@@ -45,10 +45,10 @@ public:
     ChosenSettings(Settings kept, Settings asked_for) : chosen_(std::move(kept)), asked_for_(std::move(asked_for)) {}
 
     /// \returns what is to be kept of an app that is like this now
-    const Settings& take(const Settings& now);
+    const Settings& update(const Settings& now);
 
 private:
-    template <class Value> void take(std::optional<Value> Settings::*setting, const Settings& now);
+    template <class Value> void update(std::optional<Value> Settings::*setting, const Settings& now);
 
     Settings chosen_, asked_for_;
 };

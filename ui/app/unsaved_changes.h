@@ -29,7 +29,7 @@ public:
         if (*answer == UnsavedAnswer::GiveUp) return Fate::GivenUp;
         if (*answer == UnsavedAnswer::Cancel) return Fate::Kept;
         if (session.path()) return session.save(*session.path()) ? Fate::Saved : Fate::Kept;
-        is_naming_ = dialogs.take(Request::SaveDialog, std::nullopt, tr);
+        is_naming_ = dialogs.handle_request(Request::SaveDialog, std::nullopt, tr);
         return std::nullopt;
     }
 

@@ -60,13 +60,13 @@ std::optional<Message> Autosave::collect()
     for (auto& [document, kept] : kept_) {
         if (!kept.is_writing()) continue;
         if (kept.writing.wait_for(std::chrono::seconds(0)) != std::future_status::ready) continue;
-        if (auto told = this->told(kept, kept.writing.get())) sentence = std::move(told);
+        if (auto hindered = note_written(kept, kept.writing.get())) sentence = std::move(hindered);
     }
     return sentence;
 }
 
 // A full disk or a folder that is not writable must not hinder the work, and the next tick tries again.
-std::optional<Message> Autosave::told(Kept& kept, const std::error_code& hindrance)
+std::optional<Message> Autosave::note_written(Kept& kept, const std::error_code& hindrance)
 {
     if (hindrance) kept.state.reset();
     const bool was_told = std::ranges::any_of(kept_, [](const auto& entry) { return entry.second.is_hindered; });

@@ -65,7 +65,7 @@ private:
     };
     void keep(const UnsavedDocument& document);
     std::optional<Message> collect();
-    std::optional<Message> told(Kept& kept, const std::error_code& hindrance);
+    std::optional<Message> note_written(Kept& kept, const std::error_code& hindrance);
     void forget_all_but(const std::vector<UnsavedDocument>& documents);
 
     DraftFolder folder_;

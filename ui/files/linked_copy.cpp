@@ -24,8 +24,8 @@ std::set<std::string_view> lines(std::string_view text)
 
 bool LinkedCopy::undoes_own_change(const std::string& offered) const
 {
-    if (told_ == shared_) return false;
-    const auto now = lines(told_), then = lines(shared_), theirs = lines(offered);
+    if (sent_ == shared_) return false;
+    const auto now = lines(sent_), then = lines(shared_), theirs = lines(offered);
     const auto is_undone = [&](std::string_view line) { return !then.contains(line) && !theirs.contains(line); };
     const auto comes_back = [&](std::string_view line) { return !now.contains(line) && theirs.contains(line); };
     return std::ranges::any_of(now, is_undone) || std::ranges::any_of(then, comes_back);
@@ -43,16 +43,16 @@ void LinkedCopy::tick(double seconds, const Document& document)
 void LinkedCopy::look_for_news(const Document& document)
 {
     if (link_.is_cut()) return offered_.reset();
-    if (std::string now = document.text(); now != told_ && !link_.notify(now)) told_ = std::move(now);
-    if (std::exchange(is_taken_, false)) shared_ = told_;
+    if (std::string now = document.text(); now != sent_ && !link_.notify(now)) sent_ = std::move(now);
+    if (std::exchange(is_taken_, false)) shared_ = sent_;
     if (auto heard = link_.heard()) offered_ = std::move(heard);
     if (link_.is_withdrawn()) offered_.reset();
     if (!offered_ || document.is_news(*offered_)) return;
     offered_.reset();
-    shared_ = told_;
+    shared_ = sent_;
 }
 
-std::string LinkedCopy::take()
+std::string LinkedCopy::accept()
 {
     is_taken_ = true;
     return *std::exchange(offered_, {});

@@ -20,7 +20,7 @@ public:
     };
 
     /// \param text  what both have at the beginning
-    LinkedCopy(Link link, std::string text) : link_(std::move(link)), told_(std::move(text)), shared_(told_) {}
+    LinkedCopy(Link link, std::string text) : link_(std::move(link)), sent_(std::move(text)), shared_(sent_) {}
 
     /// Time goes by: twice a second it tells the other end what has changed here, and looks what has changed there.
     void tick(double seconds, const Document& document);
@@ -28,12 +28,12 @@ public:
     const std::optional<std::string>& offered() const { return offered_; }
     /// What is offered lacks lines that have changed here since both ends had the same.
     bool would_undo_own_change() const { return offered_ && would_undo_own_change_; }
-    const std::string& told() const { return told_; }
+    const std::string& sent() const { return sent_; }     ///< the document here, as the other end knows it
     const std::string& shared() const { return shared_; } ///< the document here when both ends had the same last
     /// It stays as it is here; what is offered next is another change.
     void keep() { offered_.reset(); }
     /// It is here from now on. \pre something is offered
-    std::string take();
+    std::string accept();
     bool is_cut() const { return link_.is_cut(); }
     const std::filesystem::path& folder() const { return link_.folder(); }
 
@@ -44,7 +44,7 @@ private:
     bool undoes_own_change(const std::string& offered) const;
 
     Link link_;
-    std::string told_;      ///< of the document here
+    std::string sent_;      ///< of the document here
     std::string shared_;    ///< likewise, when both ends had the same last
     bool is_taken_ = false; ///< from the other end, since it was told last
     std::optional<std::string> offered_;

@@ -28,7 +28,7 @@ std::size_t TurnTree::n_ahead() const
     return n;
 }
 
-void TurnTree::take(const Turn& turn)
+void TurnTree::advance(const Turn& turn)
 {
     const auto is_it = [&](const Move& move) { return move.before == place_ && move.turn == turn; };
     auto found = std::find_if(moves_.begin() + 1, moves_.end(), is_it);

@@ -22,9 +22,9 @@ public:
     /// How many turns follow the present place on the way that was taken last.
     std::size_t n_ahead() const;
 
-    void take(const Turn& turn); ///< goes on by it, on a branch that is there or on a new one
-    bool back();                 ///< false at the start
-    bool forward();              ///< by the turn that was taken last here; false where none was
+    void advance(const Turn& turn); ///< goes on by it, on a branch that is there or on a new one
+    bool back();                    ///< false at the start
+    bool forward();                 ///< by the turn that was taken last here; false where none was
     void restart() { place_ = 0; }
     /// To the place after so many turns of the present way, those ahead included; to the last where there are fewer.
     void jump(std::size_t n_turns);

@@ -115,7 +115,7 @@ TurnTree play_of(const SavedTurnTree& saved, const femoop::Model& model, const f
     std::vector<std::size_t> ends;
     for (const Way& way : saved.ways) {
         turn_tree.restart();
-        for (const TurnTree::Turn& turn : turns_of(way, model, problem)) turn_tree.take(turn);
+        for (const TurnTree::Turn& turn : turns_of(way, model, problem)) turn_tree.advance(turn);
         ends.push_back(turn_tree.place());
     }
     if (saved.way < ends.size()) turn_tree.go_to(ends[saved.way]);

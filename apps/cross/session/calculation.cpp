@@ -29,7 +29,7 @@ Document balanced_document(const Document& document, const Solution& solution)
         if (solution.sheets[stage].is_balanced && !solution.sheets[stage].steps.empty()) continue;
         const fc::Stage& own = stage == 0 ? task.all->held : task.all->sways[stage - 1];
         balanced.plays[stage].restart();
-        for (const fc::Step& step : own.sheet.steps) balanced.plays[stage].take(step.joint);
+        for (const fc::Step& step : own.sheet.steps) balanced.plays[stage].advance(step.joint);
     }
     balanced.stage = 0;
     return balanced;

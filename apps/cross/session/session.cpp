@@ -104,9 +104,9 @@ template <class Change> void Session::play_on(const Change& change, const Messag
     work_again();
 }
 
-void Session::take(const TurnTree::Turn& turn)
+void Session::advance(const TurnTree::Turn& turn)
 {
-    const auto change = [&](TurnTree& turn_tree) { turn_tree.take(turn); };
+    const auto change = [&](TurnTree& turn_tree) { turn_tree.advance(turn); };
     if (!turn) return play_on(change, translatable("Balance all joints at once"));
     const femoop::NodeId node = solution_.task->problem[*turn].node;
     play_on(change, {translatable("Balance joint {joint}"), {{"joint", document().model[node].id}}});
@@ -121,7 +121,7 @@ std::optional<Message> Session::balance(const TurnTree::Turn& clicked)
     if (turn && solution_.task->problem[*turn].is_released_once && sheet()->end.rotations[turn->index] != 0.0)
         return Message(translatable("this joint was released for good and is never locked again"));
     phase_ = 0.0;
-    take(turn);
+    advance(turn);
     return std::nullopt;
 }
 
@@ -171,7 +171,7 @@ std::optional<Message> Session::finish()
     Document next = document();
     if (next.plays.size() <= next.stage) next.plays.resize(next.stage + 1);
     for (std::size_t n = 0; n < most_turns && !solution_.sheets[next.stage].is_balanced; ++n) {
-        next.plays[next.stage].take(*next_turn(next, solution_));
+        next.plays[next.stage].advance(*next_turn(next, solution_));
         work(solution_, next);
     }
     const bool is_balanced = solution_.sheets[next.stage].is_balanced;

@@ -120,7 +120,7 @@ private:
     bool refuse_in_exercise(); ///< true, with a notice, while a pupil fills the sheet
     void restart_with(Document document);
     template <class Change> void play_on(const Change& change, const ui::Message& label);
-    void take(const TurnTree::Turn& turn);
+    void advance(const TurnTree::Turn& turn);
 
     struct WaitingChange {
         femoop::Model model;

@@ -563,7 +563,7 @@ Drawn draw_exercise(ui::Painter& painter, const Scene& scene)
     const ui::Theme theme = scene.look.full_theme();
     const drawing::StructureShape shape = drawing::shape_of(scene.document.model);
     Panels panels = best_panels(painter, scene);
-    panels.structure.take(view_of_loads(panels.structure, scene, painter.fonts()));
+    panels.structure.look_as(view_of_loads(panels.structure, scene, painter.fonts()));
     look_closer(panels, shape, scene.look.zoom);
     const ui::Box& first = panels.structure.box;
     {

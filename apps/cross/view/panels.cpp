@@ -344,7 +344,7 @@ Panels panels_for(const drawing::StructureShape& shape, ui::Size sheet, const ui
                                     : beside(extent, sheet, theme, arrangement);
     if (is_flat(extent) && arrangement.columns == BeamColumns::InTurn)
         let_columns_stand_in_turn(panels.sheet, shape, theme);
-    if (arrangement.loaded) panels.structure.take(*arrangement.loaded);
+    if (arrangement.loaded) panels.structure.look_as(*arrangement.loaded);
     panels.sheet.bays = arrangement.bays;
     look_closer(panels, shape, arrangement.zoom);
     return panels;

@@ -39,7 +39,7 @@ struct Panel {
 
     /// Columns take no more room than they need.
     bool is_tight() const { return columns == BeamColumns::InTurn || !storeys.is_to_scale(); }
-    void take(const LoadedView& loaded) { camera = loaded.camera, arrows = loaded.arrows; }
+    void look_as(const LoadedView& loaded) { camera = loaded.camera, arrows = loaded.arrows; }
     ui::Point at(const Eigen::Vector3d& place) const
     {
         return box.min + camera.to_sheet({bays(place.x()), stretch * storeys(place.y())});

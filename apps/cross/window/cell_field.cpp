@@ -86,10 +86,10 @@ void CellField::follow(Session& session)
     if (std::exchange(of_, session.n_solved()) != session.n_solved()) cell_.reset();
     const bool shows_judgement = session.worksheet()->shows_judgement;
     if (!std::exchange(was_told_, shows_judgement) && shows_judgement && cell_)
-        take(session, *cell_); // "Judge now" means it too
+        confirm(session, *cell_); // "Judge now" means it too
     if (cell_ && cell_ != session.cell()) {
         const auto next = session.cell();
-        if (!take(session, *std::exchange(cell_, std::nullopt))) return;
+        if (!confirm(session, *std::exchange(cell_, std::nullopt))) return;
         session.go_to_cell(next);
     }
     if (!session.cell()) return;
@@ -128,7 +128,7 @@ void CellField::edit(Session& session, Place place)
         return;
     }
     if (!is_entered && !is_tab) return keyboard_.lose(); // by a click, which judges nothing half typed
-    if (!take(session, *cell_)) return;
+    if (!confirm(session, *cell_)) return;
     cell_.reset();
     session.go_to_cell(session.neighbour(is_tab && ImGui::GetIO().KeyShift ? -1 : 1, false));
 }
@@ -140,7 +140,7 @@ void CellField::drop_reason(Session& session)
 }
 
 /// False, with a notice, where it is no number: the field stays.
-bool CellField::take(Session& session, femoop::cross::BlankId cell)
+bool CellField::confirm(Session& session, femoop::cross::BlankId cell)
 {
     drop_reason(session);
     if (text_ == written_) return true;

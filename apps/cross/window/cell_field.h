@@ -32,7 +32,7 @@ private:
     void edit(Session& session, Place place);
     void edit_at(Session& session, Place place, ui::Point middle, float width);
     void drop_reason(Session& session);
-    bool take(Session& session, femoop::cross::BlankId cell);
+    bool confirm(Session& session, femoop::cross::BlankId cell);
 
     std::optional<femoop::cross::BlankId> cell_;
     std::string text_, written_, reason_; ///< why the text was not taken

@@ -59,10 +59,10 @@ void ValueField::edit(Session& session)
     const bool is_left = ImGui::IsItemDeactivated();
     const bool is_tabbed = ImGui::IsItemActive() && ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Tab));
     if (is_left && ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape))) return value_.reset();
-    if (is_entered || is_tabbed || is_left) take(session);
+    if (is_entered || is_tabbed || is_left) confirm(session);
 }
 
-void ValueField::take(Session& session)
+void ValueField::confirm(Session& session)
 {
     if (text_ == opening_) return value_.reset();
     auto next = with_value(session, *value_, text_);

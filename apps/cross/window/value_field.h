@@ -20,7 +20,7 @@ public:
 
 private:
     void edit(Session& session);
-    void take(Session& session);
+    void confirm(Session& session);
 
     std::optional<TypedValue> value_;
     ui::Point at_{};

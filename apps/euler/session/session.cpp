@@ -367,7 +367,7 @@ void Session::undo_choice()
     const bool only_the_solid = pending_operator_->chosen().size() == 1 &&
                                 pending_operator_->form().arguments()[0].kind == ArgumentKind::Solid;
     if (pending_operator_->chosen().empty() || only_the_solid) return cancel_operator();
-    pending_operator_->take_back();
+    pending_operator_->drop_last();
     legal_ = pending_operator_->legal_picks(stepper_.runner());
     preview_pending_operator();
 }

@@ -67,7 +67,7 @@ double largest(const femoop::Curve& curve)
 struct Largest {
     double ordinate = 0.0, drawn = 0.0;
 
-    void take(double true_ordinate, const Guess* guess, double length)
+    void add(double true_ordinate, const Guess* guess, double length)
     {
         ordinate = std::max(ordinate, true_ordinate);
         if (guess != nullptr) drawn = std::max(drawn, guess->largest() * length);
@@ -127,7 +127,7 @@ std::optional<Assessment> assess(const Prediction& prediction, const femoop::Res
         const MemberId member(i);
         const femoop::Curve& curve = reader.read(member);
         members.push_back({member, curve.length(), largest(curve), prediction.on(member)});
-        all.take(members.back().ordinate, members.back().guess, curve.length());
+        all.add(members.back().ordinate, members.back().guess, curve.length());
     }
     Assessment assessment;
     for (const Beside& one : members)
@@ -145,7 +145,7 @@ std::optional<Assessment> assess(const Prediction& prediction, const femoop::inf
     for (const femoop::influence::PathMember& on : path.members) {
         truths.push_back(truth(line, on));
         members.push_back({on.member, on.length, truths.back().largest, prediction.on(on.member)});
-        all.take(members.back().ordinate, members.back().guess, on.length);
+        all.add(members.back().ordinate, members.back().guess, on.length);
     }
     Assessment assessment{.members = {}, .is_of_line = true};
     for (std::size_t i = 0; i < members.size(); ++i)

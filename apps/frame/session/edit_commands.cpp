@@ -38,7 +38,7 @@ constexpr std::array tool_entries{
     ToolEntry{ToolKind::FreeBody, "draw.free_body", translatable("Free body"), {{Key::B, {}}}},
 };
 
-Reason why_not_take(const Workspace& workspace, ToolKind tool)
+Reason why_not_choose_tool(const Workspace& workspace, ToolKind tool)
 {
     if (tool == ToolKind::Predict) return why_not_predict(workspace);
     if (tool == ToolKind::Influence) return why_no_influence_line(workspace);
@@ -220,7 +220,7 @@ constexpr std::array snap_switches{
     SnapSwitch{&ToolSettings::draws_to_parts, "draw.snap", translatable("Snap to nodes and lines"), {{Key::F9, {}}}},
 };
 
-void take(Workspace& workspace, ToolKind tool)
+void choose_tool(Workspace& workspace, ToolKind tool)
 {
     if (tool == ToolKind::Predict) begin_to_predict(workspace);
     else workspace.tool_controller.select(tool);
@@ -255,8 +255,8 @@ void add_tool_commands(CommandTable& table)
     Menu menu(table, draw_menu);
     for (const ToolEntry& entry : tool_entries)
         menu.choice(
-            entry, [](const Workspace& workspace) { return workspace.tool_controller.kind(); }, take,
-            [tool = entry.value](const Workspace& workspace) { return why_not_take(workspace, tool); });
+            entry, [](const Workspace& workspace) { return workspace.tool_controller.kind(); }, choose_tool,
+            [tool = entry.value](const Workspace& workspace) { return why_not_choose_tool(workspace, tool); });
     menu.toggles(
         snap_switches, [](auto& workspace, auto item) -> auto& { return workspace.tool_controller.settings().*item; });
 }

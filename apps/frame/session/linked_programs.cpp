@@ -33,7 +33,7 @@ std::optional<mohr::Document> state_of(const std::string& text)
 /// The section has changed here since the circle had the same.
 bool has_other_section(const ui::LinkedCopy& copy)
 {
-    const auto now = state_of(copy.told()), then = state_of(copy.shared());
+    const auto now = state_of(copy.sent()), then = state_of(copy.shared());
     return now && then && now->section != then->section;
 }
 
@@ -234,7 +234,7 @@ void LinkedPrograms::adopt(Workspace& workspace)
     const Linked* const from = offering_one(workspace);
     for (Linked& linked : all_) {
         if (&linked != from) continue;
-        const std::string text = linked.copy.take();
+        const std::string text = linked.copy.accept();
         if (linked.handed.program == circle) adopt_section(workspace.session, linked.handed, text);
         else adopt_structure(workspace.session, linked.handed, text);
         return;

@@ -99,7 +99,7 @@ bool Session::change_soundly(const Change& wanted)
         return !is_error || std::ranges::find(solution_.faults, fault) != solution_.faults.end();
     });
     const bool is_sound = faults.empty();
-    if (is_sound) take(wanted, std::move(outcome));
+    if (is_sound) accept(wanted, std::move(outcome));
     else notice = refusal_of(std::move(faults));
     return is_sound;
 }
@@ -108,7 +108,7 @@ std::optional<ui::Message> Session::change(const Change& change)
 {
     Outcome outcome = outcome_of(change);
     if (refuse(outcome)) return outcome.objection;
-    take(change, std::move(outcome));
+    accept(change, std::move(outcome));
     return std::nullopt;
 }
 
@@ -138,7 +138,7 @@ Session::Outcome Session::outcome_of(const Change& change) const
     return outcome;
 }
 
-void Session::take(const Change& change, Outcome outcome)
+void Session::accept(const Change& change, Outcome outcome)
 {
     const bool begins = change.step == Step::Drag && !history_.is_dragging();
     if (begins) before_gesture_ = {selection, prediction};

@@ -139,7 +139,7 @@ private:
     };
     Outcome outcome_of(const Change& change) const;
     bool refuse(const Outcome& outcome); ///< and says why; false where nothing is against it
-    void take(const Change& change, Outcome outcome);
+    void accept(const Change& change, Outcome outcome);
     void refresh();
     void notify_dropped(const femoop::Model& before, const femoop::Model& after);
     void prepare_to_go() override;

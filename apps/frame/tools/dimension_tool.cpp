@@ -51,7 +51,7 @@ std::optional<Change> DimensionTool::press(const Work& work, const Aim& at)
         move(work, at);
         return place_line();
     }
-    take(work, at.node);
+    add_node(work, at.node);
     return std::nullopt;
 }
 
@@ -78,7 +78,7 @@ std::optional<Change> DimensionTool::type(const Work& work, const Vector2d& plac
         point_at(work, place);
         return place_line();
     }
-    take(work, node_at(model, place));
+    add_node(work, node_at(model, place));
     return std::nullopt;
 }
 
@@ -93,7 +93,7 @@ void DimensionTool::point_at(const Work& work, const Vector2d& place)
     from_ = foot_of(model, draft_, place);
 }
 
-void DimensionTool::take(const Work& work, const std::optional<NodeId>& node)
+void DimensionTool::add_node(const Work& work, const std::optional<NodeId>& node)
 {
     if (!node) return;
     const std::string& name = work.document.model[*node].id;
@@ -118,7 +118,7 @@ std::optional<Change> DimensionTool::go_on(const Work& work, const std::optional
     const std::string name = is_there ? work.document.model[*node].id : "";
     if (!is_there || std::ranges::find(draft_.nodes, name) != draft_.nodes.end()) {
         escape();
-        if (node && found == lines.end()) take(work, node); // it was undone: this begins another
+        if (node && found == lines.end()) add_node(work, node); // it was undone: this begins another
         return std::nullopt;
     }
     draft_.nodes.push_back(name);

@@ -24,7 +24,7 @@ public:
 private:
     bool is_placing() const { return draft_.nodes.size() == 2 && !is_drawn_; }
     void point_at(const Work& work, const Eigen::Vector2d& place);
-    void take(const Work& work, const std::optional<femoop::NodeId>& node);
+    void add_node(const Work& work, const std::optional<femoop::NodeId>& node);
     std::optional<Change> place_line();
     std::optional<Change> go_on(const Work& work, const std::optional<femoop::NodeId>& node);
 

@@ -58,7 +58,7 @@ ui::Input Application::without_answer(const ui::Input& all)
     ui::Input input = all;
     if (!kind_question_.is_open() || ImGui::GetIO().WantTextInput || fields_.is_typing()) return input;
     const auto n = std::erase_if(input.keys, [this](const ui::KeyEvent& event) {
-        return event.is_down && kind_question_.take(workspace(), commands(), event.key);
+        return event.is_down && kind_question_.handle_key(workspace(), commands(), event.key);
     });
     if (n > 0) input.text.clear();
     return input;
@@ -67,7 +67,7 @@ ui::Input Application::without_answer(const ui::Input& all)
 // Those of the table and of what is typed; what is left are commands.
 std::vector<ui::KeyEvent> Application::take_keys(const ui::Input& all)
 {
-    const ui::Input input = tables_.take(workspace(), without_answer(all));
+    const ui::Input input = tables_.handle_input(workspace(), without_answer(all));
     const bool types = ImGui::GetIO().WantTextInput || fields_.is_typing();
     const bool types_place = !types && !input.modifiers.ctrl && workspace().tool_controller.type(input.text);
     std::vector<ui::KeyEvent> left;
@@ -125,12 +125,12 @@ bool Application::cancel_gesture()
 
 void Application::handle_own_requests()
 {
-    for (const Request request : std::exchange(workspace().requests, {})) take(request);
+    for (const Request request : std::exchange(workspace().requests, {})) handle_own_request(request);
     if (workspace().transform && !session().history().is_dragging())
         workspace().transform.reset(); // something else ended it
 }
 
-void Application::take(Request request)
+void Application::handle_own_request(Request request)
 {
     Session& session = workspace().session;
     switch (request) {

@@ -54,7 +54,7 @@ private:
     void show_body() override;
     void show_own_dialogs() override;
     void handle_own_requests() override;
-    void take(Request request);
+    void handle_own_request(Request request);
     using DerivationWriter = std::string(const femoop::derivation::Derivation&, const femoop::Model&,
                                          const femoop::Translator&);
     void copy_derivation(DerivationWriter* writer);

@@ -55,7 +55,7 @@ void KindQuestion::show(Workspace& workspace, const CommandTable& commands)
     if (chosen || is_left) is_open_ = false;
 }
 
-bool KindQuestion::take(Workspace& workspace, const CommandTable& commands, ui::Key key)
+bool KindQuestion::handle_key(Workspace& workspace, const CommandTable& commands, ui::Key key)
 {
     if (!std::exchange(is_open_, false)) return false;
     const auto place = static_cast<std::size_t>(key) - static_cast<std::size_t>(ui::Key::Digit1);

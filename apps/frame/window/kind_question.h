@@ -12,7 +12,7 @@ public:
     bool is_open() const { return is_open_; }
     void show(Workspace& workspace, const CommandTable& commands);
     /// \returns whether the key was an answer; any other ends the question
-    bool take(Workspace& workspace, const CommandTable& commands, ui::Key key);
+    bool handle_key(Workspace& workspace, const CommandTable& commands, ui::Key key);
 
 private:
     bool is_open_ = false;

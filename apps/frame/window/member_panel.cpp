@@ -76,7 +76,7 @@ void MemberPanel::show_picture(Session& session, femoop::MemberId member, ui::Im
     ImGui::Dummy({room.x, static_cast<float>(scale * sheet.height)});
 }
 
-bool MemberPanel::take(Session& session, const ui::Chord& chord)
+bool MemberPanel::handle_key(Session& session, const ui::Chord& chord)
 {
     const bool is_arrow = chord.key == ui::Key::Left || chord.key == ui::Key::Right;
     const std::optional<femoop::MemberId> member = member_of(session);

@@ -20,7 +20,7 @@ public:
     void show(Workspace& workspace, ui::ImGuiSession& gui, const ui::Fonts& fonts);
 
     /// Left and Right move the pinned section, with Shift by a small step. False for other keys.
-    bool take(Session& session, const ui::Chord& chord);
+    bool handle_key(Session& session, const ui::Chord& chord);
 
 private:
     void show_picture(Session& session, femoop::MemberId member, ui::ImGuiSession& gui, const ui::Fonts& fonts);

@@ -43,7 +43,7 @@ public:
     void go_to_mouse(); ///< the cursor, where a cell is under it
 
     /// A key that went down; false where the grid has no use for it.
-    bool take(const ui::Chord& chord, const Table& table);
+    bool handle_key(const ui::Chord& chord, const Table& table);
     void type(std::string_view letters, const Table& table);
 
     void settle(); ///< what is half typed is confirmed

@@ -95,7 +95,7 @@ void TableGrid::type(std::string_view letters, const Table& table)
     ImGui::GetIO().InputQueueCharacters.resize(0);
 }
 
-bool TableGrid::take(const ui::Chord& chord, const Table& table)
+bool TableGrid::handle_key(const ui::Chord& chord, const Table& table)
 {
     if (is_editing_) return handle_editing_key(chord);
     const bool has_no_modifier = chord.modifiers == ui::no_modifiers;

@@ -245,7 +245,7 @@ void TablesPanel::select_rows(Workspace& workspace)
 
 // ---- keyboard ----
 
-ui::Input TablesPanel::take(Workspace& workspace, const ui::Input& input)
+ui::Input TablesPanel::handle_input(Workspace& workspace, const ui::Input& input)
 {
     if (!workspace.bottom.is_open) {
         if (std::exchange(was_open_, false)) leave();
@@ -305,12 +305,12 @@ ui::Input TablesPanel::take_presenter_keys(Workspace& workspace, const ui::Input
 bool TablesPanel::handle_key(Workspace& workspace, const ui::Chord& chord)
 {
     if (workspace.bottom.content == BottomContent::Member)
-        return chord.key == Key::Escape || member_.take(workspace.session, chord);
+        return chord.key == Key::Escape || member_.handle_key(workspace.session, chord);
     if (workspace.bottom.content == BottomContent::Solver) return handle_solver_key(workspace, chord);
     if (workspace.bottom.content == BottomContent::Derivation) return handle_derivation_key(workspace, chord);
     follow(workspace); // the key before may have changed the document
     if (table_.headings.empty()) return false;
-    if (grid_.take(chord, table_)) {
+    if (grid_.handle_key(chord, table_)) {
         if (const auto edit = grid_.apply_edit()) carry_out(workspace, *edit);
         else if (!grid_.is_editing()) select_rows(workspace);
         if (chord.key == Key::Escape) message_.clear();

@@ -31,7 +31,7 @@ public:
     void settle(Workspace& workspace); ///< what is half typed goes into its cell
     bool is_editing() const { return grid_.is_editing(); }
     /// Takes what is meant for the table. \returns what is left for others
-    ui::Input take(Workspace& workspace, const ui::Input& input);
+    ui::Input handle_input(Workspace& workspace, const ui::Input& input);
     /// To a window that everything else waits for, until `take` is called again.
     static void lend_keyboard();
 

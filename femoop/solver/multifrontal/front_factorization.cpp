@@ -67,7 +67,7 @@ public:
             pivots[at(task)] = eliminate_task(schedule_.tasks[at(task)], benches[at(member)], member);
         });
         Pivots all;
-        for (const Pivots& of_task : pivots) all.take(of_task);
+        for (const Pivots& of_task : pivots) all.include(of_task);
         for (std::size_t i = 0; i < schedule_.top.size() && all.is_complete; ++i)
             eliminate_top(schedule_.top[i], benches.front(), all);
         return all;

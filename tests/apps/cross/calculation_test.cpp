@@ -63,7 +63,7 @@ TEST_CASE("The totals of a reported sheet are those of the distribution whatever
 {
     Document document = starting_document();
     document.plays.resize(1);
-    document.plays[0].take(femoop::cross::JointId(std::size_t{0}));
+    document.plays[0].advance(femoop::cross::JointId(std::size_t{0}));
     const std::vector<std::string> total = total_of_sheet(report_of(document));
     CHECK(total == std::vector<std::string>{"Σ", "0.00", "−86.47", "86.54", "−108.99", "108.99", "−71.51"});
 }
@@ -73,7 +73,7 @@ TEST_CASE("A sheet that was balanced by hand is reported as it was worked")
     Document document = starting_document();
     const Solution solution = solve(document);
     document.plays.resize(1);
-    for (int i = 0; i < 12; ++i) document.plays[0].take(std::nullopt); // all at once
+    for (int i = 0; i < 12; ++i) document.plays[0].advance(std::nullopt); // all at once
     Solution worked = solution;
     work(worked, document);
     REQUIRE(worked.sheets[0].is_balanced);

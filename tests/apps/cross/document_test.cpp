@@ -43,7 +43,7 @@ TEST_CASE("Turns by hand in the order of the largest unbalance write the sheet o
     const fc::Sheet whole = fc::distribute(document.model, solution.task->problem, solution.task->problem.loading, {});
     document.plays.resize(1);
     for (std::size_t i = 0; i < whole.steps.size(); ++i) {
-        document.plays[0].take(*next_turn(document, solution));
+        document.plays[0].advance(*next_turn(document, solution));
         work(solution, document);
         const fc::State state = fc::state_after(solution.task->problem, whole, i + 1);
         CAPTURE(i);
@@ -62,7 +62,7 @@ TEST_CASE("All joints at once by hand write the rows of that order, rounded as o
         document.method.digits = digits;
         Solution solution = solve(document);
         document.plays.resize(1);
-        for (int i = 0; i < 5; ++i) document.plays[0].take(std::nullopt);
+        for (int i = 0; i < 5; ++i) document.plays[0].advance(std::nullopt);
         work(solution, document);
         const fc::Sheet whole = fc::distribute(document.model, solution.task->problem, solution.task->problem.loading,
                                                {.order = fc::Order::AllAtOnce, .balances = 5, .digits = digits});
@@ -83,10 +83,10 @@ TEST_CASE("Left to right by hand goes on from the joint that was clicked")
     document.method.order = fc::Order::LeftToRight;
     Solution solution = solve(document);
     document.plays.resize(1);
-    document.plays[0].take(fc::JointId(0));
+    document.plays[0].advance(fc::JointId(0));
     work(solution, document);
     CHECK(*next_turn(document, solution) == TurnTree::Turn(fc::JointId(1)));
-    document.plays[0].take(fc::JointId(1));
+    document.plays[0].advance(fc::JointId(1));
     work(solution, document);
     CHECK(*next_turn(document, solution) == TurnTree::Turn(fc::JointId(0)));
 }
@@ -95,7 +95,7 @@ TEST_CASE("A joint on its way is a structure in equilibrium with half of its tur
 {
     Document document = starting_document();
     document.plays.resize(1);
-    document.plays[0].take(fc::JointId(1));
+    document.plays[0].advance(fc::JointId(1));
     const Solution solution = solve(document);
     const fc::Locks whole = present_locks(document, solution), half = present_locks(document, solution, 0.5);
     REQUIRE(whole.rotations[1] != 0.0);
@@ -158,15 +158,15 @@ TEST_CASE("Every branch of every sheet is kept in the file, and where it stands"
     const fc::JointId B(0), C(1);
     document.plays.resize(2);
     TurnTree& loads = document.plays[0];
-    for (const TurnTree::Turn& turn : {TurnTree::Turn(B), TurnTree::Turn(C), TurnTree::Turn(B)}) loads.take(turn);
+    for (const TurnTree::Turn& turn : {TurnTree::Turn(B), TurnTree::Turn(C), TurnTree::Turn(B)}) loads.advance(turn);
     loads.jump(1);
-    loads.take(std::nullopt); // a branch: all at once
-    loads.take(C);
+    loads.advance(std::nullopt); // a branch: all at once
+    loads.advance(C);
     loads.jump(1);
     loads.go_to(loads.branches().front());
     loads.jump(2);
     document.stage = 1;
-    document.plays[1].take(C);
+    document.plays[1].advance(C);
     const Document again = read_document(write_document(document));
     CHECK(again.method == document.method);
     CHECK(again.stage == 1);

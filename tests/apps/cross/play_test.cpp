@@ -13,7 +13,7 @@ constexpr JointId B{std::size_t{0}}, C{std::size_t{1}}, D{std::size_t{2}};
 TurnTree played(const std::vector<TurnTree::Turn>& turns)
 {
     TurnTree turn_tree;
-    for (const TurnTree::Turn& turn : turns) turn_tree.take(turn);
+    for (const TurnTree::Turn& turn : turns) turn_tree.advance(turn);
     return turn_tree;
 }
 
@@ -41,7 +41,7 @@ TEST_CASE("Another turn after going back keeps the branch that was left")
 {
     TurnTree turn_tree = played({C, B});
     turn_tree.back();
-    turn_tree.take(D);
+    turn_tree.advance(D);
     REQUIRE(turn_tree.branches().size() == 2);
     CHECK(turn_tree.turns() == std::vector<TurnTree::Turn>{C, D});
     turn_tree.go_to(turn_tree.branches().front());
@@ -55,7 +55,7 @@ TEST_CASE("The same turn again after going back is no new branch")
 {
     TurnTree turn_tree = played({C, B});
     turn_tree.back();
-    turn_tree.take(B);
+    turn_tree.advance(B);
     CHECK(turn_tree.branches().size() == 1);
 }
 

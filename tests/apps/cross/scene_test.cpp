@@ -41,7 +41,7 @@ void take_turns(Document& document, Solution& solution, std::size_t n)
 {
     document.plays.resize(solution.task->n_sheets());
     for (std::size_t i = 0; i < n; ++i) {
-        document.plays[document.stage].take(*next_turn(document, solution));
+        document.plays[document.stage].advance(*next_turn(document, solution));
         work(solution, document);
     }
 }

@@ -25,7 +25,7 @@ template <class Other> struct Taker {
         copy.tick(0.6, {[this] { return session.linked_text(); },
                         [this](const std::string& text) { return session.is_news(text); }});
     }
-    void adopt() { session.adopt(copy.take()); }
+    void adopt() { session.adopt(copy.accept()); }
 
     Other session;
     ui::LinkedCopy copy;

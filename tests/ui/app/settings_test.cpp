@@ -50,13 +50,13 @@ TEST_SUITE("ui app")
         const Settings kept{.theme = ui::ThemeName::Dark, .has_panels = true};
         Settings now{.theme = ui::ThemeName::Projector, .language = ui::Language::Portuguese, .has_panels = true};
         ui::ChosenSettings chosen(kept, {.theme = ui::ThemeName::Projector, .language = ui::Language::Portuguese});
-        CHECK(chosen.take(now) == kept);
+        CHECK(chosen.update(now) == kept);
         now.has_panels = false;
-        CHECK(chosen.take(now) == Settings{.theme = ui::ThemeName::Dark, .has_panels = false});
+        CHECK(chosen.update(now) == Settings{.theme = ui::ThemeName::Dark, .has_panels = false});
         now.theme = ui::ThemeName::Light;
-        CHECK(chosen.take(now) == Settings{.theme = ui::ThemeName::Light, .has_panels = false});
+        CHECK(chosen.update(now) == Settings{.theme = ui::ThemeName::Light, .has_panels = false});
         now.theme = ui::ThemeName::Projector; // by hand now
-        CHECK(chosen.take(now) == Settings{.theme = ui::ThemeName::Projector, .has_panels = false});
+        CHECK(chosen.update(now) == Settings{.theme = ui::ThemeName::Projector, .has_panels = false});
     }
 
     TEST_CASE("Where nothing was kept there are no settings")

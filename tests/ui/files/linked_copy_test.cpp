@@ -58,7 +58,7 @@ TEST_SUITE("ui files")
         pair.tick();
         CHECK(pair.taker.offered() == "12 kN");
         CHECK(pair.taker.document == "10 kN");
-        pair.taker.document = pair.taker.copy.take();
+        pair.taker.document = pair.taker.copy.accept();
         pair.tick();
         CHECK(pair.giver.offered() == "nothing"); // no echo
         pair.taker.document = "7 kN";
@@ -101,7 +101,7 @@ TEST_SUITE("ui files")
         pair.tick();
         CHECK(pair.taker.copy.would_undo_own_change());
         CHECK(pair.giver.copy.would_undo_own_change());
-        pair.taker.document = pair.taker.copy.take();
+        pair.taker.document = pair.taker.copy.accept();
         pair.tick();
         CHECK_FALSE(pair.giver.copy.offered());
         pair.giver.document = "13 kN";

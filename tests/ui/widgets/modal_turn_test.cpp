@@ -72,7 +72,7 @@ TEST_CASE("Escape answers the question about unsaved changes first and then puts
     Asked asked;
     NoDesk workspace;
     ui::SessionStore kept(std::nullopt);
-    kept.take(ui::Request::RecentList);
+    kept.handle_request(ui::Request::RecentList);
     const auto show = [&] { kept.show(workspace); };
     asked.rest(show);
     asked.escape(show);

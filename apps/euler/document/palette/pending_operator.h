@@ -35,7 +35,7 @@ public:
     std::optional<ui::Message> why_not(const topology::ScriptRunner& runner, const Choice& choice) const;
     /// Takes it as the next argument unless there is a reason against it, which is returned.
     std::optional<ui::Message> choose(const topology::ScriptRunner& runner, const Choice& choice);
-    void take_back() { chosen_.pop_back(); } ///< the last choice. \pre there is one
+    void drop_last() { chosen_.pop_back(); } ///< the last choice. \pre there is one
 
     /// Every entity that could be the next argument, in the order of making; none where it is typed.
     std::vector<topology::Entity> legal_picks(const topology::ScriptRunner& runner) const;

@@ -6,6 +6,7 @@
 #include <set>
 
 #include "femoop/analysis/linear_static.h"
+#include "femoop/geometry/plane_vectors.h"
 #include "femoop/io/model_file.h"
 #include "femoop/methods/truss/joint_method.h"
 #include "femoop/methods/truss/reciprocal.h"
@@ -42,7 +43,7 @@ void check_laws(const Truss& truss, const Reciprocal& diagram)
         const auto [left, right] = diagram.bar_spaces[i];
         const Eigen::Vector2d side = diagram[right].point - diagram[left].point;
         CAPTURE(i);
-        CHECK(std::abs(cross(side, truss.bars[i].direction)) <= exact);
+        CHECK(std::abs(cross_product(side, truss.bars[i].direction)) <= exact);
         CHECK(std::abs(side.norm() - std::abs(truss.bars[i].force)) <= exact);
         CHECK(side.dot(truss.bars[i].direction) ==
               doctest::Approx(truss.bars[i].force).epsilon(1e-9).scale(truss.largest_force));
