@@ -1,9 +1,12 @@
 #pragma once
 
 #include <array>
+#include <cmath>
 #include <cstdint>
 #include <cstdlib>
+#include <filesystem>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include <doctest/doctest.h>
@@ -124,20 +127,20 @@ void let_random_hands_work(const Session& session, const std::vector<std::string
     constexpr int n_acts = 80;
     const ui::Fonts fonts;
     for (int seed = 1; seed <= n_seeds; ++seed) {
-        const Workplace workplace;
+        const std::filesystem::path file = files[static_cast<std::size_t>(seed) % files.size()];
+        const Workplace workplace(file); // a hand may save too
         const ui::PixelSize size = seed % 2 == 0 ? ui::PixelSize{900, 600} : ui::PixelSize{1280, 800};
         golden::if_drawn(
             [&] {
                 ui::Offscreen context({.size = size});
                 Application application(context, fonts, session);
                 AppStage stage(application, context, [](std::string_view, const ui::Pixels&) {});
-                const std::string& file = files[static_cast<std::size_t>(seed) % files.size()];
-                CHECK_FALSE(stage.run_command("file.open", file));
+                CHECK_FALSE(stage.run_command("file.open", file.filename().string()));
                 RandomHand<Application> hand(application, size, static_cast<std::uint32_t>(seed));
                 for (int i = 0; i < n_acts; ++i) {
                     hand.act();
                     CAPTURE(seed);
-                    CAPTURE(file);
+                    CAPTURE(file.string());
                     CAPTURE(hand.story());
                     const auto& picture = application.canvas().picture();
                     if (!picture) continue;

@@ -30,8 +30,17 @@ std::string scenario_on(const std::string& page)
 
 Workplace::Workplace()
 {
-    const fs::path desk = folder_.path() / "desk"; // what is written beside it is gone too
-    fs::create_directory(desk);
+    const fs::path desk = go_to_desk();
     for (const char* name : {"examples", "tests"}) fs::create_directory_symlink(repository() / name, desk / name);
+}
+
+Workplace::Workplace(const fs::path& file) { fs::copy_file(repository() / file, go_to_desk() / file.filename()); }
+
+/// What is written beside the desk is gone too.
+fs::path Workplace::go_to_desk() const
+{
+    fs::path desk = folder_.path() / "desk";
+    fs::create_directory(desk);
     fs::current_path(desk);
+    return desk;
 }

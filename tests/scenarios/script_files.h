@@ -18,11 +18,15 @@ std::string scenario_on(const std::string& page);
 class Workplace {
 public:
     Workplace();
+    /// One that has nothing but a copy of this file of the repository: whatever is saved, the repository stays as it is.
+    explicit Workplace(const std::filesystem::path& file);
     ~Workplace() { std::filesystem::current_path(home_); }
     Workplace(const Workplace&) = delete;
     Workplace& operator=(const Workplace&) = delete;
 
 private:
+    std::filesystem::path go_to_desk() const;
+
     std::filesystem::path home_ = std::filesystem::current_path();
     Folder folder_;
 };
