@@ -23,6 +23,30 @@ std::string text_of(const Row& row)
     return text;
 }
 
+/// The row of `now` that goes on at each place: what has not changed, then what was changed where it is listed.
+std::vector<std::optional<std::size_t>> kept_rows(const Table& before, const std::vector<std::size_t>& order,
+                                                  const Table& now)
+{
+    std::multimap<std::string, std::size_t> rows_by_text;
+    for (std::size_t row = 0; row < now.rows.size(); ++row) rows_by_text.emplace(text_of(now.rows[row]), row);
+    std::vector<std::optional<std::size_t>> kept(std::max(order.size(), now.rows.size()));
+    std::vector<bool> is_placed(now.rows.size(), false);
+    const auto put = [&](std::size_t place, std::size_t row) {
+        kept[place] = row;
+        is_placed[row] = true;
+    };
+    for (std::size_t i = 0; i < order.size(); ++i) {
+        const std::string text = text_of(before.rows[order[i]]);
+        const auto found = rows_by_text.lower_bound(text);
+        if (found == rows_by_text.end() || found->first != text) continue;
+        put(i, found->second);
+        rows_by_text.erase(found);
+    }
+    for (std::size_t i = 0; i < order.size(); ++i)
+        if (!kept[i] && order[i] < now.rows.size() && !is_placed[order[i]]) put(i, order[i]);
+    return kept;
+}
+
 } // namespace
 
 void TableGrid::reset()
@@ -46,48 +70,56 @@ void TableGrid::follow(const Table& table, bool can_grow)
     measure(table);
 }
 
-void TableGrid::keep_places(const Table& before, const std::vector<std::size_t>& order, const Table& now)
+bool TableGrid::keep_places(const Table& before, const std::vector<std::size_t>& order, const Table& now)
 {
-    std::multimap<std::string, std::size_t> rows_by_text;
-    for (std::size_t row = 0; row < now.rows.size(); ++row) rows_by_text.emplace(text_of(now.rows[row]), row);
+    const std::vector<std::optional<std::size_t>> kept = kept_rows(before, order, now);
     std::vector<bool> is_placed(now.rows.size(), false);
-    std::vector<std::optional<std::size_t>> seen(std::max(order.size(), now.rows.size()));
-    const auto put = [&](std::size_t place, std::size_t row) {
-        seen[place] = row;
-        is_placed[row] = true;
-    };
-    for (std::size_t i = 0; i < order.size(); ++i) { // what has not changed
-        const std::string text = text_of(before.rows[order[i]]);
-        const auto found = rows_by_text.lower_bound(text);
-        if (found == rows_by_text.end() || found->first != text) continue;
-        put(i, found->second);
-        rows_by_text.erase(found);
+    for (const std::optional<std::size_t>& row : kept)
+        if (row) is_placed[*row] = true;
+    const std::vector<GoneRow> back = rows_that_are_back(now, is_placed);
+    std::size_t next = 0; // of the others
+    order_.clear();
+    for (std::size_t i = 0; i < kept.size(); ++i) {
+        while (!kept[i] && next < now.rows.size() && is_placed[next]) ++next;
+        if (kept[i]) order_.push_back(*kept[i]);
+        else if (next < now.rows.size()) order_.push_back(next++);
+        else if (i < order.size()) gone_.push_back({.text = text_of(before.rows[order[i]]), .place = i});
     }
-    for (std::size_t i = 0; i < order.size(); ++i) // what was changed where it is listed
-        if (!seen[i] && order[i] < now.rows.size() && !is_placed[order[i]]) put(i, order[i]);
-    std::vector<GoneRow> back; // by undo
+    for (const GoneRow& row : back)
+        order_.insert(order_.begin() + static_cast<std::ptrdiff_t>(std::min(row.place, order_.size())), row.row);
+    if (sorted_by_ && order_ != sorted(now)) {
+        sorted_by_.reset();
+        is_descending_ = false;
+    }
+    if (!back.empty()) go_to_rows(back.front().row, back.back().row);
+    return !back.empty();
+}
+
+/// By undo, in the order in which they were seen.
+std::vector<TableGrid::GoneRow> TableGrid::rows_that_are_back(const Table& now, std::vector<bool>& is_placed)
+{
+    std::vector<GoneRow> back;
     for (std::size_t row = 0; row < now.rows.size(); ++row) {
-        const auto gone = is_placed[row] ? gone_.end()
-                                         : std::ranges::find(gone_, text_of(now.rows[row]), &GoneRow::text);
+        if (is_placed[row]) continue;
+        const auto gone = std::ranges::find(gone_, text_of(now.rows[row]), &GoneRow::text);
         if (gone == gone_.end()) continue;
         is_placed[row] = true;
         back.push_back({.place = gone->place, .row = row});
         gone_.erase(gone);
     }
-    std::size_t next = 0; // of the others
-    order_.clear();
-    for (std::size_t i = 0; i < seen.size(); ++i) {
-        while (!seen[i] && next < now.rows.size() && is_placed[next]) ++next;
-        if (seen[i]) order_.push_back(*seen[i]);
-        else if (next < now.rows.size()) order_.push_back(next++);
-        else if (i < order.size()) gone_.push_back({.text = text_of(before.rows[order[i]]), .place = i});
-    }
     std::ranges::sort(back, {}, &GoneRow::place);
-    for (const GoneRow& row : back)
-        order_.insert(order_.begin() + static_cast<std::ptrdiff_t>(std::min(row.place, order_.size())), row.row);
-    if (!sorted_by_ || order_ == sorted(now)) return;
-    sorted_by_.reset();
-    is_descending_ = false;
+    return back;
+}
+
+/// The cells of the block's columns from one row of the table to another.
+void TableGrid::go_to_rows(std::size_t first, std::size_t last)
+{
+    const auto place_of = [&](std::size_t row) {
+        return static_cast<std::size_t>(std::ranges::find(order_, row) - order_.begin());
+    };
+    cursor_.row = place_of(first);
+    anchor_.row = place_of(last);
+    must_scroll_ = true;
 }
 
 std::vector<std::size_t> TableGrid::sorted(const Table& table) const

@@ -62,7 +62,8 @@ public:
     void follow(const Table& table, bool can_grow);
     /// Every row is seen where it was, one that was removed and comes back too, and new ones at the end, though the table
     /// may list them in another order now: what is typed next goes on in the same row. \param order  in which the rows of `before` were seen
-    void keep_places(const Table& before, const std::vector<std::size_t>& order, const Table& now);
+    /// \returns whether rows came back, to which the cursor goes
+    bool keep_places(const Table& before, const std::vector<std::size_t>& order, const Table& now);
     /// Goes to a row of the table (not as it is seen); to the cell of a column, where one is named.
     void go_to(std::size_t row, std::optional<std::size_t> column = std::nullopt);
 
@@ -92,6 +93,8 @@ private:
     };
     enum class Direction { Stay, Down, Right, Up, Left };
 
+    std::vector<GoneRow> rows_that_are_back(const Table& now, std::vector<bool>& is_placed);
+    void go_to_rows(std::size_t first, std::size_t last);
     void measure(const Table& table);
     void handle_mouse(const Table& table);
     std::optional<Place> place_under_mouse() const;

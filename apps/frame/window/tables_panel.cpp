@@ -89,7 +89,8 @@ void TablesPanel::follow(const Workspace& workspace)
     if (table_.headings.empty()) return;
     const std::vector<std::size_t> order = grid_.order();
     grid_.follow(table_, can_grow(kind_));
-    if (!is_other && !is_result(kind_) && have_same_headings(before, table_)) grid_.keep_places(before, order, table_);
+    if (!is_other && !is_result(kind_) && have_same_headings(before, table_))
+        have_rows_come_back_ = grid_.keep_places(before, order, table_);
 }
 
 // What is selected elsewhere is gone to.
@@ -182,6 +183,7 @@ void TablesPanel::show_table(Workspace& workspace)
         if (!explain_no_results(workspace)) ImGui::TextWrapped("%s", tr("The model has no load case.").c_str());
         return;
     }
+    if (std::exchange(have_rows_come_back_, false)) select_rows(workspace);
     follow_selection(workspace);
     const Selection& selection = workspace.session.selection;
     const auto is_selected = [&](std::size_t row) {

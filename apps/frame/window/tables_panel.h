@@ -81,7 +81,8 @@ private:
     std::pair<BottomContent, TableKind> shown_{};
     bool was_open_ = false;
     bool has_keyboard_ = false;
-    Selection chosen_; ///< that rows and selection agreed upon
+    bool have_rows_come_back_ = false; ///< by undo: they are selected
+    Selection chosen_;                 ///< that rows and selection agreed upon
     std::string message_;
     float height_ = 17.0F; ///< [ems]
     ui::PathDialog path_dialog_;
