@@ -31,6 +31,8 @@ std::variant<std::size_t, std::string> place_of_name(const Entries& list, const 
     if (entry.text.empty()) return value_needed(entry.manner);
     const auto found = std::ranges::find(list, entry.text, [](const auto& part) { return std::string_view(part.id); });
     if (found != list.end()) return static_cast<std::size_t>(found - list.begin());
+    if (list.empty())
+        return entry.manner.tr("\"{text}\" is not there, and no other; add one first", {{"text", entry.text}});
     std::string names;
     constexpr std::size_t most = 12;
     for (std::size_t i = 0; i < list.size() && i < most; ++i) names += (i > 0 ? ", " : "") + list[i].id;

@@ -184,7 +184,10 @@ TEST_SUITE("frame tables")
         const Filled result = pasted(document, TableKind::Nodes, {.row = 4, .column = 1}, "3\n");
         CHECK(result.document == document);
         CHECK(first_fault(result, TableKind::Nodes) == "row 5, y [m]: a value is needed here");
-        CHECK(!pasted(document, TableKind::Members, {.row = 3}, "X\tA\tnowhere\n").faults.empty());
+        CHECK(first_fault(pasted(document, TableKind::Members, {.row = 3}, "X\tA\tnowhere\n"), TableKind::Members)
+                  .find("\"nowhere\" is not there; choose from A, B, C, D") != std::string::npos);
+        CHECK(first_fault(pasted({}, TableKind::Members, {}, "X\tA\tB\n"), TableKind::Members)
+                  .find("\"A\" is not there, and no other; add one first") != std::string::npos);
     }
 
     TEST_CASE("Two parts of one name, and a member from a node to itself, are refused")
