@@ -15,6 +15,7 @@ std::optional<UnsavedAnswer> ask_about_unsaved(const std::string& file_name, con
     ImGui::TextUnformatted(tr("{file} has changes that are not saved.", {{"file", file_name}}).c_str());
     ImGui::Spacing();
     std::optional<UnsavedAnswer> answer;
+    let_tab_choose_answer();
     if (answer_button(tr("Save") + "###save")) answer = UnsavedAnswer::Save;
     ImGui::SameLine();
     if (answer_button(tr("Do not save") + "###give up")) answer = UnsavedAnswer::GiveUp;

@@ -16,6 +16,7 @@ std::optional<bool> ask_yes_or_no(const YesOrNo& question)
     ImGui::TextUnformatted(question.sentence.c_str());
     ImGui::Spacing();
     std::optional<bool> answer;
+    let_tab_choose_answer();
     const bool is_escaped = ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape));
     if (answer_button(question.no + "###no") || is_escaped) answer = false;
     ImGui::SameLine();
