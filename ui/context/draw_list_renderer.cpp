@@ -1,5 +1,6 @@
 #include "ui/context/draw_list_renderer.h"
 
+#include "ui/context/memory_picture.h"
 #include "ui/paint/surface/alpha_image.h"
 
 #include <imgui.h>
@@ -138,15 +139,9 @@ DrawListRenderer::~DrawListRenderer()
 /// Gives the kept picture the size of the context's.
 void DrawListRenderer::fit_picture()
 {
-    const auto& gl = context_.gl();
-    gl.BindFramebuffer(gl::framebuffer, framebuffer_);
     if (size_ == context_.size()) return;
     size_ = context_.size();
-    gl.BindRenderbuffer(gl::renderbuffer, renderbuffer_);
-    gl.RenderbufferStorage(gl::renderbuffer, gl::rgba8, size_.width, size_.height);
-    gl.FramebufferRenderbuffer(gl::framebuffer, gl::color_attachment0, gl::renderbuffer, renderbuffer_);
-    if (gl.CheckFramebufferStatus(gl::framebuffer) != gl::framebuffer_complete)
-        throw ContextError("OpenGL: the driver cannot draw into a picture in memory");
+    make_memory_picture(context_.gl(), framebuffer_, renderbuffer_, size_);
 }
 
 void DrawListRenderer::scissor(const PixelBox& box)
@@ -277,6 +272,7 @@ void DrawListRenderer::render(const ImDrawData& data, Color background)
     gl::Int shown = 0;
     gl.GetIntegerv(gl::framebuffer_binding, &shown);
     fit_picture();
+    gl.BindFramebuffer(gl::framebuffer, framebuffer_);
     set_state(data);
     const std::vector<DrawBatch> batches = batches_of(data);
     for (const DrawBatch& batch : batches)

@@ -143,6 +143,7 @@ void FrameTiles::join_changed(const std::vector<std::uint64_t>& drawn)
 std::span<const std::vector<unsigned>> FrameTiles::triangles_by_box(const DrawBatch& batch)
 {
     triangles_by_box_.resize(boxes_.size());
+    if (boxes_.empty()) return {};
     for (std::vector<unsigned>& triangles : triangles_by_box_) triangles.clear();
     std::vector<unsigned> last_of_box(boxes_.size()); // the triangles, counted from 1
     unsigned n = 0;

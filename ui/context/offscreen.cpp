@@ -1,5 +1,6 @@
 #include "ui/context/offscreen.h"
 
+#include "ui/context/memory_picture.h"
 #include "ui/context/room_to_draw.h"
 #include "ui/context/shared_library.h"
 
@@ -191,13 +192,8 @@ void Offscreen::make_picture()
         throw ContextError("picture of " + std::to_string(width) + " x " + std::to_string(height) +
                            " pixels: each side must be from 1 to " + std::to_string(largest));
     gl.GenRenderbuffers(1, &renderbuffer_);
-    gl.BindRenderbuffer(gl::renderbuffer, renderbuffer_);
-    gl.RenderbufferStorage(gl::renderbuffer, gl::rgba8, width, height);
     gl.GenFramebuffers(1, &framebuffer_);
-    gl.BindFramebuffer(gl::framebuffer, framebuffer_);
-    gl.FramebufferRenderbuffer(gl::framebuffer, gl::color_attachment0, gl::renderbuffer, renderbuffer_);
-    if (gl.CheckFramebufferStatus(gl::framebuffer) != gl::framebuffer_complete)
-        throw ContextError("OpenGL: the driver cannot draw into a picture in memory");
+    make_memory_picture(gl, framebuffer_, renderbuffer_, setup_.size);
 }
 
 void Offscreen::make_current()

@@ -32,7 +32,7 @@ public:
     bool is_editing() const { return grid_.is_editing(); }
     /// Takes what is meant for the table. \returns what is left for others
     ui::Input handle_input(Workspace& workspace, const ui::Input& input);
-    /// To a window that everything else waits for, until `take` is called again.
+    /// To a window that everything else waits for, until `handle_input` is called again.
     static void lend_keyboard();
 
     /// Where the cursor is, in English: "Sections: column, Depth h [mm]"; nothing where no table is shown.
