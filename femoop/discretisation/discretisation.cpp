@@ -8,6 +8,7 @@
 
 #include "femoop/geometry/member_geometry.h"
 #include "femoop/section/section_properties.h"
+#include "femoop/section/tapered_section.h"
 
 namespace femoop {
 
@@ -30,13 +31,13 @@ struct PropertyHash {
 };
 constexpr std::uint32_t no_property = 0xffffffffU;
 
-MemberProperties member_properties(const Model& model, const PropertyKey& key)
+MemberProperties member_properties(const Model& model, const PropertyKey& key, const Section* section)
 {
     // A rigid member without material or section shares forces that constraints leave open as if these were 1.
     const double E = key.material == no_property ? 1.0 : model.materials[key.material].E.value();
     const double G = key.material == no_property ? 1.0 : model.materials[key.material].shear_modulus();
     SectionProperties s{.A = 1.0, .Iy = 1.0, .Iz = 1.0, .J = 1.0};
-    if (key.section != no_property) s = section_properties(model.sections[key.section], model.units);
+    if (section != nullptr) s = section_properties(*section, model.units);
     const auto flexibility = [&](const std::optional<double>& shear_area) {
         return key.shear_flexible && shear_area ? 1.0 / (G * *shear_area) : 0.0;
     };
@@ -53,6 +54,22 @@ MemberProperties member_properties(const Model& model, const PropertyKey& key)
         if (material.alpha) p.alpha = *material.alpha;
         if (material.density) p.weight = *material.density * s.A * standard_gravity / metres(model.units.length);
     }
+    return p;
+}
+
+MemberProperties member_properties(const Model& model, const PropertyKey& key)
+{
+    return member_properties(model, key, key.section == no_property ? nullptr : &model.sections[key.section]);
+}
+
+MemberProperties tapered_properties(const Model& model, const PropertyKey& key, const Member& member)
+{
+    const Section& section = model[*member.section];
+    const double first = member.depths[0], second = member.depths[1];
+    const Section at_first_end = at_depth(section, first);
+    MemberProperties p = member_properties(model, key, &at_first_end);
+    p.xy.taper = taper_of(section, first, second, geometry_of(model, member).length);
+    p.axial.taper = p.xy.taper.area;
     return p;
 }
 
@@ -115,6 +132,10 @@ private:
         const PropertyKey key{.material = member.material ? member.material->index : no_property,
                               .section = member.section ? member.section->index : no_property,
                               .shear_flexible = member.theory == BeamTheory::Timoshenko && !member.unshearable};
+        if (!member.depths.empty()) {
+            structure_.properties.push_back(tapered_properties(model_, key, member));
+            return static_cast<std::uint32_t>(structure_.properties.size() - 1);
+        }
         if (!known_.empty() && key == last_key_ && !member.foundation) return last_;
         const auto [at, is_new] = known_.try_emplace(key, static_cast<std::uint32_t>(structure_.properties.size()));
         if (is_new) structure_.properties.push_back(member_properties(model_, key));

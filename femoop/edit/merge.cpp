@@ -59,10 +59,22 @@ bool are_alike(Member a, Member b)
         member.id.clear();
         member.nodes = {};
         member.start = member.end = MemberEnd{};
+        member.depths.clear();
     };
     strip(a);
     strip(b);
     return a == b && !a.bar; // two bars turn where they meet
+}
+
+/// Does the depth of the second go on where that of the first ends, and change as it did?
+bool go_on_tapering(const Model& model, const MemberPair& pair)
+{
+    const std::vector<Quantity>&a = model[pair.first].depths, &b = model[pair.second].depths;
+    if (a.empty() || b.empty()) return a.empty() && b.empty();
+    const double first = line_of(model, model[pair.first]).length, second = line_of(model, model[pair.second]).length;
+    const double middle = a[0] + (b[1] - a[0]) * first / (first + second);
+    const double slack = 1e-9 * std::max({a[0].value(), a[1].value(), b[1].value()});
+    return std::abs(a[1] - middle) <= slack && std::abs(b[0] - middle) <= slack;
 }
 
 bool is_held(const Model& model, NodeId node)
@@ -265,7 +277,8 @@ bool is_loaded_inside(const Model& model, const MemberPair& pair)
 std::optional<MergeObstacle> obstacle(const Model& model, NodeId node, const MemberPair& pair)
 {
     if (!go_on_straight(model, pair)) return MergeObstacle::NotInLine;
-    if (!are_alike(model[pair.first], model[pair.second])) return MergeObstacle::DifferentMembers;
+    if (!are_alike(model[pair.first], model[pair.second]) || !go_on_tapering(model, pair))
+        return MergeObstacle::DifferentMembers;
     if (!is_rigid_joint(model, node, pair)) return MergeObstacle::NotRigidJoint;
     if (is_held(model, node)) return MergeObstacle::Held;
     if (!have_one_temperature(model, pair)) return MergeObstacle::DifferentHeating;
@@ -298,6 +311,7 @@ MemberId merge_members_at(Model& model, NodeId node)
     follow_merge(model, pair.first, pair.second);
     member.nodes[1] = tail.nodes[1];
     member.end = tail.end;
+    if (!member.depths.empty()) member.depths[1] = tail.depths[1];
     if (rename) member.id = fresh_member_id(model, member.nodes[0], member.nodes[1]);
     const std::string name = member.id;
     erase(model, {.nodes = {node}, .members = {pair.second}});

@@ -41,6 +41,7 @@ void reverse_member(Model& model, MemberId id)
     Member& member = model.members[id.index];
     std::swap(member.nodes[0], member.nodes[1]);
     std::swap(member.start, member.end);
+    std::ranges::reverse(member.depths);
     for (LoadCase& load_case : model.load_cases)
         for (MemberLoad& load : load_case.members)
             if (load.member == id) reverse(load, model.analysis, length);

@@ -8,6 +8,7 @@
 #include "femoop/edit/moving_load_change.h"
 #include "femoop/edit/naming.h"
 #include "femoop/edit/short_number.h"
+#include "femoop/section/tapered_section.h"
 
 namespace femoop {
 
@@ -196,6 +197,10 @@ SplitMember split_member(Model& model, MemberId id, double x, NodeId node)
     Member& first = model.members[id.index];
     first.nodes[1] = second.nodes[0] = node;
     first.end = second.start = MemberEnd{};
+    if (!first.depths.empty()) {
+        const double scale = std::max(first.depths[0].value(), first.depths[1].value());
+        first.depths[1] = second.depths[0] = short_number(depth_at(second, cut.x / cut.length), scale);
+    }
     if (first.bar && !is_truss(model.analysis) && bends(model, first)) make_beams(model, first, second);
     if (rename) first.id = fresh_member_id(model, first.nodes[0], node);
     second.id = fresh_member_id(model, node, second.nodes[1]);

@@ -1,6 +1,7 @@
 #include "femoop/element/beam.h"
 
 #include <Eigen/LU>
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -8,6 +9,12 @@ namespace femoop {
 
 Eigen::Matrix4d Beam::stiffness(double L) const
 {
+    if (!taper.is_prismatic()) {
+        Eigen::Matrix<double, 2, 4> rotations;    // of the ends against the chord
+        rotations << 1.0 / L, 1.0, -1.0 / L, 0.0, //
+            1.0 / L, 0.0, -1.0 / L, 1.0;
+        return rotations.transpose() * chord_stiffness(L) * rotations;
+    }
     const double shear = 12.0 * EI * shear_flexibility / (L * L);
     const double k = EI / (L * L * L * (1.0 + shear));
     const double a = 12.0 * k;
@@ -22,8 +29,79 @@ Eigen::Matrix4d Beam::stiffness(double L) const
     return K;
 }
 
+Eigen::Matrix2d Beam::chord_stiffness(double L) const
+{
+    if (!taper.is_prismatic()) return tapered_chord_stiffness(L);
+    const double shear = 12.0 * EI * shear_flexibility / (L * L);
+    Eigen::Matrix2d S;
+    S << 4.0 + shear, 2.0 - shear, //
+        2.0 - shear, 4.0 + shear;
+    return S * (EI / (L * (1.0 + shear)));
+}
+
+// By the unit-load theorem, with M = -m1 (1 - x/L) + m2 x/L and V = (m1 + m2) / L.
+Eigen::Matrix2d Beam::tapered_chord_stiffness(double L) const
+{
+    SpanLoading pieces;
+    pieces.assign(L, {}, longest_piece());
+    double near = 0.0, far = 0.0, mixed = 0.0, shear = 0.0; // integrals
+    for (const SpanPiece& piece : pieces.pieces()) {
+        const Polynomial flexibility = bending_flexibility(piece.begin);
+        const double h = piece.length(), b = piece.begin / L, a = 1.0 - b; // (1 - x/L, x/L) = (a - t/L, b + t/L)
+        const double f0 = flexibility.moment(0, h), f1 = flexibility.moment(1, h) / L,
+                     f2 = flexibility.moment(2, h) / (L * L);
+        near += a * a * f0 - 2.0 * a * f1 + f2;
+        far += b * b * f0 + 2.0 * b * f1 + f2;
+        mixed += a * b * f0 + (a - b) * f1 - f2;
+        if (shear_flexibility > 0.0) shear += shearing_flexibility(piece.begin).moment(0, h) / (L * L);
+    }
+    Eigen::Matrix2d flexibility;
+    flexibility << near + shear, shear - mixed, //
+        shear - mixed, far + shear;
+    return flexibility.inverse();
+}
+
+Polynomial Beam::bending_flexibility(double x) const
+{
+    const auto [a1, a2, a3] = taper.inertia;
+    return Polynomial{EI, EI * a1, EI * a2, EI * a3}.shifted(x).reciprocal();
+}
+
+Polynomial Beam::shearing_flexibility(double x) const
+{
+    const double GAs = 1.0 / shear_flexibility;
+    return Polynomial{GAs, GAs * taper.shear_area}.shifted(x).reciprocal();
+}
+
+Beam::Series Beam::tapered_series(const State& begin, const SpanPiece& piece, BendingPlane plane,
+                                  double curvature) const
+{
+    const std::size_t force = index(force_axis(plane)), moment = index(moment_axis(plane));
+    const double q = piece.value[force], dq = piece.slope[force];
+    const double m = moment_sign(plane) * piece.value[moment], dm = moment_sign(plane) * piece.slope[moment];
+    Series s{.v = {begin.v},
+             .phi = {begin.phi},
+             .V = {begin.V, q, 0.5 * dq},
+             .M = {begin.M, begin.V - m, 0.5 * (q - dm), dq / 6.0}};
+    const Polynomial bending = bending_flexibility(piece.begin);
+    const Polynomial shearing = shear_flexibility > 0.0 ? shearing_flexibility(piece.begin) : Polynomial{0.0};
+    const Polynomial depth = Polynomial{1.0, taper.depth}.shifted(piece.begin).reciprocal();
+    const auto product = [](const Polynomial& a, const Polynomial& b, std::size_t n) { // its coefficient n
+        double sum = 0.0;
+        for (std::size_t k = 0; k < std::min(a.n_terms(), n + 1); ++k) sum += a[k] * b[n - k];
+        return sum;
+    };
+    for (std::size_t n = 0; n + 1 < Polynomial::max_terms; ++n) {
+        const double next = 1.0 / static_cast<double>(n + 1);
+        s.v.append((s.phi[n] - product(s.V, shearing, n)) * next);
+        s.phi.append((product(s.M, bending, n) + curvature * depth[n]) * next);
+    }
+    return s;
+}
+
 Beam::Series Beam::series(const State& begin, const SpanPiece& piece, BendingPlane plane, double curvature) const
 {
+    if (!taper.is_prismatic()) return tapered_series(begin, piece, plane, curvature);
     if (piece.is_settled && foundation > 0.0) return settled(piece, plane, curvature);
     const std::size_t force = index(force_axis(plane));
     const std::size_t moment = index(moment_axis(plane));
@@ -56,7 +134,7 @@ Beam::Series Beam::series(const State& begin, const SpanPiece& piece, BendingPla
 
 Beam::State Beam::at(double t, const State& begin, const SpanPiece& piece, BendingPlane plane, double curvature) const
 {
-    if (foundation > 0.0) return series(begin, piece, plane, curvature).at(t);
+    if (foundation > 0.0 || !taper.is_prismatic()) return series(begin, piece, plane, curvature).at(t);
     const std::size_t force = index(force_axis(plane));
     const std::size_t moment = index(moment_axis(plane));
     const double q = piece.value[force], dq = piece.slope[force];
@@ -125,7 +203,7 @@ Rates rates(const Beam& beam)
 
 double Beam::longest_piece() const
 {
-    if (foundation <= 0.0) return std::numeric_limits<double>::infinity();
+    if (foundation <= 0.0) return taper.longest_piece;
     // The largest root of lambda^4 - (k / GAs) lambda^2 + k / EI = 0 bounds how fast a solution varies.
     const auto [a, p] = rates(*this);
     return 1.0 / std::sqrt(a > p ? a + std::sqrt((a - p) * (a + p)) : p);

@@ -5,6 +5,7 @@
 
 #include "femoop/element/polynomial.h"
 #include "femoop/element/span_load.h"
+#include "femoop/element/taper.h"
 
 namespace femoop {
 
@@ -19,7 +20,7 @@ constexpr LocalAxis moment_axis(BendingPlane plane)
 /// Turns a moment or rotation about the member's axis into one of the plane, counter-clockwise from x' to y' or z'.
 constexpr double moment_sign(BendingPlane plane) { return plane == BendingPlane::xy ? 1.0 : -1.0; }
 
-/// A prismatic beam in one plane: Euler-Bernoulli, Timoshenko, and either on a Winkler foundation.
+/// A beam in one plane: Euler-Bernoulli or Timoshenko, either on a Winkler foundation or tapered.
 ///
 ///    y' ^     q [force/length], positive along +y'
 ///       |   ||||||||||||||||||||
@@ -32,8 +33,9 @@ constexpr double moment_sign(BendingPlane plane) { return plane == BendingPlane:
 /// Signs    V positive along -y' on the face looking along +x', M positive when it stretches the -y' fibre:
 ///          F1 = V(0), m1 = -M(0), F2 = -V(L), m2 = M(L)
 /// Units    any consistent set; rotations in rad
-/// Assumes  small displacements, straight prismatic member, foundation pulls as well as it pushes
-/// Accuracy exact for span loads that vary linearly; on a foundation to the last bits of a power series
+/// Assumes  small displacements, straight axis, foundation pulls as well as it pushes; no taper on a foundation
+/// Accuracy exact for span loads that vary linearly; on a foundation and along a taper to the last bits of a power
+///          series
 /// Source   [Timoshenko1921] for the shear term, [Hetenyi1946, ch. 1] for the foundation
 struct Beam {
     struct State {
@@ -44,12 +46,17 @@ struct Beam {
         State at(double t) const { return {.v = v(t), .phi = phi(t), .V = V(t), .M = M(t)}; }
     };
 
-    double EI = 0.0;
+    double EI = 0.0;                ///< of a tapered one at its first end, like 1 / GAs
     double shear_flexibility = 0.0; ///< 1 / GAs; 0 for an Euler-Bernoulli beam
     double foundation = 0.0;        ///< k [force/length^2]
+    Taper taper{};
 
     /// Stiffness [4x4] of d, symmetric, rank 2. \pre foundation == 0 (else FoundationBeam)
     Eigen::Matrix4d stiffness(double L) const;
+
+    /// Moments [2] on the ends per rotation of each against the chord, (phi1 - psi, phi2 - psi), psi = (v2 - v1) / L.
+    /// \pre foundation == 0
+    Eigen::Matrix2d chord_stiffness(double L) const;
 
     /// Forces [4] that hold both ends still under the loads. \pre foundation == 0 (else FoundationBeam)
     Eigen::Vector4d fixed_end_forces(const SpanLoading& loading, BendingPlane plane) const;
@@ -57,7 +64,8 @@ struct Beam {
     /// Forces (F1, F2) that hold the ends of a simply supported span: statics alone, whatever its stiffness.
     static Eigen::Vector2d simple_span_forces(const SpanLoading& loading, BendingPlane plane);
 
-    /// Closed forms over one piece, t measured from its beginning, from the state after the jump there.
+    /// Closed forms over one piece, t measured from its beginning, from the state after the jump there. An imposed
+    /// `curvature` is that at the first end: along a taper, as of a temperature's gradient, curvature h(0) / h(x).
     Series series(const State& begin, const SpanPiece& piece, BendingPlane plane, double curvature) const;
 
     /// The same at one place of the piece, straight from the state at its beginning.
@@ -83,7 +91,7 @@ struct Beam {
     /// The state after the point loads at the beginning of a piece.
     static State after_jump(State before, const std::array<double, n_local_axes>& jump, BendingPlane plane);
 
-    /// Pieces up to this length keep the series short and exact; infinite without a foundation.
+    /// Pieces up to this length keep the series short and exact; infinite without a foundation or a taper.
     double longest_piece() const;
 
     /// What happens at a place is felt no further on than this; infinite without a foundation.
@@ -100,6 +108,10 @@ struct Beam {
 
 private:
     Series settled(const SpanPiece& piece, BendingPlane plane, double curvature) const;
+    Series tapered_series(const State& begin, const SpanPiece& piece, BendingPlane plane, double curvature) const;
+    Polynomial bending_flexibility(double x) const;  ///< 1 / EI(x + t)
+    Polynomial shearing_flexibility(double x) const; ///< 1 / GAs(x + t)
+    Eigen::Matrix2d tapered_chord_stiffness(double L) const;
 };
 
 /// A beam on a Winkler foundation, joined from pieces that the series can carry: each piece is exact, so the

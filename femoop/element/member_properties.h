@@ -16,7 +16,7 @@ struct MemberProperties {
     Beam xy;               ///< EIz and GAsy, the foundation
     Beam xz;               ///< EIy and GAsz
     double alpha = 0.0;    ///< thermal expansion [1/K]
-    double depth = 0.0;    ///< h along y'; 0 when not given
+    double depth = 0.0;    ///< h along y'; 0 when not given; of a tapered member at its first end, like the weight
     double centroid = 0.0; ///< its distance from the -y' fibre
     double weight = 0.0;   ///< density x gravity x A, per unit length
 };

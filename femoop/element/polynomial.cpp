@@ -104,6 +104,34 @@ Polynomial Polynomial::derivative() const
     return d;
 }
 
+Polynomial Polynomial::shifted(double by) const
+{
+    Polynomial moved = *this; // divided by t - by again and again: the remainders are the coefficients
+    for (std::size_t first = 0; first + 1 < n_; ++first)
+        for (std::size_t i = n_ - 1; i-- > first;) moved.c_[i] += by * moved.c_[i + 1];
+    return moved;
+}
+
+Polynomial Polynomial::reciprocal() const
+{
+    const double inverse = 1.0 / c_[0];
+    Polynomial r{inverse};
+    for (std::size_t n = 1; n < max_terms; ++n) {
+        double sum = 0.0;
+        for (std::size_t k = 1; k < std::min(n_, n + 1); ++k) sum += c_[k] * r.c_[n - k];
+        r.append(-inverse * sum);
+    }
+    return r;
+}
+
+double Polynomial::moment(std::size_t power, double end) const
+{
+    double sum = 0.0;
+    for (std::size_t i = n_; i-- > 0;) sum = sum * end + c_[i] / static_cast<double>(i + power + 1);
+    for (std::size_t i = 0; i <= power; ++i) sum *= end;
+    return sum;
+}
+
 std::vector<double> Polynomial::roots(double end) const
 {
     std::vector<double> found = unit_roots(on_unit_interval(*this, end));

@@ -9,8 +9,8 @@ namespace femoop {
 
 /// A polynomial p(t) = c[0] + c[1] t + c[2] t^2 + ..., held on the stack.
 ///
-/// Solutions along a member are polynomials of degree five at most; on an elastic foundation they are power
-/// series, cut where the next term no longer changes the last bit.
+/// Solutions along a member are polynomials of degree five at most; on an elastic foundation and along a taper they are
+/// power series, cut where the next term no longer changes the last bit.
 class Polynomial {
 public:
     static constexpr std::size_t max_terms = 24;
@@ -30,6 +30,16 @@ public:
     }
 
     Polynomial derivative() const;
+
+    /// p(t + by), of as many terms.
+    Polynomial shifted(double by) const;
+
+    /// Power series of 1 / p, of max_terms terms: within a sixth of the way to the nearest zero of p, which may be
+    /// complex, it gives every digit. \pre p(0) != 0
+    Polynomial reciprocal() const;
+
+    /// Integral of t^power p(t) from 0 to end.
+    double moment(std::size_t power, double end) const;
 
     /// Where p is zero in [0, end], ascending, each root once. A p that is zero everywhere has none.
     /// A minimum or maximum that misses zero by rounding alone counts as a root.

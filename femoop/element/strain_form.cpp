@@ -17,14 +17,9 @@ StrainForm without_strain(Eigen::Index n_displacements)
 StrainForm bending(const Beam& beam, double L)
 {
     if (beam.EI <= 0.0) return without_strain(4);
-    const double shear = 12.0 * beam.EI * beam.shear_flexibility / (L * L);
-    const double k = beam.EI / (L * (1.0 + shear));
-    StrainForm form{.B = Eigen::MatrixXd(2, 4), .S = Eigen::MatrixXd(2, 2)};
+    StrainForm form{.B = Eigen::MatrixXd(2, 4), .S = beam.chord_stiffness(L)};
     form.B << 1.0 / L, 1.0, -1.0 / L, 0.0, //
         1.0 / L, 0.0, -1.0 / L, 1.0;
-    form.S << 4.0 + shear, 2.0 - shear, //
-        2.0 - shear, 4.0 + shear;
-    form.S *= k;
     return form;
 }
 
@@ -76,7 +71,7 @@ Eigen::Matrix4d firm_support(const Beam& beam, double L, BendingPlane plane)
 StrainForm strain_form(const Bar& bar, double L)
 {
     if (bar.EA <= 0.0) return without_strain(2);
-    return {.B = Eigen::RowVector2d(-1.0, 1.0), .S = Eigen::MatrixXd::Constant(1, 1, bar.EA / L)};
+    return {.B = Eigen::RowVector2d(-1.0, 1.0), .S = Eigen::MatrixXd::Constant(1, 1, 1.0 / bar.flexibility(L))};
 }
 
 StrainForm strain_form(const Beam& beam, double L, BendingPlane plane)

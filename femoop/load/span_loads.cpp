@@ -75,7 +75,8 @@ public:
     void add_weight(Dof up, double q)
     {
         const double L = geometry_.length;
-        add_together(std::array{LoadComponent{.dof = up, .from = 0.0, .to = L, .start = -q, .end = -q}});
+        const double at_end = q * (1.0 + properties_.axial.taper * L);
+        add_together(std::array{LoadComponent{.dof = up, .from = 0.0, .to = L, .start = -q, .end = -at_end}});
     }
 
 private:

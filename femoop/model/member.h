@@ -25,13 +25,14 @@ struct MemberEnd {
 
 enum class BeamTheory : std::uint8_t { EulerBernoulli, Timoshenko };
 
-/// A straight prismatic member from its first node to its second. Its axes: x' along it; in 2D y' is x' turned
+/// A straight member from its first node to its second, prismatic unless it has depths. Its axes: x' along it; in 2D y' is x' turned
 /// +90 degrees; in 3D y' is the part of `up` square to x' (default +z, +y for a vertical member), z' = x' x y'.
 struct Member {
     std::string id;
     std::array<NodeId, 2> nodes;
     std::optional<MaterialId> material; ///< needed unless rigid
     std::optional<SectionId> section;   ///< needed unless rigid
+    std::vector<Quantity> depths; ///< tapered: h at its first end and at its second, linear between; empty, or two
     MemberEnd start, end;
     BeamTheory theory = BeamTheory::EulerBernoulli;
     bool inextensible = false;

@@ -147,6 +147,9 @@ std::string member_text(const Model& model, const Member& member, const Words& w
     if (member.section && member.material)
         parts.push_back(
             fill(words.tr("section {0}, material {1}"), {model[*member.section].id, model[*member.material].id}));
+    if (member.depths.size() == 2)
+        parts.push_back(fill(words.tr("tapered, {0} deep at {1} and {2} at {3}"),
+                             {words.length(member.depths[0]), first, words.length(member.depths[1]), second}));
     if (member.rigid) parts.push_back(words.tr("rigid"));
     if (member.bar) parts.push_back(words.tr("bar: axial force only"));
     if (member.inextensible) parts.push_back(words.tr("inextensible"));

@@ -303,7 +303,7 @@ private:
         for (double* stiffness : {&law.axial.EA, &law.torsion.EA, &law.xy.EI, &law.xz.EI})
             if (*stiffness == 0.0) *stiffness = infinite;
         if (end_conditions_ == nullptr || end_conditions_->constraint == Constraint::None) return law;
-        law.axial.EA = infinite;
+        law.axial = {infinite};
         if (end_conditions_->constraint == Constraint::Inextensible) return law;
         law.torsion.EA = infinite;
         law.xy = {.EI = infinite, .foundation = properties_->xy.foundation};

@@ -18,12 +18,12 @@ constexpr ShapeDimension dim_tf{"tf", &SectionShape::tf};
 constexpr ShapeDimension dim_tw{"tw", &SectionShape::tw};
 
 constexpr std::array all{dim_b, dim_h, dim_d, dim_t, dim_bf, dim_tf, dim_tw};
-constexpr std::array of_rectangle{dim_b, dim_h};
-constexpr std::array of_circle{dim_d};
-constexpr std::array of_tube{dim_d, dim_t};
-constexpr std::array of_box{dim_b, dim_h, dim_t};
-constexpr std::array of_flanged{dim_h, dim_bf, dim_tf, dim_tw};
-constexpr std::array of_angle{dim_h, dim_b, dim_t};
+constexpr std::array sizes_of_rectangle{dim_b, dim_h};
+constexpr std::array sizes_of_circle{dim_d};
+constexpr std::array sizes_of_tube{dim_d, dim_t};
+constexpr std::array sizes_of_box{dim_b, dim_h, dim_t};
+constexpr std::array sizes_of_flanged{dim_h, dim_bf, dim_tf, dim_tw};
+constexpr std::array sizes_of_angle{dim_h, dim_b, dim_t};
 
 constexpr std::array kinds{SectionShapeKind::Rectangle, SectionShapeKind::Circle, SectionShapeKind::Tube,
                            SectionShapeKind::Box,       SectionShapeKind::I,      SectionShapeKind::T,
@@ -77,16 +77,16 @@ std::span<const ShapeDimension> shape_dimensions() { return all; }
 std::span<const ShapeDimension> dimensions(SectionShapeKind kind)
 {
     switch (kind) {
-    case SectionShapeKind::Rectangle: return of_rectangle;
-    case SectionShapeKind::Circle: return of_circle;
-    case SectionShapeKind::Tube: return of_tube;
-    case SectionShapeKind::Box: return of_box;
-    case SectionShapeKind::L: return of_angle;
+    case SectionShapeKind::Rectangle: return sizes_of_rectangle;
+    case SectionShapeKind::Circle: return sizes_of_circle;
+    case SectionShapeKind::Tube: return sizes_of_tube;
+    case SectionShapeKind::Box: return sizes_of_box;
+    case SectionShapeKind::L: return sizes_of_angle;
     case SectionShapeKind::I:
     case SectionShapeKind::T:
     case SectionShapeKind::C: break;
     }
-    return of_flanged;
+    return sizes_of_flanged;
 }
 
 std::optional<ShapeFault> why_not(const SectionShape& shape)

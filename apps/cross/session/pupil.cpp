@@ -86,7 +86,7 @@ std::optional<Message> Session::why_no_own_exercise() const
     if (!solution_.task) return Message(translatable("this structure cannot be distributed"));
     if (solution_.task->problem.joints.empty()) return Message(translatable("there is no joint to balance"));
     if (!fc::is_for_hand(solution_.task->problem))
-        return Message(translatable("on an elastic foundation no hand finds the stiffness factors"));
+        return Message(translatable("on an elastic foundation and along a taper no hand finds the stiffness factors"));
     return std::nullopt;
 }
 

@@ -66,6 +66,23 @@ void draw_foundation(const Scene& scene, femoop::MemberId id)
                     .size = sketch.theme().type().small});
 }
 
+/// The outline of a tapered member as deep as it is, its sections' height to the structure's scale.
+void draw_depths(const Scene& scene, femoop::MemberId id)
+{
+    const MemberShape& shape = scene.shape[id];
+    const std::vector<femoop::Quantity>& depths = scene.model[id].depths;
+    const ui::Point across = scene.projection.direction(shape.y());
+    const auto edge = [&](double side) {
+        const auto at = [&](const Eigen::Vector3d& end, double depth) {
+            return scene.projection(end) + side * 0.5 * depth * scene.projection.scale() * across;
+        };
+        return std::array{at(shape.start, depths[0]), at(shape.end, depths[1])};
+    };
+    const std::array upper = edge(1.0), lower = edge(-1.0);
+    const std::vector<ui::Point> outline{upper[0], upper[1], lower[1], lower[0], upper[0]};
+    scene.sketch.polyline(outline, scene.sketch.stroke(ui::Role::Undeformed), Clearance::Soft);
+}
+
 void draw_strain_mark(const Scene& scene, femoop::MemberId id)
 {
     const femoop::Member& member = scene.model[id];
@@ -97,6 +114,7 @@ void draw_member(const Scene& scene, femoop::MemberId id, Presence presence)
     draw_arm(scene, shape.start_node, shape.start, arm);
     draw_arm(scene, shape.end_node, shape.end, arm);
     scene.sketch.line(a, b, stroke);
+    if (scene.model[id].depths.size() == 2 && is_subject) draw_depths(scene, id);
     if (scene.model[id].foundation && is_subject) draw_foundation(scene, id);
     if (is_subject) draw_strain_mark(scene, id);
 }

@@ -1,4 +1,5 @@
 #include "apps/frame/document/command.h"
+#include "femoop/section/tapered_section.h"
 
 #include <stdexcept>
 #include <type_traits>
@@ -105,6 +106,20 @@ void set_section(Document& document, MemberId member, SectionId section)
 }
 
 void set_theory(Document& document, MemberId member, BeamTheory theory) { at(document, member).theory = theory; }
+
+bool can_taper(const Model& model, const Member& member)
+{
+    return model.analysis == AnalysisKind::Frame2d && member.section && femoop::can_taper(model[*member.section]);
+}
+
+void taper(Document& document, MemberId member)
+{
+    Member& changed = at(document, member);
+    const Quantity depth = *document.model[*changed.section].shape->h;
+    changed.depths = {depth, depth};
+}
+
+void make_prismatic(Document& document, MemberId member) { at(document, member).depths.clear(); }
 
 void set_trait(Document& document, MemberId member, MemberTrait trait, Switch state)
 {

@@ -33,6 +33,12 @@ void set_material(Document& document, femoop::MemberId member, femoop::MaterialI
 void set_section(Document& document, femoop::MemberId member, femoop::SectionId section);
 void set_theory(Document& document, femoop::MemberId member, femoop::BeamTheory theory);
 
+/// Can the depth of this member vary, as far as its section and the kind of structure go?
+bool can_taper(const femoop::Model& model, const femoop::Member& member);
+/// On gives it the depth of its section at both ends, for the hand to change. \pre can_taper
+void taper(Document& document, femoop::MemberId member);
+void make_prismatic(Document& document, femoop::MemberId member);
+
 /// What sets a member apart from an ordinary beam.
 enum class MemberTrait : std::uint8_t { Inextensible, Unshearable, Rigid, Bar };
 enum class Switch : std::uint8_t { Off, On };

@@ -49,6 +49,10 @@ public:
     void operator()(MemberId id)
     {
         auto& member = model_.members[id.index];
+        if (member.depths.size() == 2) {
+            visit_(translatable("Depth h, start"), Measure::SectionLength, member.depths[0]);
+            visit_(translatable("Depth h, end"), Measure::SectionLength, member.depths[1]);
+        }
         if (!is_truss(model_.analysis))
             visit_(translatable("Elastic foundation"), Measure::FoundationModulus, member.foundation);
         springs(member.start.springs, translatable("Spring {dof}, start"));

@@ -250,7 +250,7 @@ private:
     bool is_series(const Part& part) const
     {
         return std::ranges::any_of(line_.stretches, [&](const auto& stretch) {
-            return stretch.is_on_foundation && stretch.from <= part.begin && part.end <= stretch.to;
+            return stretch.is_series && stretch.from <= part.begin && part.end <= stretch.to;
         });
     }
 

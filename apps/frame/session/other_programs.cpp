@@ -15,12 +15,14 @@
 #include "femoop/edit/excerpt.h"
 #include "femoop/edit/short_number.h"
 #include "femoop/files/whole_file.h"
+#include "femoop/geometry/member_geometry.h"
 #include "femoop/io/model_file.h"
 #include "femoop/methods/mohr/section_stress.h"
 #include "femoop/model/quantity/number_text.h"
 #include "femoop/model/quantity/quantity_parser.h"
 #include "femoop/section/profile.h"
 #include "femoop/section/shape.h"
+#include "femoop/section/tapered_section.h"
 #include "ui/workspace/standard_commands.h"
 
 namespace frame {
@@ -216,12 +218,21 @@ struct NamedFigure {
     femoop::mohr::SectionFigure figure;
 };
 
-std::variant<NamedFigure, Message> figure_of(const femoop::Model& model, MemberId id)
+/// What stands there: along a taper as deep as the member is at that place.
+femoop::Section section_at(const femoop::Model& model, const Cut& cut)
 {
-    const femoop::Member& member = model[id];
+    const femoop::Member& member = model[cut.member];
+    const femoop::Section& section = model[*member.section];
+    if (member.depths.size() != 2 || !femoop::can_taper(section)) return section;
+    return at_depth(section, depth_at(member, cut.x / geometry_of(model, member).length));
+}
+
+std::variant<NamedFigure, Message> figure_of(const femoop::Model& model, const Cut& cut)
+{
+    const femoop::Member& member = model[cut.member];
     if (!member.section || !member.material)
         return Message(translatable("member {id} has no section: it is rigid"), {{"id", member.id}});
-    const femoop::Section& section = model[*member.section];
+    const femoop::Section section = section_at(model, cut);
     const auto words = section_text(section, model.units);
     if (!words)
         return Message(
@@ -245,7 +256,7 @@ std::optional<Message> why_no_circle(const Session& session)
     const auto cut = cut_for_circle(session);
     if (!cut || cut->member.index >= session.model().members.size())
         return Message(translatable("point at a section of a member, or select one member"));
-    auto figure = figure_of(session.model(), cut->member);
+    auto figure = figure_of(session.model(), *cut);
     const auto* const reason = std::get_if<Message>(&figure);
     return reason != nullptr ? std::optional(*reason) : std::nullopt;
 }
@@ -264,7 +275,7 @@ Offer circle_at(const Session& session, const Cut& cut, femoop::CaseId load_case
     if (session.solution().blank_case(load_case) != nullptr)
         return Notice{{{translatable("Case {case} has no results: see the problems."),
                         {{"case", session.model().case_name(load_case)}}}}};
-    const auto found = figure_of(session.model(), cut.member);
+    const auto found = figure_of(session.model(), cut);
     if (const auto* const reason = std::get_if<Message>(&found)) return Notice{{*reason}};
     const auto& [words, figure] = std::get<NamedFigure>(found);
     mohr::Document document = mohr::textbook_state();

@@ -100,6 +100,24 @@ Column theory_column()
                             }});
 }
 
+// Of a tapered member at one end; the first that is given holds at both, an empty one makes it prismatic.
+Column depth_column(std::string_view heading, std::size_t end)
+{
+    return number_column(heading, Measure::SectionLength,
+                         {.get = [end](const Model& model, const Part& part) -> std::optional<Quantity> {
+                              const auto& depths = member_of(model, part).depths;
+                              return end < depths.size() ? std::optional(depths[end]) : std::nullopt;
+                          },
+                          .set = [end](Document& document, const Part& part, const std::optional<Quantity>& value,
+                                       const Manner&) -> Refusal {
+                              auto& depths = member_of(document.model, part).depths;
+                              if (!value) depths.clear();
+                              else if (depths.size() == 2) depths[end] = *value;
+                              else depths = {*value, *value};
+                              return std::nullopt;
+                          }});
+}
+
 // One of the three numbers of `up`; the first that is given makes the others 0.
 Column up_column(std::size_t axis)
 {
@@ -140,6 +158,10 @@ std::vector<Column> member_columns(const Model& model)
     all.push_back(theory_column());
     all.push_back(field_column(translatable("Elastic foundation"), Measure::FoundationModulus,
                                [](auto& m, const Part& part) { return &member_of(m, part).foundation; }));
+    if (model.analysis == AnalysisKind::Frame2d) {
+        all.push_back(depth_column(translatable("Depth h, start"), 0));
+        all.push_back(depth_column(translatable("Depth h, end"), 1));
+    }
     for (std::size_t i = 0; i < 3 && is_3d(model.analysis); ++i) all.push_back(up_column(i));
     return all;
 }

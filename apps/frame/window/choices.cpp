@@ -195,6 +195,22 @@ void show_traits(const Group<MemberId>& members)
     }
 }
 
+void show_taper(const Group<MemberId>& members)
+{
+    const Model& model = members.model();
+    const bool is_possible = std::ranges::all_of(
+        members.ids, [&](MemberId id) { return !model[id].depths.empty() || can_taper(model, model[id]); });
+    if (!is_possible) return;
+    constexpr std::string_view label = translatable("Tapered");
+    const auto is_on = members.common([&](MemberId id) { return !model[id].depths.empty(); });
+    const auto state = tick(members.tr()(label), label, is_on);
+    if (!state) return;
+    members.change(label, [&](Document& document, MemberId id) {
+        if (*state == Switch::Off) make_prismatic(document, id);
+        else if (model[id].depths.empty()) taper(document, id);
+    });
+}
+
 // The ways in which an end can be released: in a plane frame along, across and rotation.
 void show_releases(const Group<MemberId>& members, MemberEndName end)
 {
@@ -266,6 +282,7 @@ void show(const Rows& rows, const Group<MemberId>& members)
     const ui::Catalogue& tr = members.tr();
     show_properties(rows, members);
     if (is_truss(members.model().analysis)) return;
+    show_taper(members);
     show_theory(rows, members);
     rows.name(tr("Releases, start"));
     show_releases(members, MemberEndName::Start);

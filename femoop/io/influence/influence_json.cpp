@@ -24,7 +24,7 @@ void write_pieces(JsonWriter& json, const Model& model, const InfluenceLine& lin
     for (const LineStretch& stretch : line.stretches) {
         json.begin_object().member("member", model[stretch.member].id);
         json.member("from", stretch.from).member("to", stretch.to).key("polynomial");
-        if (stretch.is_on_foundation) {
+        if (stretch.is_series) {
             json.null().end();
             continue;
         }

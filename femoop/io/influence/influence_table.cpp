@@ -57,8 +57,8 @@ struct LineTables {
             std::vector<tabular::Cell> row{model[stretch.member].id, stretch.from, stretch.to};
             const std::vector<double>& c = line.ordinates.pieces[stretch.first_piece].coefficients;
             for (std::size_t i = 0; i < 4; ++i) {
-                if (!stretch.is_on_foundation) row.emplace_back(i < c.size() ? six_digits(c[i], tr) : "0");
-                else row.emplace_back(i == 0 ? tr("closed form, on a foundation") : "");
+                if (!stretch.is_series) row.emplace_back(i < c.size() ? six_digits(c[i], tr) : "0");
+                else row.emplace_back(i == 0 ? tr("closed form, a power series") : "");
             }
             table.add_row(std::move(row));
         }

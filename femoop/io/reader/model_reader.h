@@ -78,6 +78,7 @@ private:
     std::vector<Spring> springs(JsonValue value, const Place& place);
     std::vector<Quantity> lengths(JsonValue value, std::size_t n, const Place& place);
     std::vector<Quantity> up_vector(JsonValue value, const Place& place);
+    std::vector<Quantity> depths(JsonValue value, const Place& place);
     std::optional<Quantity> foundation(JsonValue value, const Place& place);
 
     // load_reader.cpp

@@ -14,8 +14,9 @@ constexpr Keys<18> section_keys{{"id", "shape", "profile", "A", "Iz", "Iy", "J",
                                 1};
 constexpr Keys<5> node_keys{{"id", "at", "support", "hinge", "mass"}, 2};
 constexpr Keys<3> support_keys{{"fixed", "angle", "springs"}, 0};
-constexpr Keys<15> member_keys{{"id", "nodes", "material", "section", "start", "end", "theory", "inextensible",
-                                "unshearable", "rigid", "bar", "tension_only", "compression_only", "foundation", "up"},
+constexpr Keys<16> member_keys{{"id", "nodes", "material", "section", "depths", "start", "end", "theory",
+                                "inextensible", "unshearable", "rigid", "bar", "tension_only", "compression_only",
+                                "foundation", "up"},
                                2};
 constexpr Keys<3> end_keys{{"release", "spring", "offset"}, 0};
 constexpr Keys<1> foundation_keys{{"y"}, 1};
@@ -169,8 +170,8 @@ std::vector<Quantity> ModelReader::lengths(JsonValue value, std::size_t n, const
 
 Member ModelReader::member(JsonValue value, const Place& place)
 {
-    const auto [id, nodes, material, section, start, end, theory, inextensible, unshearable, rigid, bar, tension_only,
-                compression_only, foundation_value, up] = reader_.fields(value, member_keys, place);
+    const auto [id, nodes, material, section, depths_value, start, end, theory, inextensible, unshearable, rigid, bar,
+                tension_only, compression_only, foundation_value, up] = reader_.fields(value, member_keys, place);
     Member member{.nodes = {NodeId(nowhere), NodeId(nowhere)}};
     member.id = reader_.id(id, place);
     if (reader_.is_list(nodes, place) && nodes.size() != 2)
@@ -180,6 +181,7 @@ Member ModelReader::member(JsonValue value, const Place& place)
             member.nodes[i++] = NodeId(reference(node, nodes_, place));
     if (material.is_present()) member.material = MaterialId(reference(material, materials_, place));
     if (section.is_present()) member.section = SectionId(reference(section, sections_, place));
+    member.depths = depths(depths_value, place);
     member.start = member_end(start, place);
     member.end = member_end(end, place);
     if (const auto chosen = reader_.choice(theory, names::theories, place))
@@ -205,6 +207,21 @@ MemberEnd ModelReader::member_end(JsonValue value, const Place& place)
     end.springs = springs(spring, here);
     end.offset = lengths(offset, n_coordinates(model.analysis), here);
     return end;
+}
+
+std::vector<Quantity> ModelReader::depths(JsonValue value, const Place& place)
+{
+    std::vector<Quantity> depths;
+    if (!reader_.is_list(value, place)) return depths;
+    if (value.size() != 2) {
+        reader_.add({FaultKind::DepthCount, {place.text(value.key()), std::to_string(value.size())}});
+        return depths;
+    }
+    const Place here = place.key(value.key());
+    std::size_t i = 0;
+    for (const JsonValue entry : value)
+        depths.push_back(reader_.quantity(entry, dimension::length, here.entry(i++)).value_or(no_number));
+    return depths;
 }
 
 std::optional<Quantity> ModelReader::foundation(JsonValue value, const Place& place)

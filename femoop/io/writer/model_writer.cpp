@@ -159,6 +159,7 @@ std::string text_of(const Member& member, const Model& model)
     object.add_text("id", member.id).add("nodes", json_list({node(member.nodes[0]), node(member.nodes[1])}));
     if (member.material) object.add_text("material", model.materials.at(member.material->index).id);
     if (member.section) object.add_text("section", model.sections.at(member.section->index).id);
+    if (!member.depths.empty()) object.add("depths", list_of(member.depths));
     add_if(object, "start", member.start);
     add_if(object, "end", member.end);
     if (member.theory != BeamTheory::EulerBernoulli) object.add("theory", word(names::theories, member.theory));

@@ -69,6 +69,7 @@ private:
         if (is_bar()) return action;
         const MemberProperties& properties = structure_.properties_of(member_);
         action.has_foundation = properties.xy.foundation > 0.0;
+        action.is_tapered = !properties.xy.taper.is_prismatic();
         action.EI_over_L = properties.xy.EI / geometry_.length;
         const auto K = element({Action::BendingXY}).local_stiffness();
         const std::array rows{y1, th1, y2, th2};

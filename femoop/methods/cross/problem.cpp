@@ -468,7 +468,9 @@ std::string_view formula(const Problem& problem, EndId id)
     const End& end = problem[id];
     if (!end.member) return "";
     if (end.stiffness == 0.0) return "0";
-    const double multiple = end.stiffness / problem.members[end.member->index].EI_over_L;
+    const MemberAction& member = problem.members[end.member->index];
+    if (member.is_tapered) return "";
+    const double multiple = end.stiffness / member.EI_over_L;
     const std::array<std::pair<double, std::string_view>, 4> known{
         {{4.0, "4EI/L"}, {3.0, "3EI/L"}, {2.0, "2EI/L"}, {6.0, "6EI/L"}}};
     for (const auto& [times, text] : known)

@@ -66,12 +66,13 @@ struct MemberAction {
     std::array<std::optional<EndId>, 2> ends; ///< none: a bar
     Eigen::Vector2d x = Eigen::Vector2d::UnitX(), y = Eigen::Vector2d::UnitY();
     double length = 0.0;                          ///< between its nodes
-    double EI_over_L = 0.0;                       ///< 0: a bar
+    double EI_over_L = 0.0;                       ///< 0: a bar; of a tapered member with the EI of its first end
     Eigen::Matrix4d K = Eigen::Matrix4d::Zero();  ///< rotations of hinged ends condensed
     Eigen::Vector4d f = Eigen::Vector4d::Zero();  ///< with every joint locked and every prop in place
     Eigen::Vector2d fx = Eigen::Vector2d::Zero(); ///< forces along the axis that hold its span loads
     bool is_axially_rigid = true;                 ///< false where a release lets its ends part
     bool has_foundation = false;
+    bool is_tapered = false;
     bool is_overhang = false;
 };
 

@@ -47,6 +47,25 @@ void add_bending(std::vector<NamedNumber>& numbers, const Beam& beam, double L, 
     numbers.push_back({(shears ? "(2 - phi) " : "2 ") + EI + over(""), (2.0 - phi) * stiffness / L});
 }
 
+/// What a tapered member is made of at its two ends.
+std::vector<NamedNumber> tapered_numbers(const MemberProperties& properties, double L)
+{
+    const Beam& beam = properties.xy;
+    const auto [a1, a2, a3] = beam.taper.inertia;
+    std::vector<NamedNumber> numbers{{"L", L},
+                                     {"h(0)", properties.depth},
+                                     {"h(L)", properties.depth * (1.0 + beam.taper.depth * L)},
+                                     {"EA(0)", properties.axial.EA},
+                                     {"EA(L)", properties.axial.EA * (1.0 + properties.axial.taper * L)},
+                                     {"EI(0)", beam.EI},
+                                     {"EI(L)", beam.EI * (1.0 + L * (a1 + L * (a2 + L * a3)))}};
+    if (beam.shear_flexibility > 0.0) {
+        numbers.push_back({"GAs(0)", 1.0 / beam.shear_flexibility});
+        numbers.push_back({"GAs(L)", (1.0 + beam.taper.shear_area * L) / beam.shear_flexibility});
+    }
+    return numbers;
+}
+
 } // namespace
 
 MemberSteps::MemberSteps(const PaperSystem& system, MemberId member)
@@ -62,6 +81,7 @@ NamedMatrix MemberSteps::data() const
     const auto add = [&](const char* name, double value) {
         if (is_stiff(value)) numbers.push_back({name, value});
     };
+    if (!properties.xy.taper.is_prismatic()) return column("data", tapered_numbers(properties, trace_.length));
     if (kind != AnalysisKind::Grillage) add("EA", properties.axial.EA);
     if (!is_truss(kind)) {
         if (twists) add("GJ", properties.torsion.EA);
@@ -74,12 +94,13 @@ NamedMatrix MemberSteps::data() const
     return column("data", numbers);
 }
 
-/// The numbers that k' is made of; of joints and a foundation it is no such sum.
+/// The numbers that k' is made of; of joints, a foundation and a taper it is no such sum.
 std::vector<NamedMatrix> MemberSteps::entries() const
 {
     const MemberEndConditions* const ends = system_.structure().end_conditions_of(member_);
     const MemberProperties& properties = system_.structure().properties_of(member_);
     if ((ends != nullptr && ends->has_flexible_joint) || properties.xy.foundation > 0.0) return {};
+    if (!properties.xy.taper.is_prismatic()) return {};
     const AnalysisKind kind = system_.structure().kind;
     const bool is_bar = ends != nullptr && ends->is_bar;
     const double L = trace_.length;

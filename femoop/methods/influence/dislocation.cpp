@@ -140,7 +140,7 @@ Eigen::Vector4d Dislocation::end_forces(BendingPlane plane) const
 std::array<NodeVector, 2> Dislocation::fixed_end_forces() const
 {
     const PlaneEnds xy = end_forces(BendingPlane::xy), xz = end_forces(BendingPlane::xz);
-    const double pull = gap() * axial_.EA / L_, torque = is_bar_ ? 0.0 : twist() * torsion_.EA / L_;
+    const double pull = gap() / axial_.flexibility(L_), torque = is_bar_ ? 0.0 : twist() * torsion_.EA / L_;
     return {NodeVector{pull, -xy[0], -xz[0], torque, xz[1], -xy[1]},
             NodeVector{-pull, -xy[2], -xz[2], -torque, xz[3], -xy[3]}};
 }
@@ -219,13 +219,12 @@ std::vector<Dislocation::PlaneMotion> Dislocation::from_state(const Beam& beam, 
     std::vector<PlaneMotion> parts;
     Beam::State state = begin;
     const auto pass = [&](double from, double to) {
-        const SpanPiece piece{.begin = from, .end = to};
-        const Beam::Series series = beam.series(state, piece, plane, 0.0);
-        Polynomial v, phi;
-        for (std::size_t i = 0; i < 4; ++i) v.append(series.v[i]);
-        for (std::size_t i = 0; i < 3; ++i) phi.append(series.phi[i]);
-        parts.push_back({from, to, v, phi});
-        state = beam.at(to - from, state, piece, plane, 0.0);
+        for (const SpanPiece& relative : pieces_of(beam, to - from)) {
+            const SpanPiece piece{.begin = from + relative.begin, .end = from + relative.end};
+            const Beam::Series series = beam.series(state, piece, plane, 0.0);
+            parts.push_back({piece.begin, piece.end, series.v, series.phi});
+            state = series.at(piece.length());
+        }
     };
     if (!is_at_start()) pass(0.0, x_);
     state.v += moved.v;
@@ -298,7 +297,13 @@ MemberMotion Dislocation::motion(std::array<LocalDisplacement, 2> ends) const
 {
     for (std::size_t end = 0; end < 2; ++end) add(ends[end], slips_[end]);
     const auto& [a, b] = ends;
-    const SteppedLine along(a.u, b.u, gap(), x_, L_), around(a.rx, b.rx, twist(), x_, L_);
+    const SteppedLine stretched(a.u, b.u, gap(), x_, L_), around(a.rx, b.rx, twist(), x_, L_);
+    const double start = a.u, N = (b.u - a.u - gap()) / axial_.flexibility(L_);
+    const auto along = [&](double from, double to) {
+        if (axial_.taper == 0.0) return stretched.over(from);
+        const double u = start + N * axial_.flexibility(from) + (from >= x_ ? gap() : 0.0);
+        return axial_.series({.u = u, .N = N}, {.begin = from, .end = to}, LocalAxis::x, 0.0).u;
+    };
     const std::vector<PlaneMotion> xy = motion(BendingPlane::xy, PlaneEnds(a.v, a.rz, b.v, b.rz));
     const std::vector<PlaneMotion> xz = motion(BendingPlane::xz, PlaneEnds(a.w, -a.ry, b.w, -b.ry));
     std::vector<double> places;
@@ -321,8 +326,8 @@ MemberMotion Dislocation::motion(std::array<LocalDisplacement, 2> ends) const
         motion.push_back(
             {.from = from,
              .to = places[i + 1],
-             .along = {along.over(from), about(v.v, from - v.from), about(w.v, from - w.from), around.over(from),
-                       negated(about(w.phi, from - w.from)), about(v.phi, from - v.from)}});
+             .along = {along(from, places[i + 1]), about(v.v, from - v.from), about(w.v, from - w.from),
+                       around.over(from), negated(about(w.phi, from - w.from)), about(v.phi, from - v.from)}});
     }
     return motion;
 }

@@ -73,23 +73,23 @@ void clean(PiecewiseLine& line, double unit_force)
     }
 }
 
-/// Takes the pieces of one member of the path; on a foundation those up to the section, and those behind it, make one
+/// Takes the pieces of one member of the path; of power series those up to the section, and those behind it, make one
 /// stretch.
-void append(InfluenceLine& line, std::vector<LinePiece> pieces, MemberId member, bool is_on_foundation,
+void append(InfluenceLine& line, std::vector<LinePiece> pieces, MemberId member, bool is_series,
             std::optional<double> section)
 {
     const double near = section ? end_of_member * (pieces.back().to - pieces.front().from) : 0.0;
     bool is_first = true;
     for (LinePiece& piece : pieces) {
         const bool is_cut = is_first || (section && std::abs(piece.from - *section) <= near);
-        if (is_on_foundation && !is_cut) {
+        if (is_series && !is_cut) {
             line.stretches.back().to = piece.to;
             ++line.stretches.back().n_pieces;
         } else {
             line.stretches.push_back({.member = member,
                                       .from = piece.from,
                                       .to = piece.to,
-                                      .is_on_foundation = is_on_foundation,
+                                      .is_series = is_series,
                                       .first_piece = line.ordinates.pieces.size()});
         }
         line.ordinates.pieces.push_back(std::move(piece));
@@ -97,11 +97,12 @@ void append(InfluenceLine& line, std::vector<LinePiece> pieces, MemberId member,
     }
 }
 
-bool is_on_foundation(const Discretisation& structure, MemberId member)
+bool is_series(const Discretisation& structure, MemberId member)
 {
     const MemberEndConditions* conditions = structure.end_conditions_of(member);
     const bool bends = conditions == nullptr || conditions->constraint != Constraint::Rigid;
-    return bends && structure.properties_of(member).xy.foundation > 0.0;
+    const Beam& beam = structure.properties_of(member).xy;
+    return bends && (beam.foundation > 0.0 || !beam.taper.is_prismatic());
 }
 
 /// Is a member so short or stiff beside the structure that its forces are differences of what doubles round?
@@ -242,7 +243,7 @@ InfluenceLine InfluenceAnalysis::line_of(const PathLayout& path, const NodeVecto
         const Curve& curve = reader.read(on.member);
         const MemberMotion motion = motion_in(curve, on.member, effect);
         append(line, work_along(on, motion, structure_.geometry(on.member), load), on.member,
-               is_on_foundation(structure_, on.member),
+               is_series(structure_, on.member),
                effect.member == on.member ? std::optional(on.s_of(place(effect))) : std::nullopt);
     }
     clean(line.ordinates, is_force(effect) ? unit_effect(effect, load) : 0.0);
@@ -293,14 +294,14 @@ InfluenceLine InfluenceAnalysis::adjoint_line(const PathLayout& path, const Node
 
 std::vector<SampledStretch> InfluenceAnalysis::stretches_of(const PathMember& on, const MovingEffect& effect) const
 {
-    constexpr std::size_t cubic = 3, of_series = 9; // on a foundation, over half of what a power series bears
+    constexpr std::size_t cubic = 3, of_series = 9; // over half of what a power series bears
     std::vector<double> cuts{on.begin, on.end()};
     if (effect.member == on.member) {
         const double x = place(effect), near = end_of_member * on.length;
         if (x > near && x < on.length - near) cuts.insert(cuts.begin() + 1, on.s_of(x));
     }
-    const bool is_founded = is_on_foundation(structure_, on.member);
-    const double longest = is_founded ? 0.5 * structure_.properties_of(on.member).xy.longest_piece() : on.length;
+    const bool is_series = influence::is_series(structure_, on.member);
+    const double longest = is_series ? 0.5 * structure_.properties_of(on.member).xy.longest_piece() : on.length;
     std::vector<SampledStretch> stretches;
     for (std::size_t i = 1; i < cuts.size(); ++i) {
         const double from = cuts[i - 1], length = cuts[i] - from;
@@ -308,7 +309,7 @@ std::vector<SampledStretch> InfluenceAnalysis::stretches_of(const PathMember& on
         const auto at = [&](std::size_t k) {
             return k == n ? cuts[i] : from + length * static_cast<double>(k) / static_cast<double>(n);
         };
-        for (std::size_t k = 0; k < n; ++k) stretches.emplace_back(at(k), at(k + 1), is_founded ? of_series : cubic);
+        for (std::size_t k = 0; k < n; ++k) stretches.emplace_back(at(k), at(k + 1), is_series ? of_series : cubic);
     }
     return stretches;
 }
@@ -333,7 +334,7 @@ InfluenceLine InfluenceAnalysis::direct_line(const PathLayout& path, const NodeV
                 values.push_back(effect_in(effect, results[CaseId(next++)]));
             pieces.push_back(stretch.piece(values));
         }
-        append(line, std::move(pieces), on.member, is_on_foundation(structure_, on.member),
+        append(line, std::move(pieces), on.member, is_series(structure_, on.member),
                effect.member == on.member ? std::optional(on.s_of(place(effect))) : std::nullopt);
     }
     clean(line.ordinates, is_force(effect) ? unit_effect(effect, load) : 0.0);

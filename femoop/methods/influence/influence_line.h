@@ -17,11 +17,11 @@
 namespace femoop::influence {
 
 /// A stretch of a line between nodes, ends of the path and the section: one polynomial of degree three or less, but on
-/// a foundation, where it is that member's closed form and its pieces are power series.
+/// a foundation and along a taper, where it is that member's closed form and its pieces are power series.
 struct LineStretch {
     MemberId member;
     double from = 0.0, to = 0.0;
-    bool is_on_foundation = false;
+    bool is_series = false; ///< on a foundation or along a taper: power series, each over a short piece
     std::size_t first_piece = 0, n_pieces = 1; ///< of the line
 };
 

@@ -23,8 +23,8 @@ struct MotionPiece {
     double length() const { return to - from; }
 };
 
-/// How a member without span loads moves, from its first end to its second. On a foundation the pieces are so short
-/// that their power series give every digit.
+/// How a member without span loads moves, from its first end to its second. On a foundation and along a taper the pieces
+/// are so short that their power series give every digit.
 using MemberMotion = std::vector<MotionPiece>;
 
 /// \pre the curve is of this member, with nothing but point loads on it

@@ -213,6 +213,13 @@ void add_support(const LoadedStructure& real, const LoadedStructure& unit, const
     }
 }
 
+void require_prismatic(const Model& model, const Discretisation& structure)
+{
+    for (std::size_t i = 0; i < structure.members.size(); ++i)
+        if (!structure.properties_of(MemberId(i)).xy.taper.is_prismatic())
+            throw ModelError({Fault{FaultKind::WorkOfTaperedMember, {model.members[i].id}}});
+}
+
 } // namespace
 
 double Work::of(MemberId member) const
@@ -237,6 +244,7 @@ Work work_between(const Loading& real, const Loading& unit)
     Work work;
     const LoadedStructure under_loads(real), under_unit(unit);
     const Discretisation& structure = under_loads.structure();
+    require_prismatic(real.model, structure);
     for (std::size_t i = 0; i < structure.members.size(); ++i)
         MemberWork(under_loads, under_unit, MemberId(i), work).add(structure.kind);
     for (const Discretisation::SupportRow& support : structure.supports)

@@ -63,6 +63,7 @@ struct Work {
 ///         of `real`
 /// Signs   femoop/result/curve.h
 /// Units   the model's base units
+/// \throws ModelError  WorkOfTaperedMember
 /// Source  [Kassimali, ch. 7]; what a bar (truss) carries between its nodes strains it along its axis alone
 Work work_between(const Loading& real, const Loading& unit);
 
@@ -77,7 +78,7 @@ struct VirtualWork {
 };
 
 /// \param results  of the model  \pre the effect is a displacement that is sound (check_effect)
-/// \throws ModelError, MechanismError  as `analyse`, of the structure under the unit load
+/// \throws ModelError, MechanismError  as `analyse`, of the structure under the unit load, and as `work_between`
 VirtualWork displacement_by_work(const Model& model, const Results& results, CaseId load_case,
                                  const MovingEffect& displacement);
 

@@ -105,6 +105,9 @@ private:
     // foundation_check.cpp
     void check_foundation(const Member& member, const Entry& place);
 
+    // taper_check.cpp
+    void check_depths(const Member& member, const Entry& place);
+
     // shape_check.cpp
     void check_shape(const SectionShape& shape, const Entry& place);
     void check_profile(const std::string& profile, const Entry& place);

@@ -206,6 +206,7 @@ void Checker::check_member(const Member& member, const Entry& place)
     check_end(member, End::Finish, place);
     if (member.tension_only && member.compression_only) add(FaultKind::TensionAndCompressionOnly, place, {});
     else if (member.tension_only || member.compression_only) add(FaultKind::OneWayMember, place, {});
+    if (!member.depths.empty()) check_depths(member, place);
     if (member.foundation) check_foundation(member, place);
     if (is_located(member)) {
         check_length(member, place);

@@ -143,6 +143,12 @@ enum class FaultKind : std::uint8_t {
     TensionAndCompressionOnly,
     FoundationOfBar,
     FoundationTooStiff,
+    DepthCount,
+    DepthsOutsidePlaneFrame,
+    DepthsBeside,
+    DepthsOfSection,
+    DepthTooSmall,
+    DepthsTooDifferent,
     OneWayMember,
     UpNot3d,
     UpSize,
@@ -238,6 +244,8 @@ enum class FaultKind : std::uint8_t {
     RedundantsNone,       ///< the structure is determinate
     RedundantsUnstrained, ///< {0} redundants
     PrimaryMoves,         ///< {0} redundants
+
+    WorkOfTaperedMember, ///< {0} member: product integrals
 
     // how well the analysis could solve it
     InaccurateCase,     ///< {0} case, {1} how many digits hold

@@ -243,6 +243,18 @@ std::string_view pattern(FaultKind kind)
     case FaultKind::FoundationTooStiff:
         return "{0}: foundation y {1} is too stiff for the member of {2}; "
                "give {3} or less, or hold its nodes by supports instead";
+    case FaultKind::DepthCount:
+        return "{0}: found a list of {1} depths, wanted 2; give that at the first end and that at the second";
+    case FaultKind::DepthsOutsidePlaneFrame:
+        return "{0}: has depths, which are for members of frame2d; this is {1}: take them away";
+    case FaultKind::DepthsBeside: return "{0}: has depths and {1}, which do not go together yet; take one of them away";
+    case FaultKind::DepthsOfSection:
+        return "{0}: its depths cannot vary the section \"{1}\"; give it a shape rectangle, box, i or c by its "
+               "dimensions alone, not turned";
+    case FaultKind::DepthTooSmall:
+        return "{0}: depth {1} leaves no room between the flanges of section \"{2}\"; give more than {3}";
+    case FaultKind::DepthsTooDifferent:
+        return "{0}: depths {1} and {2} differ too much for one member; divide it, or give at most {3} times the smaller";
     case FaultKind::OneWayMember:
         return "{0}: takes tension only or compression only, which the linear analysis cannot follow: "
                "it counts as an ordinary member there";
@@ -405,6 +417,9 @@ std::string_view pattern(FaultKind kind)
     case FaultKind::RedundantsUnstrained:
         return "{0} strain nothing in the primary structure, so that no equation gives them; release other forces, or "
                "give inextensible and rigid members a stiffness";
+    case FaultKind::WorkOfTaperedMember:
+        return "member {0} is tapered, and its product integrals, which want one EI, are not worked yet; "
+               "take its depths away";
     case FaultKind::PrimaryMoves: return "without {0} the structure can move; release other forces";
     }
     return "";

@@ -53,6 +53,7 @@ public:
             springs(end->springs);
             for (Quantity& length : end->offset) number(length, dimension::length);
         }
+        for (Quantity& depth : member.depths) number(depth, dimension::length);
         number(member.foundation, dimension::stress);
     }
 

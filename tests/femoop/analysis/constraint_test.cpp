@@ -179,6 +179,7 @@ TEST_SUITE("constraints")
                     for (Model* model : {&exact, &stiff}) {
                         Member& member = model->members[i];
                         member.bar = false;
+                        member.depths.clear();
                         member.theory = BeamTheory::EulerBernoulli;
                         member.start.springs.clear();
                         member.end.springs.clear();
@@ -193,7 +194,7 @@ TEST_SUITE("constraints")
                         }
                     }
                     exact.members[i].rigid = true;
-                    stiff.members[i].section = SectionId(3);
+                    stiff.members[i].section = SectionId(stiff.sections.size() - 1);
                     ++n_rigid;
                 }
                 REQUIRE(n_rigid > 0);

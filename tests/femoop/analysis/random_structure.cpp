@@ -8,12 +8,13 @@ namespace {
 
 class Maker {
 public:
-    Maker(AnalysisKind kind, unsigned seed) : generator_(seed) { model_.analysis = kind; }
+    Maker(AnalysisKind kind, unsigned seed) : generator_(seed), tapers_(seed) { model_.analysis = kind; }
 
     Model make()
     {
         model_.add(Material{.id = "steel", .E = 2.1e8, .alpha = 1.2e-5, .density = 7.85});
         for (int i = 0; i < 3; ++i) add_section(i);
+        if (model_.analysis == AnalysisKind::Frame2d) add_shape();
         add_nodes();
         add_members();
         add_loads("P");
@@ -37,6 +38,16 @@ private:
                            .Asy = between(0.001, 0.008),
                            .Asz = between(0.001, 0.008),
                            .h = between(0.2, 0.5)});
+    }
+
+    void add_shape()
+    {
+        SectionShape welded{.kind = SectionShapeKind::I};
+        welded.h = 0.3;
+        welded.bf = 0.2;
+        welded.tf = 0.015;
+        welded.tw = 0.01;
+        model_.add(Section{.id = "welded", .shape = welded});
     }
 
     // A 3 x 3 board of nodes, shaken; in space two such boards above one another.
@@ -89,10 +100,20 @@ private:
             if (chance(0.4) && is_diagonal && model_.analysis != AnalysisKind::Grillage) member.bar = true;
             if (member.bar) member.start = member.end = {}, member.foundation.reset();
         }
+        if (model_.analysis == AnalysisKind::Frame2d && !member.bar && !member.foundation) taper(member);
         if (model_.nodes[a].hinge) member.start.springs.clear(); // the hinge has released what they would hold
         if (model_.nodes[b].hinge) member.end.springs.clear();
         if (is_3d(model_.analysis) && chance(0.3)) member.up = {0.3, 0.8, 0.5};
         model_.add(std::move(member));
+    }
+
+    /// By another generator, so that the rest of the structure is what it is without tapers.
+    void taper(Member& member)
+    {
+        std::uniform_real_distribution<double> depth(0.1, 0.8);
+        if (depth(tapers_) > 0.4) return;
+        member.section = SectionId(model_.sections.size() - 1);
+        member.depths = {depth(tapers_), depth(tapers_)};
     }
 
     std::vector<Quantity> arm()
@@ -162,8 +183,18 @@ private:
 
     Model model_;
     std::mt19937 generator_;
+    std::mt19937 tapers_;
 };
 
 } // namespace
 
 Model random_structure(AnalysisKind kind, unsigned seed) { return Maker(kind, seed).make(); }
+
+void make_prismatic(Model& model)
+{
+    for (Member& member : model.members) {
+        if (member.depths.empty()) continue;
+        member.depths.clear();
+        member.section = SectionId(0);
+    }
+}

@@ -19,6 +19,20 @@ MemberProperties properties(double shear, double foundation)
             .xz = {.EI = 2100.0, .shear_flexibility = 1.7 * shear}};
 }
 
+/// 1.6 times as deep at its second end.
+MemberProperties tapered_properties(double shear)
+{
+    constexpr double growth = 0.6 / L;
+    MemberProperties tapered = properties(shear, 0.0);
+    tapered.axial.taper = growth;
+    tapered.xy.taper = {.depth = growth,
+                        .area = growth,
+                        .shear_area = growth,
+                        .inertia = {3.0 * growth, 3.0 * growth * growth, growth * growth * growth},
+                        .longest_piece = 1.0 / growth / 6.0};
+    return tapered;
+}
+
 struct Case {
     std::string name;
     MemberProperties properties;
@@ -39,7 +53,8 @@ std::vector<Case> members()
          .properties = properties(0.0, 620.0),
          .end_conditions = {},
          .lost_forces = 0,
-         .on_foundation = true}};
+         .on_foundation = true},
+        {.name = "tapered", .properties = tapered_properties(1.0 / 910.0), .end_conditions = {}}};
     cases[2].end_conditions.has_flexible_joint = true;
     cases[2].end_conditions.joints[1][index(LocalAxis::rz)] = 0.0;
     cases[3].end_conditions.has_flexible_joint = true;

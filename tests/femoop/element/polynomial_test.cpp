@@ -64,6 +64,26 @@ TEST_SUITE("polynomial")
         CHECK(d[2] == -6.0);
     }
 
+    TEST_CASE("Shifted, a polynomial has the values that it has further on")
+    {
+        const Polynomial p{7.0, 5.0, 0.0, -2.0};
+        const Polynomial shifted = p.shifted(1.3);
+        for (const double t : {-0.7, 0.0, 2.9}) CHECK(shifted(t) == doctest::Approx(p(t + 1.3)));
+    }
+
+    TEST_CASE("A polynomial times its reciprocal is 1 within a sixth of the way to its nearest zero")
+    {
+        const Polynomial p{6.0, -5.0, 1.0}; // (2 - t)(3 - t)
+        for (const double t : {-1.0 / 3.0, 0.0, 0.1, 1.0 / 3.0})
+            CHECK(std::abs(p(t) * p.reciprocal()(t) - 1.0) <= 1e-15);
+    }
+
+    TEST_CASE("The second moment of 5 - 2 t over [0, 3] is 5 3^3 / 3 - 2 3^4 / 4")
+    {
+        CHECK(Polynomial{5.0, -2.0}.moment(2, 3.0) == doctest::Approx(5.0 * 9.0 - 81.0 / 2.0));
+        CHECK(Polynomial{5.0, -2.0}.moment(0, 3.0) == doctest::Approx(15.0 - 9.0));
+    }
+
     TEST_CASE("A polynomial refuses more terms than it has room for")
     {
         Polynomial p;

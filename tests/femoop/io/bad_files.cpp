@@ -44,6 +44,16 @@ std::string with_member_keys(std::string_view keys)
                         "}]");
 }
 
+/// Its section is an i whose flanges are 15 mm thick.
+std::string with_tapered(std::string_view keys)
+{
+    const std::string members = R"([{"id": "AB", "nodes": ["A", "B"], "material": "m", "section": "s", )" +
+                                std::string(keys) + "}]";
+    return File{.sections = R"([{"id": "s", "shape": "i", "h": 0.5, "bf": 0.2, "tf": 0.015, "tw": 0.01}])",
+                .members = members}
+        .text();
+}
+
 std::string with_support(std::string_view support)
 {
     return with_nodes(R"([{"id": "A", "at": [0, 0], "support": )" + std::string(support) +
@@ -471,6 +481,26 @@ std::vector<BadFile> files_with_bad_members()
         {with_member_keys(R"("bar": true, "foundation": {"y": 5000})"),
          "members[0] \"AB\": has a foundation but carries axial force only; "
          "take the foundation away or use a frame member"},
+        {with_member_keys(R"("depths": ["60 cm"])"),
+         "members[0].depths: found a list of 1 depths, wanted 2; give that at the first end and that at the second"},
+        {with_tapered(R"("depths": [0.6, 0])"), "members[0] \"AB\": depths is 0 m; give a value greater than 0"},
+        {with_member_keys(R"("depths": ["60 cm", "30 cm"])"),
+         "members[0] \"AB\": its depths cannot vary the section \"s\"; give it a shape rectangle, box, i or c by its "
+         "dimensions alone, not turned"},
+        {with_tapered(R"("bar": true, "depths": [0.6, 0.3])"),
+         "members[0] \"AB\": has depths and bar, which do not go together yet; take one of them away"},
+        {with_tapered(R"("foundation": {"y": 5000}, "depths": [0.6, 0.3])"),
+         "members[0] \"AB\": has depths and foundation, which do not go together yet; take one of them away"},
+        {with_tapered(R"("depths": [0.6, 0.03])"),
+         "members[0] \"AB\": depth 0.03 m leaves no room between the flanges of section \"s\"; give more than 0.03 m"},
+        {with_tapered(R"("depths": [30, 0.5])"),
+         "members[0] \"AB\": depths 30 m and 0.5 m differ too much for one member; divide it, or give at most 50 times "
+         "the smaller"},
+        {File{
+             .analysis = R"("truss2d")",
+             .members = R"([{"id": "AB", "nodes": ["A", "B"], "material": "m", "section": "s", "depths": [0.6, 0.3]}])"}
+             .text(),
+         "members[0] \"AB\": has depths, which are for members of frame2d; this is truss2d: take them away"},
         {with_member_keys(R"("theory": "bernoulli")"),
          "members[0].theory: \"bernoulli\" is none of euler-bernoulli, timoshenko; choose one of them"},
         {with_member_keys(R"("up": [0, 0, 1])"),

@@ -29,7 +29,7 @@ std::vector<std::string> json_blocks(const std::string& page)
 TEST_CASE("Every model shown in the reference of the model file is sound and can be solved")
 {
     const auto blocks = json_blocks("model-file.md");
-    REQUIRE(blocks.size() == 3);
+    REQUIRE(blocks.size() == 4);
     for (const std::string& block : blocks) {
         CAPTURE(block);
         const ModelReading reading = examine_model(block);

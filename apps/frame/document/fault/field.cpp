@@ -54,6 +54,7 @@ constexpr std::array entries{
     Entry{"members", "nodes", translatable("End"), translatable("End")},
     Entry{"members", "material", translatable("Material"), translatable("Material")},
     Entry{"members", "section", translatable("Section"), translatable("Section")},
+    Entry{"members", "depths", translatable("Depth h, start"), translatable("Depth h, start")},
     Entry{"members", "foundation", translatable("Elastic foundation"), translatable("Elastic foundation")},
     Entry{"members", "bar", translatable("Bar"), translatable("Bar")},
     Entry{"load_cases", "id", translatable("Name"), translatable("Load case")},
@@ -155,6 +156,12 @@ std::string key_of(const Fault& fault)
     case FaultKind::SameNodeTwice: return "nodes";
     case FaultKind::FoundationOfBar:
     case FaultKind::FoundationTooStiff: return "foundation";
+    case FaultKind::DepthCount:
+    case FaultKind::DepthsOutsidePlaneFrame:
+    case FaultKind::DepthsBeside:
+    case FaultKind::DepthsOfSection:
+    case FaultKind::DepthTooSmall:
+    case FaultKind::DepthsTooDifferent: return "depths";
     case FaultKind::LoadEndsBeforeStart: return "from";
     case FaultKind::ProjectedLocalLoad: return "axes";
     case FaultKind::TemperatureOfRigid:

@@ -125,6 +125,8 @@ bool is_value(FaultKind kind, std::size_t argument)
     case FaultKind::CentroidOutside:
     case FaultKind::LoadEndsBeforeStart: return argument == 1 || argument == 2;
     case FaultKind::FoundationTooStiff: return argument >= 1 && argument <= 3;
+    case FaultKind::DepthTooSmall: return argument == 1 || argument == 3;
+    case FaultKind::DepthsTooDifferent: return argument == 1 || argument == 2;
     case FaultKind::PositionBeforeStart:
     case FaultKind::PositionBeyondEnd: return argument == 2 || argument == 4;
     case FaultKind::TrussOffsetAcross: return argument >= 2 && argument <= 4;

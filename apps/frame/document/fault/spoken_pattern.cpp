@@ -95,6 +95,15 @@ std::string_view spoken_pattern(FaultKind kind)
     case FaultKind::FoundationTooStiff:
         return translatable("{0}: the elastic foundation {1} is too stiff for the member of {2}; "
                             "give {3} or less, or hold its nodes by supports instead");
+    case FaultKind::DepthsOutsidePlaneFrame:
+        return translatable(
+            "{0}: only members of a plane frame can be tapered, and this is a {1}; take its depths away");
+    case FaultKind::DepthsBeside:
+        return translatable("{0}: a tapered member cannot be a bar, rigid or on an elastic foundation yet; "
+                            "take one of the two away");
+    case FaultKind::DepthsOfSection:
+        return translatable("{0}: section {1} cannot be tapered; give it a rectangle, box, I or channel by its "
+                            "dimensions alone, not turned");
     case FaultKind::UpNot3d:
         return translatable("{0}: the direction up is for structures in space, and this is a {1}; take it away");
     case FaultKind::UpSize: return translatable("{0}: the direction up has {1} numbers, wanted 3; give x, y and z");

@@ -225,7 +225,8 @@ std::optional<BlankId> Form::find(Asked asked, std::size_t sheet, std::size_t st
 
 bool is_for_hand(const Problem& problem)
 {
-    return std::ranges::none_of(problem.members, &MemberAction::has_foundation);
+    return std::ranges::none_of(problem.members,
+                                [](const MemberAction& member) { return member.has_foundation || member.is_tapered; });
 }
 
 std::optional<Form> form_of(const Model& model, CaseId load_case, FarEnds far_ends, const FormOptions& options)

@@ -9,6 +9,7 @@
 #include "femoop/methods/cross/fraction.h"
 #include "femoop/methods/cross/kani.h"
 #include "femoop/methods/cross/rounding.h"
+#include "femoop/methods/cross/slope_deflection.h"
 #include "femoop/methods/cross/state_model.h"
 #include "femoop/methods/cross/superposition.h"
 #include "femoop/methods/cross/virtual_work.h"
@@ -51,6 +52,31 @@ const End& end(const Problem& problem, std::string_view label) { return problem[
 constexpr double EI = 20000.0;
 
 } // namespace
+
+/// A fixed, B on a roller, C fixed; both spans are 90 cm deep at the walls and 45 cm over B.
+Model haunches()
+{
+    FrameMaker made;
+    made.node("A", 0, 0, fixed).node("B", 4, 0, roller).node("C", 9, 0, fixed);
+    made.member("A", "B").member("B", "C").uniform("AB", -20).point("BC", 2, -50);
+    SectionShape rectangle;
+    rectangle.b = 0.3;
+    rectangle.h = 0.9;
+    made.model.sections[0] = Section{.id = "haunch", .shape = rectangle};
+    made.model.members[0].depths = {0.9, 0.45};
+    made.model.members[1].depths = {0.45, 0.9};
+    return made.model;
+}
+
+TEST_CASE("Stiffness and carry-over of a tapered member are its own, and the sheet ends at the exact moments")
+{
+    const Problem problem = problem_of(haunches(), CaseId(0));
+    CHECK(end(problem, "BA").carry_over > 0.8); // towards the deep end
+    CHECK(formula(problem, *problem.find_end("BA")).empty());
+    const Comparison comparison = compare(haunches(), problem, slope_deflection(haunches(), problem).moments);
+    for (std::size_t e = 0; e < problem.ends.size(); ++e)
+        CHECK(comparison.limit[e] == Approx(comparison.stiffness[e]).epsilon(1e-9));
+}
 
 TEST_CASE("Ends towards a pin or an overhang take 3EI/L, the overhang itself takes nothing")
 {

@@ -136,8 +136,8 @@ TEST_CASE("On a foundation a stretch is its member's closed form")
     model.members[1].foundation = 4000.0;
     const InfluenceLine line = line_of(model, force(model, "BC", MemberComponent::Mz, 2.5));
     REQUIRE(line.stretches.size() == 3);
-    CHECK_FALSE(line.stretches[0].is_on_foundation);
-    CHECK(line.stretches[1].is_on_foundation);
+    CHECK_FALSE(line.stretches[0].is_series);
+    CHECK(line.stretches[1].is_series);
     CHECK(line.stretches[2].from == doctest::Approx(7.5));
     CHECK(line.stretches[2].to == doctest::Approx(12.0));
 }
