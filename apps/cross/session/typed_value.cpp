@@ -136,6 +136,7 @@ void consider_stiffnesses(Nearest& nearest, const Session& session, const Drawn&
     if (!text.ends_with("EI")) return;
     const Model& model = session.document().model;
     for (std::size_t m = 0; m < model.members.size(); ++m) {
+        if (stiffness_of(*session.solution().task, femoop::MemberId(m)) == 0.0) continue;
         const auto& nodes = model.members[m].nodes;
         const ui::Point middle = 0.5 * (drawn.nodes[nodes[0].index].at + drawn.nodes[nodes[1].index].at);
         nearest.consider(femoop::MemberId(m), ui::distance(middle, nearest.at()));

@@ -10,7 +10,7 @@ namespace cross {
 double stiffness_of(const Task& task, femoop::MemberId member)
 {
     const femoop::cross::MemberAction& action = task.problem.members[member.index];
-    return action.EI_over_L * action.length;
+    return action.is_tapered ? 0.0 : action.EI_over_L * action.length;
 }
 
 double smallest_stiffness(const Task& task)
@@ -24,6 +24,7 @@ double smallest_stiffness(const Task& task)
 
 std::string stiffness_text(const Task& task, femoop::MemberId member, const ui::NumberFormat& format)
 {
+    if (task.problem.members[member.index].is_tapered) return "EI(x)";
     constexpr double same = 1e-6;
     const double EI = stiffness_of(task, member), smallest = smallest_stiffness(task);
     if (!(EI > 0.0)) return "";

@@ -66,21 +66,18 @@ void draw_foundation(const Scene& scene, femoop::MemberId id)
                     .size = sketch.theme().type().small});
 }
 
-/// The outline of a tapered member as deep as it is, its sections' height to the structure's scale.
+/// A tapered member as deep as it is, to the structure's scale.
 void draw_depths(const Scene& scene, femoop::MemberId id)
 {
     const MemberShape& shape = scene.shape[id];
     const std::vector<femoop::Quantity>& depths = scene.model[id].depths;
-    const ui::Point across = scene.projection.direction(shape.y());
-    const auto edge = [&](double side) {
-        const auto at = [&](const Eigen::Vector3d& end, double depth) {
-            return scene.projection(end) + side * 0.5 * depth * scene.projection.scale() * across;
-        };
-        return std::array{at(shape.start, depths[0]), at(shape.end, depths[1])};
+    const auto half = [&](std::size_t end) {
+        return 0.5 * depths[end] * scene.projection.scale() * scene.projection.direction(shape.y());
     };
-    const std::array upper = edge(1.0), lower = edge(-1.0);
-    const std::vector<ui::Point> outline{upper[0], upper[1], lower[1], lower[0], upper[0]};
-    scene.sketch.polyline(outline, scene.sketch.stroke(ui::Role::Undeformed), Clearance::Soft);
+    const ui::Point a = scene.projection(shape.start), b = scene.projection(shape.end);
+    const ui::LayerScope layer(scene.sketch.painter(), ui::Layer::Areas);
+    scene.sketch.polygon({a + half(0), b + half(1), b - half(1), a - half(0)},
+                         scene.sketch.theme().fill(ui::Role::Support), Clearance::None);
 }
 
 void draw_strain_mark(const Scene& scene, femoop::MemberId id)
