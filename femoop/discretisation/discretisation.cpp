@@ -6,6 +6,7 @@
 #include <numbers>
 #include <unordered_map>
 
+#include "femoop/discretisation/taper_of.h"
 #include "femoop/geometry/member_geometry.h"
 #include "femoop/section/section_properties.h"
 #include "femoop/section/tapered_section.h"

@@ -75,7 +75,7 @@ void draw_depths(const Scene& scene, femoop::MemberId id)
         return 0.5 * depths[end] * scene.projection.scale() * scene.projection.direction(shape.y());
     };
     const ui::Point a = scene.projection(shape.start), b = scene.projection(shape.end);
-    const ui::LayerScope layer(scene.sketch.painter(), ui::Layer::Areas);
+    const ui::LayerScope layer(scene.sketch.painter(), ui::Layer::Grid);
     scene.sketch.polygon({a + half(0), b + half(1), b - half(1), a - half(0)},
                          scene.sketch.theme().fill(ui::Role::Support), Clearance::None);
 }

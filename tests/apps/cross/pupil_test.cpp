@@ -170,7 +170,7 @@ TEST_CASE("A beam on elastic ground is no exercise, since no hand finds its fact
     REQUIRE(!session.solution().task->problem.joints.empty());
     const auto reason = session.why_no_own_exercise();
     REQUIRE(reason.has_value());
-    CHECK(ui::Catalogue()(*reason) == "on an elastic foundation no hand finds the stiffness factors");
+    CHECK(ui::Catalogue()(*reason) == "on an elastic foundation and along a taper no hand finds the stiffness factors");
 }
 
 TEST_CASE("The table of a sheet that is right has every balance that was filled in")
