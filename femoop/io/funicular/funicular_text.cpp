@@ -1,0 +1,181 @@
+#include "femoop/io/funicular/funicular_text.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+
+#include "femoop/geometry/node_position.h"
+#include "femoop/model/fault/fault.h"
+#include "femoop/model/quantity/dimension.h"
+#include "femoop/model/quantity/number_text.h"
+#include "femoop/model/quantity/six_digits.h"
+#include "femoop/model/quantity/unit_signs.h"
+#include "femoop/tabular/plain_text.h"
+
+namespace femoop::funicular {
+
+namespace {
+
+constexpr std::size_t indent = 2;
+constexpr double negligible = 1e-9; // of the span, of the largest moment
+
+/// Numbers with the units of the model, what is rounding beside `size` as 0.
+class Printer {
+public:
+    Printer(const Model& model, const Translator& tr) : model_(model), tr_(tr) {}
+
+    std::string number(double value, double size) const
+    {
+        if (std::abs(value) <= negligible * size) return "0";
+        return (value < 0.0 ? "−" : "") + six_digits(std::abs(value), tr_);
+    }
+    std::string factor(double value, double size) const ///< behind a sign of multiplication or division
+    {
+        const std::string text = number(value, size);
+        return text.starts_with("−") ? "(" + text + ")" : text;
+    }
+    std::string operator()(double value, Dimension dimension, double size) const
+    {
+        return number(value, size) + " " + unit(dimension);
+    }
+    std::string unit(Dimension dimension) const { return printed_unit(dimension, model_.units); }
+
+private:
+    const Model& model_;
+    const Translator& tr_;
+};
+
+std::string chain_text(const Chain& chain, const Model& model, const Translator& tr)
+{
+    std::vector<std::string> names;
+    for (const Chain::Link& link : chain.links) names.push_back(model[link.member].id);
+    return fill(tr("Funicular over {0} from {1} to {2}"),
+                {listed(names), model[chain.nodes.front()].id, model[chain.nodes.back()].id}, tr(translatable("and")));
+}
+
+std::string thrust_line(const Funicular& funicular, const Model& model, const Translator& tr)
+{
+    const Printer text(model, tr);
+    const Extreme& most = funicular.span.largest_moment();
+    const std::string pattern = funicular.H > 0.0 ? tr("thrust H = M0 / f = {0} / {1} = {2}, M0 largest at x = {3}")
+                                                  : tr("pull: H = M0 / f = {0} / {1} = {2}, M0 largest at x = {3}");
+    return fill(pattern,
+                {text.number(most.value, 0.0), text.factor(funicular.rise(), 0.0),
+                 text(funicular.H, dimension::force, 0.0), text(most.x, dimension::length, funicular.span.length())});
+}
+
+std::string reactions_line(const Funicular& funicular, const Chain& chain, const Model& model, const Translator& tr)
+{
+    const Printer text(model, tr);
+    const double left = funicular.span.left_reaction(), right = funicular.span.right_reaction();
+    const double size = std::abs(left) + std::abs(right);
+    return fill(tr("reactions of the simple beam: {0} at {1}, {2} at {3}"),
+                {text(left, dimension::force, size), model[chain.nodes.front()].id, text(right, dimension::force, size),
+                 model[chain.nodes.back()].id});
+}
+
+bool passes_hinges(const Funicular& funicular, const Chain& chain)
+{
+    const auto is_on = [&](const Eigen::Vector2d& place) {
+        return std::abs(funicular.height(place.x()) - place.y()) <= negligible * chain.span();
+    };
+    return is_on(chain.left()) && is_on(chain.right()) && is_on(*chain.hinge);
+}
+
+tabular::Table table(const Funicular& funicular, const Chain& chain, const Model& model, const Translator& tr)
+{
+    const Printer text(model, tr);
+    const std::string length = text.unit(dimension::length), moment = text.unit(dimension::moment);
+    tabular::Table table(std::vector<tabular::Column>{tabular::Column(tr("node")),
+                                                      {"x", length},
+                                                      {"M0", moment},
+                                                      {"η = M0 / H", length},
+                                                      {"e", length},
+                                                      {"H e", moment}});
+    for (const NodeId node : chain.nodes) {
+        const Eigen::Vector3d place = position_of(model, node);
+        const double e = funicular.height(place.x()) - place.y();
+        const double shown_e = std::abs(e) <= negligible * chain.span() ? 0.0 : e;
+        table.add_row({model[node].id, place.x(), funicular.span.moment(place.x()), funicular.ordinate(place.x()),
+                       shown_e, funicular.H * shown_e});
+    }
+    return table;
+}
+
+} // namespace
+
+std::string sentence(const Refusal& refusal, const Model& model, const Translator& tr)
+{
+    const auto member = [&](std::size_t i) { return model[refusal.members.at(i)].id; };
+    const auto place = [&] {
+        return refusal.nodes.empty() ? fill(tr("member {0}"), {member(0)})
+                                     : fill(tr("node {0}"), {model[refusal.nodes.front()].id});
+    };
+    const Printer text(model, tr);
+    const auto amount = [&](Dimension of) {
+        return text(refusal.value, of, 0.0) +
+               (refusal.is_distributed ? "/" + text.unit(dimension::length) : std::string());
+    };
+    switch (refusal.kind) {
+    case RefusalKind::NotPlaneFrame:
+        return fill(tr("a funicular is drawn in a plane frame, and this is a {0}; make the model a frame2d"),
+                    {std::string(name(model.analysis))});
+    case RefusalKind::NoMember:
+        return tr("no member runs from left to right; draw an arch or a beam, or select the members of one");
+    case RefusalKind::Upright:
+        return fill(tr("member {0} stands upright, and a chain runs from left to right; select members without it"),
+                    {member(0)});
+    case RefusalKind::Fork:
+        return fill(tr("members {0} and {1} go the same way from node {2}, so they are no chain; select the members of "
+                       "one arch or beam"),
+                    {member(0), member(1), model[refusal.nodes.front()].id});
+    case RefusalKind::Apart:
+        return fill(tr("no members lead from {0} to {1}, so they are no chain; select the members of one arch or beam"),
+                    {member(0), member(1)});
+    case RefusalKind::NoCase: return tr("the model has no load case, so there is nothing to carry; add a load");
+    case RefusalKind::NotVertical:
+        return fill(
+            tr("the load on {0} has a horizontal part of {1}, and a funicular carries vertical loads alone; show "
+               "another load case, or turn the load"),
+            {place(), amount(dimension::force)});
+    case RefusalKind::Couple:
+        return fill(
+            tr("the load on {0} is a moment of {1}, and a funicular carries vertical loads alone; show another load "
+               "case, or take the moment away"),
+            {place(), amount(dimension::moment)});
+    case RefusalKind::NoLoad: break;
+    }
+    return tr("no vertical load acts between the ends of the chain; show another load case, or add a load");
+}
+
+std::vector<std::string> funicular_lines(const Funicular& funicular, const Chain& chain, const Model& model,
+                                         const Translator& tr)
+{
+    std::vector<std::string> lines{thrust_line(funicular, model, tr), reactions_line(funicular, chain, model, tr)};
+    if (chain.is_three_hinged_arch && passes_hinges(funicular, chain))
+        lines.front() += "; " + tr("the line of thrust of the arch");
+    return lines;
+}
+
+std::string reading_line(const Funicular& funicular, const Chain& chain, double x, const Model& model,
+                         const Translator& tr)
+{
+    const Printer text(model, tr);
+    const double most = std::abs(funicular.span.largest_moment().value), length = chain.span();
+    const double M0 = funicular.span.moment(x), eta = funicular.ordinate(x), e = funicular.height(x) - chain.height(x);
+    const std::string H = text.number(funicular.H, 0.0);
+    return fill(tr("at x = {0}: M0 = H η = {1} · {2} = {3}; as line of thrust M = H e = {1} · {4} "
+                   "= {5}"),
+                {text(x, dimension::length, length), H, text.factor(eta, length), text(M0, dimension::moment, most),
+                 text.factor(e, length),
+                 text(funicular.H * e, dimension::moment, std::max(most, std::abs(funicular.H) * length))});
+}
+
+std::string funicular_text(const Funicular& funicular, const Chain& chain, const Model& model, const Translator& tr)
+{
+    std::string text = chain_text(chain, model, tr) + "\n";
+    for (const std::string& line : funicular_lines(funicular, chain, model, tr)) text += line + "\n";
+    return text + "\n" + tabular::plain_text(table(funicular, chain, model, tr), {indent, decimal_mark(tr)}) + "\n";
+}
+
+} // namespace femoop::funicular

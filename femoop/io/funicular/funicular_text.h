@@ -1,0 +1,29 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "femoop/methods/funicular/chain.h"
+#include "femoop/methods/funicular/funicular.h"
+#include "femoop/methods/funicular/refusal.h"
+#include "femoop/model/fault/translator.h"
+#include "femoop/model/model.h"
+
+namespace femoop::funicular {
+
+/// Why not, and what to do; lower case, without a period.
+std::string sentence(const Refusal& refusal, const Model& model, const Translator& tr);
+
+/// How H comes of the rise, the reactions of the simple beam, and of a three-hinged arch whether this is its line of
+/// thrust: a line each.
+std::vector<std::string> funicular_lines(const Funicular& funicular, const Chain& chain, const Model& model,
+                                         const Translator& tr);
+
+/// What is read at a place: the ordinate, M0 = H times it, and the moment of an arch whose line of thrust this is.
+std::string reading_line(const Funicular& funicular, const Chain& chain, double x, const Model& model,
+                         const Translator& tr);
+
+/// The chain and its lines, then the ordinates at its nodes as a table.
+std::string funicular_text(const Funicular& funicular, const Chain& chain, const Model& model, const Translator& tr);
+
+} // namespace femoop::funicular

@@ -1,0 +1,63 @@
+#include "femoop/io/funicular/funicular_text.h"
+
+#include <doctest/doctest.h>
+
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "femoop/io/model_file.h"
+
+using namespace femoop;
+using namespace femoop::funicular;
+
+TEST_SUITE("funicular")
+{
+    TEST_CASE("A funicular is told with how its thrust comes of the rise, and what is read at a place")
+    {
+        const Model model = read_model_file("examples/three_hinged_arch.json");
+        const Discretisation structure = discretise(model);
+        const Chain chain = chain_of(structure, members_across(structure));
+        const SimpleSpan span(0.0, 24.0, vertical_loads(model, structure, chain, CaseId(1))); // 100 at x = 6
+        const Funicular funicular{span, {0.0, 0.0}, 50.0};
+        const std::vector<std::string> lines = funicular_lines(funicular, chain, model, english);
+        REQUIRE(lines.size() == 2);
+        CHECK(lines[0] == "thrust H = M0 / f = 450 / 9 = 50 kN, M0 largest at x = 6 m; the "
+                          "line of thrust of the arch");
+        CHECK(lines[1] == "reactions of the simple beam: 75 kN at A, 25 kN at I");
+        CHECK(reading_line(funicular, chain, 6.0, model, english) ==
+              "at x = 6 m: M0 = H η = 50 · 9 = 450 kN·m; as line of thrust M = H e = 50 · 4.5 = "
+              "225 kN·m");
+        const std::string cable = funicular_lines({span, {0.0, 0.0}, -90.0}, chain, model, english).front();
+        CHECK(cable == "pull: H = M0 / f = 450 / (−5) = −90 kN, M0 largest at x = 6 m");
+    }
+
+    TEST_CASE("In words it has the ordinates at the nodes, and the moments off the axis there")
+    {
+        const Model model = read_model_file("examples/three_hinged_arch.json");
+        const Discretisation structure = discretise(model);
+        const Chain chain = chain_of(structure, members_across(structure));
+        const SimpleSpan span(0.0, 24.0, vertical_loads(model, structure, chain, CaseId(1)));
+        const std::string text = funicular_text({span, {0.0, 0.0}, 50.0}, chain, model, english);
+        CHECK(text.starts_with("Funicular over AB, BC, CD, DE, EF, FG, GH and HI from A to I\n"));
+        std::istringstream lines(text.substr(text.find("  B ")));
+        std::string name;
+        double x = 0.0, M0 = 0.0, eta = 0.0, e = 0.0, M = 0.0;
+        lines >> name >> x >> M0 >> eta >> e >> M;
+        CHECK(x == 3.0);
+        CHECK(M0 == doctest::Approx(75.0 * 3.0));
+        CHECK(eta == doctest::Approx(75.0 * 3.0 / 50.0));
+        CHECK(e == doctest::Approx(4.5 - 2.625));
+        CHECK(M == doctest::Approx(50.0 * (4.5 - 2.625)));
+    }
+
+    TEST_CASE("A refusal names the load, and what to do")
+    {
+        const Model model = read_model_file("examples/three_hinged_arch.json");
+        const Refusal pushed{
+            .kind = RefusalKind::NotVertical, .members = {MemberId(2)}, .value = -7.5, .is_distributed = true};
+        CHECK(sentence(pushed, model, english) ==
+              "the load on member CD has a horizontal part of −7.5 kN/m, and a funicular carries vertical loads alone; "
+              "show another load case, or turn the load");
+    }
+}
