@@ -19,6 +19,7 @@ class DiagramOverlay;
 struct CremonaPicture;
 struct EnvelopePicture;
 struct FreeBodyPicture;
+struct FunicularPicture;
 struct InfluencePicture;
 
 /// One of the motions of a structure that cannot be solved.
@@ -60,6 +61,8 @@ struct DrawInput {
     /// Of trains, drawn in place of that of the cases where the options ask for an envelope; none when null.
     const EnvelopePicture* envelope = nullptr;
     const CremonaPicture* cremona = nullptr; ///< drawn where Show::Cremona is; none when null
+    /// Drawn where Show::ForcePolygon is, in place of the results; none when null. \pre of the case that is shown
+    const FunicularPicture* funicular = nullptr;
 };
 
 } // namespace drawing

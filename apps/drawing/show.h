@@ -22,12 +22,13 @@ enum class Show : std::uint8_t {
     My,
     Mz,
     Deformed,
-    Thrust,      ///< the line of thrust of a plane frame
-    Influence,   ///< the influence line that the input has; no word of a list asks for it
-    Cremona,     ///< the truss and its Cremona diagram that the input has; no word asks for it either
-    NodeNumbers, ///< those that the input has, likewise
-    Values,      ///< numbers beside loads, reactions and diagrams
-    StepValues,  ///< numbers along diagrams at equal steps (DrawOptions::steps)
+    Thrust,       ///< the line of thrust of a plane frame
+    Influence,    ///< the influence line that the input has; no word of a list asks for it
+    Cremona,      ///< the truss and its Cremona diagram that the input has; no word asks for it either
+    ForcePolygon, ///< the funicular and its force polygon that the input has, likewise
+    NodeNumbers,  ///< those that the input has, likewise
+    Values,       ///< numbers beside loads, reactions and diagrams
+    StepValues,   ///< numbers along diagrams at equal steps (DrawOptions::steps)
     NodeNames,
     MemberNames,
     Dimensions,      ///< of the whole structure, in chains around it

@@ -112,11 +112,16 @@ std::string sign_note(const Scene& scene, MemberComponent component)
     return femoop::is_truss(scene.model.analysis) ? tr("(T) tension, (C) compression") : tr("tension positive");
 }
 
-// A round number whose bar is 24 to 60 pixels long.
-void add_bar(PanelHead& head, const Scene& scene, double pixels_per_unit, const ui::DisplayUnit& unit)
+struct BarScale {
+    double pixels_per_unit;
+    double longest = 60.0; ///< [px]
+};
+
+// A round number whose bar is not much shorter than the longest.
+void add_bar(PanelHead& head, const Scene& scene, const BarScale& scale, const ui::DisplayUnit& unit)
 {
-    const double shown = round_below(60.0 / pixels_per_unit * unit.factor);
-    head.bar = shown / unit.factor * pixels_per_unit;
+    const double shown = round_below(scale.longest / scale.pixels_per_unit * unit.factor);
+    head.bar = shown / unit.factor * scale.pixels_per_unit;
     head.bar_text = ui::number_text(shown, scene.options.numbers) + (unit.name.empty() ? "" : " ") + unit.name;
 }
 
@@ -219,7 +224,7 @@ PanelHead diagram_head(const Scene& scene, const std::vector<Diagram>& diagrams)
     head.note = first.largest > 0.0 ? sign_note(scene, first.component) : scene.options.tr("zero everywhere");
     const bool is_truss_force = femoop::is_truss(scene.model.analysis) && first.component == MemberComponent::N;
     if (first.is_zero() || is_truss_force) return head;
-    add_bar(head, scene, first.pixels_per_unit, unit);
+    add_bar(head, scene, {first.pixels_per_unit}, unit);
     return head;
 }
 
@@ -234,7 +239,7 @@ PanelHead influence_head(const Scene& scene, const InfluencePicture& picture, co
     if (!(scale.largest > 0.0)) head.note = tr("zero everywhere");
     if (!(scale.largest > 0.0)) return head;
     if (is_concealed(picture)) return head;
-    add_bar(head, scene, scale.pixels_per_unit, {unit.name, unit.factor});
+    add_bar(head, scene, {scale.pixels_per_unit}, {unit.name, unit.factor});
     if (picture.traced) return head;
     head.note = extremes_text(scene, picture.line.ordinates, unit);
     join(head.note, areas_text(scene.units, picture, tr));
@@ -260,6 +265,14 @@ PanelHead thrust_head(const Scene& scene, const std::optional<LargestEccentricit
         head.note = tr(
             "e = −M/N from the axis; at most {e} in {member}",
             {{"e", scene.text(largest->value, ui::Measure::Length)}, {"member", scene.model[largest->member].id}});
+    return head;
+}
+
+PanelHead force_diagram_head(const Scene& scene, const std::string& name, double pixels_per_unit)
+{
+    const ui::DisplayUnit unit = scene.units.unit(ui::Measure::Force);
+    PanelHead head{.name = name + " [" + unit.name + "]", .note = {}};
+    if (pixels_per_unit > 0.0) add_bar(head, scene, {.pixels_per_unit = pixels_per_unit, .longest = 90.0}, unit);
     return head;
 }
 

@@ -28,6 +28,8 @@ PanelHead diagram_head(const Scene& scene, const std::vector<Diagram>& diagrams)
 PanelHead deformed_head(const Scene& scene, double scale);
 PanelHead thrust_head(const Scene& scene, const std::optional<LargestEccentricity>& largest);
 PanelHead influence_head(const Scene& scene, const InfluencePicture& picture, const InfluenceScale& scale);
+/// Of a diagram of forces: its unit and its scale.
+PanelHead force_diagram_head(const Scene& scene, const std::string& name, double pixels_per_unit);
 PanelHead structure_head(const Scene& scene);
 
 } // namespace drawing

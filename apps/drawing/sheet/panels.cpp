@@ -10,12 +10,19 @@ namespace {
 constexpr std::array results{Show::Influence, Show::N,  Show::V,  Show::Vy,       Show::Vz,    Show::M,
                              Show::T,         Show::My, Show::Mz, Show::Deformed, Show::Thrust};
 
-/// The truss with its names, and beside it the diagram.
+/// The structure, and beside it a diagram of forces that says the rest.
+std::vector<ShowSet> with_diagram(ShowSet structure, Show diagram)
+{
+    for (const Show item : results) structure.erase(item);
+    for (const Show item : {Show::Reactions, diagram}) structure.erase(item);
+    return {structure, (structure & ShowSet{Show::Values, Show::Legend}) | ShowSet{diagram}};
+}
+
+/// The truss with its names draws its forces itself.
 std::vector<ShowSet> truss_contents(ShowSet show)
 {
-    for (const Show item : results) show.erase(item);
-    for (const Show item : {Show::Loads, Show::Reactions, Show::Cremona}) show.erase(item);
-    return {show, (show & ShowSet{Show::Values, Show::Legend}) | ShowSet{Show::Cremona}};
+    show.erase(Show::Loads);
+    return with_diagram(show, Show::Cremona);
 }
 
 } // namespace
@@ -23,6 +30,7 @@ std::vector<ShowSet> truss_contents(ShowSet show)
 std::vector<ShowSet> panel_contents(const PanelRequest& request)
 {
     if (request.show.contains(Show::Cremona)) return truss_contents(request.show);
+    if (request.show.contains(Show::ForcePolygon)) return with_diagram(request.show, Show::ForcePolygon);
     std::vector<Show> shown;
     for (const Show item : results)
         if (request.show.contains(item)) shown.push_back(item);

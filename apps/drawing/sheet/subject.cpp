@@ -8,6 +8,7 @@
 #include "apps/drawing/results/envelope_cases.h"
 #include "apps/drawing/results/envelope_reactions.h"
 #include "apps/drawing/results/free_body_picture.h"
+#include "apps/drawing/results/funicular_picture.h"
 #include "apps/drawing/results/influence_picture.h"
 #include "apps/drawing/results/mechanism_picture.h"
 #include "apps/drawing/results/reactions.h"
@@ -95,6 +96,23 @@ public:
         draw_truss(scene_, picture);
         heads_.push_back(truss_head(scene_));
         draw_structure();
+        finish();
+    }
+
+    void draw_funicular_beside(const FunicularPicture& picture)
+    {
+        if (scene_.shows(Show::ForcePolygon)) {
+            const ui::Box panel = ui::box_at(scene_.projection.shift(), size_);
+            draw_force_polygon(scene_, picture, panel);
+            heads_.push_back(force_polygon_head(scene_, picture, panel));
+            return;
+        }
+        draw_highlights(scene_);
+        draw_members(scene_, Presence::Subject);
+        draw_funicular(scene_, picture);
+        heads_.push_back(funicular_head(scene_, picture));
+        draw_structure();
+        if (scene_.shows(Show::Loads)) draw_loads(scene_);
         finish();
     }
 
@@ -366,7 +384,7 @@ Subject::Plan Subject::plan(ui::Size sheet, const ui::Fonts& fonts) const
     constexpr double clearly = 1.02;
     const std::vector<ShowSet> contents = this->contents();
     const ui::Box room = area(sheet, fonts);
-    if (shows_cremona()) { // beside one another, as a class compares them
+    if (has_diagram()) { // beside one another, as a class compares them
         std::vector<Panel> both = panels(contents, room, room.width() > room.height() ? 2 : 1);
         Camera camera = state_.camera ? *state_.camera : fitted(both, fonts);
         return {std::move(both), std::move(camera)};
@@ -389,6 +407,7 @@ std::vector<Eigen::Vector3d> Subject::fitted_points() const
 {
     std::vector<Eigen::Vector3d> points = shape_.nodes;
     if (input_.free_body) std::ranges::move(places_of(*input_.free_body, shape_), std::back_inserter(points));
+    if (shows_funicular()) std::ranges::move(places_of(*input_.funicular), std::back_inserter(points));
     if (options_.show.contains(Show::DrawnDimensions)) {
         const std::vector<Eigen::Vector3d> ends = ends_of_dimensions(input_.model, input_.dimensions);
         points.insert(points.end(), ends.begin(), ends.end());
@@ -420,7 +439,7 @@ ui::Margins Subject::needed_margins(const std::vector<Panel>& panels, const Came
     ui::Margins margins{edge, edge, edge, edge};
     const ui::Size size = panels.front().box.size();
     for (const Panel& panel : panels) {
-        if (panel.show.contains(Show::Cremona)) continue; // which fits itself
+        if (is_diagram(panel)) continue; // which fits itself
         ui::Painter scratch(size, fonts);
         const Panel at_origin{ui::box_at({}, size), panel.show, panel.line};
         const Drawn drawn = draw_panel(scratch, at_origin, camera, Pass::Measure);
@@ -527,6 +546,7 @@ Subject::Drawn Subject::draw_panel(ui::Painter& painter, const Panel& panel, con
     if (!has_place && !shows_any(panel.show, diagrams)) picture.draw_overlay_alone();
     if (input_.free_body != nullptr) picture.draw_lifted(*input_.free_body);
     else if (shows_cremona()) picture.draw_cremona(*input_.cremona);
+    else if (shows_funicular()) picture.draw_funicular_beside(*input_.funicular);
     else if (const auto& motion = input_.motion) picture.draw_mechanism(motion->all[motion->shown]);
     else picture.draw_solved(cases().shown ? &*cases().shown : nullptr, envelope());
     Drawn drawn{.bounds = sketch.bounds(), .tight_bounds = sketch.tight_bounds(), .mark_bounds = sketch.mark_bounds()};
@@ -641,6 +661,11 @@ void Subject::draw_left_out(ui::Painter& painter, std::size_t n_left_out) const
 
 bool Subject::has_no_results() const { return input_.motion || !input_.reasons.empty(); }
 bool Subject::shows_cremona() const { return input_.cremona != nullptr && options_.show.contains(Show::Cremona); }
+bool Subject::shows_funicular() const
+{
+    return input_.funicular != nullptr && options_.show.contains(Show::ForcePolygon);
+}
+bool Subject::has_diagram() const { return shows_cremona() || shows_funicular(); }
 
 bool Subject::has_curve() const { return input_.influence != nullptr && input_.influence->curve; }
 
@@ -657,7 +682,8 @@ ui::TextStyle Subject::foot_style() const
 // What comes first is the number, or what it all says.
 ui::Weight Subject::weight_in_foot(bool is_first) const
 {
-    return is_first && !has_no_results() && !input_.free_body ? ui::Weight::Bold : ui::Weight::Regular;
+    return is_first && !has_no_results() && !input_.free_body && !shows_funicular() ? ui::Weight::Bold
+                                                                                    : ui::Weight::Regular;
 }
 
 namespace {
@@ -703,6 +729,7 @@ std::vector<std::string> Subject::foot_sentences() const
     else if (!input_.reasons.empty()) sentences = input_.reasons;
     else if (input_.free_body) sentences = input_.free_body->equations;
     else if (shows_cremona()) sentences = stage_sentence(input_.cremona->n_stages);
+    else if (shows_funicular()) sentences = input_.funicular->sentences;
     else if (input_.influence) sentences = line_sentences();
     else if (has_overlay_text()) sentences = input_.overlay->foot({input_.model, shape_, units_, options_.tr});
     if (input_.counting && options_.show.contains(Show::Counting))

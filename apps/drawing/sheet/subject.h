@@ -84,10 +84,12 @@ private:
                                    const Panel& panel) const;
     bool has_no_results() const;
     bool shows_cremona() const;
+    bool shows_funicular() const;
+    bool has_diagram() const; ///< of forces, beside the structure
     bool has_curve() const;
     bool has_overlay_text() const;
     /// What stands at the foot of the sheet: how the structure moves, why it has no results, the
-    /// equations of a free body, the stage of a Cremona diagram, what the overlay says of
+    /// equations of a free body, the stage of a Cremona diagram, what is read of a funicular, what the overlay says of
     /// the moments, or what is said of an influence line, under the curve of its train.
     void draw_foot(ui::Painter& painter) const;
     void draw_left_out(ui::Painter& painter, std::size_t n_left_out) const;

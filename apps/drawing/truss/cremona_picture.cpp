@@ -1,7 +1,7 @@
 #include "apps/drawing/truss/cremona_picture.h"
 
 #include "apps/drawing/loads/forces.h"
-#include "apps/drawing/results/solved_case.h"
+#include "apps/drawing/sheet/legend.h"
 #include "apps/drawing/structure/members.h"
 #include "apps/drawing/structure/supports.h"
 #include "femoop/io/truss/truss_sentence.h"
@@ -239,7 +239,10 @@ private:
 class ReciprocalDrawing {
 public:
     ReciprocalDrawing(const Scene& scene, const CremonaPicture& picture, const ui::Box& panel)
-        : scene_(scene), picture_(picture), plan_(picture.diagram, panel, scene.sketch.theme()), sides_(sides())
+        : scene_(scene),
+          picture_(picture),
+          plan_(plan_of(picture.diagram, panel, scene.sketch.theme())),
+          sides_(sides())
     {}
 
     void draw() const
@@ -401,27 +404,11 @@ PanelHead truss_head(const Scene& scene)
             .note = tr("full line: tension (T) · dashes: compression (C) · dots: no force")};
 }
 
-DiagramPlan::DiagramPlan(const femoop::truss::Reciprocal& diagram, const ui::Box& panel, const ui::Theme& theme)
+DiagramPlan plan_of(const femoop::truss::Reciprocal& diagram, const ui::Box& panel, const ui::Theme& theme)
 {
-    Vector2d least = diagram.spaces.front().point, most = least;
-    for (const femoop::truss::Space& space : diagram.spaces) {
-        least = least.cwiseMin(space.point);
-        most = most.cwiseMax(space.point);
-    }
-    const double edge = 3.2 * theme.type().normal, head = 3.4 * theme.type().normal;
-    const ui::Box room{{panel.min.x + edge, panel.min.y + head}, {panel.max.x - edge, panel.max.y - edge}};
-    const Vector2d size = most - least;
-    const double x = size.x() > 0.0 ? room.width() / size.x() : std::numeric_limits<double>::infinity();
-    const double y = size.y() > 0.0 ? room.height() / size.y() : std::numeric_limits<double>::infinity();
-    scale_ = std::max(std::min(x, y), 0.0);
-    middle_ = 0.5 * (least + most);
-    center_ = room.center();
-}
-
-ui::Point DiagramPlan::operator()(const Vector2d& force) const
-{
-    const Vector2d from_middle = scale_ * (force - middle_);
-    return center_ + ui::Point{from_middle.x(), -from_middle.y()};
+    std::vector<Vector2d> points;
+    for (const femoop::truss::Space& space : diagram.spaces) points.push_back(space.point);
+    return DiagramPlan(points, panel, theme);
 }
 
 void draw_reciprocal(const Scene& scene, const CremonaPicture& picture, const ui::Box& panel)
@@ -431,14 +418,8 @@ void draw_reciprocal(const Scene& scene, const CremonaPicture& picture, const ui
 
 PanelHead reciprocal_head(const Scene& scene, const CremonaPicture& picture, const ui::Box& panel)
 {
-    const ui::DisplayUnit unit = scene.units.unit(ui::Measure::Force);
-    const double scale = DiagramPlan(picture.diagram, panel, scene.sketch.theme()).scale();
-    PanelHead head{.name = scene.options.tr("Cremona diagram") + " [" + unit.name + "]", .note = {}};
-    if (!(scale > 0.0)) return head;
-    const double shown = round_below(90.0 / scale * unit.factor);
-    head.bar = shown / unit.factor * scale;
-    head.bar_text = ui::number_text(shown, scene.options.numbers) + " " + unit.name;
-    return head;
+    return force_diagram_head(scene, scene.options.tr("Cremona diagram"),
+                              plan_of(picture.diagram, panel, scene.sketch.theme()).scale());
 }
 
 std::optional<MemberId> side_at(const CremonaPicture& picture, const DiagramPlan& plan, ui::Point at, double reach)

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "apps/drawing/geometry/diagram_plan.h"
 #include "apps/drawing/sheet/panel_head.h"
 #include "apps/drawing/sketch/scene.h"
 #include "femoop/methods/truss/reciprocal.h"
@@ -30,20 +31,8 @@ CremonaPicture cremona_picture(const femoop::Model& model, const femoop::truss::
 void draw_truss(const Scene& scene, const CremonaPicture& picture);
 PanelHead truss_head(const Scene& scene);
 
-/// Takes points of the diagram, which are forces, to the sheet.
-class DiagramPlan {
-public:
-    /// As large as the panel allows, with room for the head and the names of points.
-    DiagramPlan(const femoop::truss::Reciprocal& diagram, const ui::Box& panel, const ui::Theme& theme);
-
-    ui::Point operator()(const Eigen::Vector2d& force) const;
-    double scale() const { return scale_; } ///< logical pixels per unit of force
-
-private:
-    Eigen::Vector2d middle_;
-    ui::Point center_;
-    double scale_ = 1.0;
-};
+/// Of the points of its spaces.
+DiagramPlan plan_of(const femoop::truss::Reciprocal& diagram, const ui::Box& panel, const ui::Theme& theme);
 
 /// The diagram: each side with the line of its bar, the points with the small letters of their spaces.
 void draw_reciprocal(const Scene& scene, const CremonaPicture& picture, const ui::Box& panel);

@@ -429,7 +429,7 @@ void Canvas::point_at_diagram(Session& session, const Panel& panel, ui::Point at
     constexpr double reach = 8.0; // [px]
     const CremonaPicture* const diagram = shown_diagram(session);
     if (diagram == nullptr) return;
-    const DiagramPlan plan(diagram->diagram, panel.box, ui::Theme(session.view.theme));
+    const DiagramPlan plan = drawing::plan_of(diagram->diagram, panel.box, ui::Theme(session.view.theme));
     const auto bar = side_at(*diagram, plan, at, reach);
     if (bar) session.draw_state.hover.members.push_back(*bar);
     if (!is_pressed()) return;

@@ -38,7 +38,7 @@ TEST_CASE("The pointer on the middle of a side means its bar, on a point that ma
 {
     const femoop::Model model = view_test::example("truss");
     const CremonaPicture picture = diagram_of(model);
-    const DiagramPlan plan(picture.diagram, {{0.0, 0.0}, {400.0, 400.0}}, ui::Theme(ui::ThemeName::Light));
+    const DiagramPlan plan = plan_of(picture.diagram, {{0.0, 0.0}, {400.0, 400.0}}, ui::Theme(ui::ThemeName::Light));
     for (std::size_t i = 0; i < picture.truss.bars.size(); ++i) {
         const auto& [left, right] = picture.diagram.bar_spaces[i];
         const ui::Point middle = 0.5 * (plan(picture.diagram[left].point) + plan(picture.diagram[right].point));
