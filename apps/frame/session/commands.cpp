@@ -4,6 +4,7 @@
 #include "apps/frame/session/derivation_commands.h"
 #include "apps/frame/session/edit_commands.h"
 #include "apps/frame/session/free_body_commands.h"
+#include "apps/frame/session/funicular_commands.h"
 #include "apps/frame/session/influence_commands.h"
 #include "apps/frame/session/kind_commands.h"
 #include "apps/frame/session/load_commands.h"
@@ -293,6 +294,7 @@ CommandTable command_table()
     add_predict_commands(table);
     add_influence_commands(table);
     add_free_body_commands(table);
+    add_funicular_commands(table);
     add_train_commands(table);
     add_truss_commands(table);
     add_derivation_commands(table);

@@ -7,6 +7,7 @@
 #include "apps/frame/document/drawing.h"
 #include "apps/frame/session/clipboard_commands.h"
 #include "apps/frame/session/free_body_commands.h"
+#include "apps/frame/session/funicular_commands.h"
 #include "apps/frame/session/in_plane.h"
 #include "apps/frame/session/influence_commands.h"
 #include "apps/frame/session/predict_commands.h"
@@ -36,6 +37,7 @@ constexpr std::array tool_entries{
     ToolEntry{ToolKind::Predict, "draw.predict", translatable("Predict the moments"), {{Key::K, {}}}},
     ToolEntry{ToolKind::Influence, "draw.influence", translatable("Influence line"), {{Key::I, {}}}},
     ToolEntry{ToolKind::FreeBody, "draw.free_body", translatable("Free body"), {{Key::B, {}}}},
+    ToolEntry{ToolKind::Funicular, "draw.funicular", translatable("Funicular"), {{Key::F, ui::shift}}},
 };
 
 Reason why_not_choose_tool(const Workspace& workspace, ToolKind tool)
@@ -43,6 +45,7 @@ Reason why_not_choose_tool(const Workspace& workspace, ToolKind tool)
     if (tool == ToolKind::Predict) return why_not_predict(workspace);
     if (tool == ToolKind::Influence) return why_no_influence_line(workspace);
     if (tool == ToolKind::FreeBody) return why_no_free_body(workspace);
+    if (tool == ToolKind::Funicular) return why_no_funicular(workspace);
     if (tool != ToolKind::Dimension || is_in_plane(workspace)) return std::nullopt;
     return translatable("dimension lines stand in plane structures alone");
 }
@@ -101,10 +104,12 @@ void give_up(Workspace& workspace)
         return workspace.session.prediction.clear();
     if (workspace.tool_controller.kind() == ToolKind::Influence) workspace.session.influence.clear();
     if (workspace.tool_controller.kind() == ToolKind::FreeBody) workspace.session.free_body.clear();
+    if (workspace.tool_controller.kind() == ToolKind::Funicular) workspace.session.funicular.clear();
     if (workspace.tool_controller.escape()) return;
     if (workspace.session.cremona.is_on()) return workspace.session.cremona.close();
     workspace.session.influence.clear();
     workspace.session.free_body.clear();
+    workspace.session.funicular.clear();
     workspace.session.selection.clear();
     workspace.session.pin.reset();
     workspace.session.notice.reset();
@@ -223,6 +228,7 @@ constexpr std::array snap_switches{
 void choose_tool(Workspace& workspace, ToolKind tool)
 {
     if (tool == ToolKind::Predict) begin_to_predict(workspace);
+    else if (tool == ToolKind::Funicular) begin_funicular(workspace);
     else workspace.tool_controller.select(tool);
 }
 

@@ -16,6 +16,7 @@
 #include "femoop/files/whole_file.h"
 #include "femoop/io/counting/counting_text.h"
 #include "femoop/io/free_body/free_body_text.h"
+#include "femoop/io/funicular/funicular_text.h"
 #include "femoop/io/model_file.h"
 #include "femoop/io/results/results_table.h"
 #include "femoop/io/truss/truss_sentence.h"
@@ -61,6 +62,7 @@ void Session::restart(Document document)
     prediction.clear();
     influence.clear();
     free_body.clear();
+    funicular.clear();
     cremona.close();
     view.load_case = femoop::CaseId(0);
     draw_state.camera.reset();
@@ -433,6 +435,17 @@ std::string free_body_text(const Session& session)
     return "\n" + femoop::free_body::free_body_text(body->lifted, session.model(), body->about, session.tr());
 }
 
+/// Of the funicular, or why there is none.
+std::string funicular_text(const Session& session)
+{
+    if (!session.funicular.is_on(session.model()) || session.view.is_envelope) return {};
+    const ui::Catalogue& tr = session.view.tr;
+    const auto* const shown = session.funicular.picture(session.model(), session.generation(), session.view);
+    if (shown == nullptr)
+        return "\n" + tr("No funicular: {reason}.", {{"reason", session.funicular.why_none()}}) + "\n";
+    return "\n" + femoop::funicular::funicular_text(shown->funicular, shown->chain, session.model(), tr);
+}
+
 /// Of trains, or why there is none.
 std::string train_envelope_text(const Session& session)
 {
@@ -484,7 +497,7 @@ std::string description(const Session& session)
         words += "\n" + tr("Case {case} has no results.", {{"case", session.model().case_name(one.id)}}) + "\n";
         for (const femoop::Fault& fault : one.faults) words += sentence(fault, tr) + "\n";
     }
-    words += counting_text(session) + free_body_text(session);
+    words += counting_text(session) + free_body_text(session) + funicular_text(session);
     if (session.cremona.is_on()) words += "\n" + diagram_text(session);
     if (session.shows_train_envelope()) words += "\n" + train_envelope_text(session);
     else if (shown.is_envelope)

@@ -20,6 +20,7 @@
 #include "apps/frame/document/selection.h"
 #include "apps/frame/document/solution.h"
 #include "apps/frame/free_body/asked_body.h"
+#include "apps/frame/funicular/asked_funicular.h"
 #include "apps/frame/influence/asked_envelope.h"
 #include "apps/frame/influence/asked_line.h"
 #include "apps/frame/predict/prediction.h"
@@ -115,6 +116,7 @@ public:
     bool is_animated = false;
     KeptCounting counting;         ///< of the degree of indeterminacy, where it is shown
     AskedBody free_body;           ///< that is lifted out in place of the results of a case
+    AskedFunicular funicular;      ///< likewise
     AskedLine influence;           ///< that is looked at in place of the results of a case
     AskedEnvelope train_envelope;  ///< that takes the place of the cases' where the view shows an envelope
     AskedDiagram cremona;          ///< likewise, of a plane truss

@@ -22,6 +22,7 @@
 namespace frame {
 
 class AskedBody;
+class AskedFunicular;
 class AskedLine;
 class Prediction;
 
@@ -79,9 +80,10 @@ struct Work {
     Prediction* prediction = nullptr; ///< that may be sketched; null while results are seen
     /// That is sketched in place of moments; null: none.
     const drawing::InfluencePicture* sketched_line = nullptr;
-    AskedLine* influence = nullptr; ///< that a tool may ask for
-    AskedBody* free_body = nullptr; ///< likewise
-    ui::DisplayUnits units{};       ///< of what is typed
+    AskedLine* influence = nullptr;      ///< that a tool may ask for
+    AskedBody* free_body = nullptr;      ///< likewise
+    AskedFunicular* funicular = nullptr; ///< likewise
+    ui::DisplayUnits units{};            ///< of what is typed
 };
 
 /// What a tool shows before it changes anything.

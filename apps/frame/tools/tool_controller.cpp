@@ -4,6 +4,7 @@
 
 #include "apps/frame/tools/dimension_tool.h"
 #include "apps/frame/tools/free_body_tool.h"
+#include "apps/frame/tools/funicular_tool.h"
 #include "apps/frame/tools/influence_tool.h"
 #include "apps/frame/tools/load_tool.h"
 #include "apps/frame/tools/member_tool.h"
@@ -32,6 +33,7 @@ std::unique_ptr<Tool> tool_of(ToolKind kind, const ToolSettings& settings)
     case ToolKind::Delete: return std::make_unique<DeleteTool>();
     case ToolKind::Predict: return std::make_unique<PredictTool>(settings);
     case ToolKind::FreeBody: return std::make_unique<FreeBodyTool>();
+    case ToolKind::Funicular: return std::make_unique<FunicularTool>();
     case ToolKind::Influence: return std::make_unique<InfluenceTool>();
     }
     return std::make_unique<SelectTool>();

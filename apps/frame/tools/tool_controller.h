@@ -22,6 +22,7 @@ enum class ToolKind : std::uint8_t {
     Predict,
     Influence,
     FreeBody,
+    Funicular,
     Paste
 };
 

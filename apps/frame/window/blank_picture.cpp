@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "apps/frame/document/fault/sentence.h"
+#include "apps/frame/session/funicular_commands.h"
 #include "apps/frame/session/truss_commands.h"
 #include "apps/frame/window/no_results.h"
 #include "ui/paint/label/oriented_box.h"
@@ -84,6 +85,13 @@ std::vector<std::string> why_no_diagram(const Session& session)
 {
     if (!session.cremona.is_on() || shown_diagram(session) != nullptr || session.cremona.why_none().empty()) return {};
     return {session.view.tr("No Cremona diagram: {reason}.", {{"reason", session.cremona.why_none()}})};
+}
+
+std::vector<std::string> why_no_funicular_shown(const Session& session)
+{
+    if (!session.funicular.is_on(session.model()) || session.hidden || session.view.is_envelope) return {};
+    if (shown_funicular(session) != nullptr || session.funicular.why_none().empty()) return {};
+    return {session.view.tr("No funicular: {reason}.", {{"reason", session.funicular.why_none()}})};
 }
 
 void draw_loose_part(ui::Painter& painter, const Session& session, const DrawOptions& options,

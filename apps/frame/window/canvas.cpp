@@ -13,6 +13,7 @@
 #include "apps/drawing/draw.h"
 #include "apps/drawing/reading.h"
 #include "apps/drawing/results/envelope_band.h"
+#include "apps/frame/session/funicular_commands.h"
 #include "apps/frame/session/load_commands.h"
 #include "apps/frame/session/snapping.h"
 #include "apps/frame/session/train_commands.h"
@@ -89,6 +90,14 @@ DrawOptions with_diagram(DrawOptions options)
     return options;
 }
 
+// Beside the force polygon stand the loads alone.
+DrawOptions with_funicular(DrawOptions options)
+{
+    options.show = options.show & ShowSet{Show::Values, Show::NodeNames, Show::DrawnDimensions, Show::Legend};
+    for (const Show item : {Show::Loads, Show::ForcePolygon}) options.show.insert(item);
+    return options;
+}
+
 // The steps beside the structure say what its head would, in the room that it needs.
 DrawOptions with_node_numbers(DrawOptions options)
 {
@@ -115,6 +124,7 @@ DrawOptions looked_at(const Workspace& workspace)
     }
     if (lifted_body(session) != nullptr) return with_free_body(std::move(options));
     if (shown_diagram(session) != nullptr) return with_diagram(std::move(options));
+    if (shown_funicular(session) != nullptr) return with_funicular(std::move(options));
     if (options.is_envelope) options.show = options.show - ShowSet{Show::Loads, Show::Deformed};
     if (explained_step(workspace) != nullptr) return with_node_numbers(std::move(options));
     return options;
@@ -173,6 +183,11 @@ DrawInput input_of(const Workspace& workspace, const DrawOptions& options, const
                 .free_body = body};
     if (const auto* const diagram = shown_diagram(session))
         return {.model = session.model(), .results = session.shown_results(), .cremona = diagram};
+    if (const auto* const funicular = shown_funicular(session))
+        return {.model = session.model(),
+                .results = session.shown_results(),
+                .dimensions = session.document().companion.dimensions,
+                .funicular = funicular};
     DrawInput input{.model = session.model(),
                     .reference = session.reference.get(),
                     .dimensions = session.document().companion.dimensions,
@@ -188,6 +203,7 @@ DrawInput input_of(const Workspace& workspace, const DrawOptions& options, const
     input.envelope = shown_envelope(session);
     input.reasons = why_blank(session);
     if (input.reasons.empty()) input.reasons = why_no_diagram(session);
+    if (input.reasons.empty()) input.reasons = why_no_funicular_shown(session);
     if (input.reasons.empty()) input.reasons = why_no_train_values(session);
     return input;
 }
@@ -216,7 +232,8 @@ void Canvas::fit(Session& session)
 bool Canvas::FittedFor::serves(const FittedFor& wanted) const
 {
     const bool has_room = (has_pencil || !wanted.has_pencil) && (has_train || !wanted.has_train) &&
-                          free_body == wanted.free_body && n_lines == wanted.n_lines && lent <= wanted.lent;
+                          free_body == wanted.free_body && funicular == wanted.funicular && n_lines == wanted.n_lines &&
+                          lent <= wanted.lent;
     const bool is_tight = std::ranges::equal(factors, wanted.factors, std::ranges::less_equal());
     return session == wanted.session && sheet == wanted.sheet && layout == wanted.layout && theme == wanted.theme &&
            is_in_space == wanted.is_in_space && has_diagram == wanted.has_diagram && has_room && is_tight;
@@ -232,7 +249,8 @@ Canvas::FittedFor Canvas::wanted_fit(const Session& session, const DrawOptions& 
             is_sketched(session),
             session.influence.standing() != nullptr,
             lifted_body(session) != nullptr ? session.free_body.number() : 0,
-            options.show.contains(Show::Cremona),
+            options.show.contains(Show::ForcePolygon) ? session.funicular.number() : 0,
+            options.show.contains(Show::Cremona) || options.show.contains(Show::ForcePolygon),
             session.shown_line() != nullptr ? session.influence.kept_pictures().size() : 0,
             {options.diagram_factor, options.load_factor, options.symbol_factor},
             lent_};
@@ -304,7 +322,7 @@ bool Canvas::is_all_in_sight(const Workspace& workspace) const
 ui::Point Canvas::corner_of_panel(ui::Point at) const
 {
     for (const Panel& panel : plan_.panels) {
-        if (panel.box.contains(at) && !panel.show.contains(Show::Cremona)) return panel.box.min;
+        if (panel.box.contains(at) && !is_diagram(panel)) return panel.box.min;
     }
     return plan_.panels.empty() ? ui::Point{} : plan_.panels.front().box.min;
 }
@@ -389,7 +407,8 @@ void Canvas::follow(Workspace& workspace, const Pointer& pointer)
     settings.load_case = session.view.load_case;
     settings.load = entry_of(settings.load, session.model().analysis).load; // another tab may lack its direction
     settings.moment_side = session.view.moment_side;
-    const bool reads_results = session.shown_results() && !session.cremona.is_on();
+    const bool reads_results = session.shown_results() && !session.cremona.is_on() &&
+                               shown_funicular(session) == nullptr;
     Pick under = pick(shape_, projection, pointer.at, reads_results ? session.view.show : ShowSet{});
     if (under.cut) under.cut = snapped(session, shape_, *under.cut, pixels_along(projection, *under.cut));
     const bool asks_for_menu = ImGui::IsMouseReleased(ImGuiMouseButton_Right) && !is_moving_view();
@@ -418,8 +437,8 @@ void Canvas::follow(Workspace& workspace, const Pointer& pointer)
 
 const Panel* Canvas::diagram_at(ui::Point at) const
 {
-    const auto panel = std::ranges::find_if(
-        plan_.panels, [&](const Panel& one) { return one.show.contains(Show::Cremona) && one.box.contains(at); });
+    const auto panel = std::ranges::find_if(plan_.panels,
+                                            [&](const Panel& one) { return is_diagram(one) && one.box.contains(at); });
     return panel != plan_.panels.end() ? &*panel : nullptr;
 }
 
@@ -615,7 +634,7 @@ void Canvas::draw_cut(const Session& session, const DrawOptions& options, const 
                       const SeenCut& seen, ui::Painter& painter) const
 {
     const bool is_method_shown = session.influence.is_on(session.model()) || session.free_body.is_on(session.model()) ||
-                                 shown_diagram(session) != nullptr;
+                                 shown_diagram(session) != nullptr || shown_funicular(session) != nullptr;
     if (session.hidden || is_method_shown) return;
     const ui::Point at = Projection(picture.plan.camera, seen.panel)(shape_[seen.cut.member].at(seen.cut.x));
     const drawing::ReadingCard card{.plan = picture.plan, .cut = seen.cut, .beside = at, .top = picture.legend_bottom};

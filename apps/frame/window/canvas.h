@@ -65,7 +65,7 @@ private:
     void draw_cut(const Session& session, const DrawOptions& options, const Subject::Picture& picture,
                   const SeenCut& seen, ui::Painter& painter) const;
     void ask_at_envelope(Workspace& workspace, const Cut& section);
-    /// The panel of a Cremona diagram that lies there; null where none does.
+    /// The panel of a diagram of forces that lies there; null where none does.
     const Panel* diagram_at(ui::Point at) const;
     void point_at_diagram(Session& session, const Panel& panel, ui::Point at);
     void look_at_region(Workspace& workspace);
@@ -88,7 +88,8 @@ private:
         bool has_pencil;               ///< a guess needs room beside the structure
         bool has_train;                ///< and a standing train for its forces and its curve
         std::size_t free_body;         ///< and each free body for its forces: its number, 0 where none is lifted
-        bool has_diagram;              ///< which takes half the sheet
+        std::size_t funicular;         ///< likewise
+        bool has_diagram;              ///< of forces, which takes half the sheet
         std::size_t n_lines;           ///< that are kept, each in a panel
         std::array<double, 3> factors; ///< of diagrams, loads and symbols: what shrinks gives its room back
         double lent;                   ///< height that a notice took of the sheet: it comes back with it

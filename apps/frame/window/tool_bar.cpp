@@ -314,6 +314,7 @@ std::string_view hint(ToolKind tool, bool is_in_space)
     case ToolKind::Predict: return translatable("Draw beside the members; H reveals.");
     case ToolKind::Influence: return translatable("Click a section or a support; drag the section along. R: trains");
     case ToolKind::FreeBody: return translatable("Click a part, or draw a cut; V: its other side");
+    case ToolKind::Funicular: return translatable("Drag the rings; point to read. Shift+J: through the hinge");
     case ToolKind::Paste: return translatable("Click where it goes, or type the place: 6,4  @3,2");
     case ToolKind::Delete: break;
     }
@@ -337,7 +338,8 @@ void tool_bar(Workspace& workspace, const CommandTable& commands, ui::ImGuiSessi
     const float top = ImGui::GetCursorPosY() + 0.125F * ImGui::GetFrameHeight();
     const ui::Theme theme(workspace.session.view.theme);
     for (const ToolEntry& entry : tools()) {
-        if (entry.value == ToolKind::FreeBody) continue; // found in the menu: it changes nothing
+        const bool changes_nothing = entry.value == ToolKind::FreeBody || entry.value == ToolKind::Funicular;
+        if (changes_nothing) continue; // found in the menu
         tool_button(workspace, commands, entry, gui, fonts, theme);
         ImGui::SameLine(0.0F, 0.15F * em);
     }

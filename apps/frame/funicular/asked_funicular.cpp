@@ -1,0 +1,133 @@
+#include "apps/frame/funicular/asked_funicular.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "femoop/io/funicular/funicular_text.h"
+
+namespace frame {
+
+using namespace femoop::funicular;
+using drawing::FunicularHandle;
+
+bool AskedFunicular::is_on(const femoop::Model& model) const
+{
+    const auto is_there = [&](const std::string& name) { return model.find_member(name).has_value(); };
+    return is_on_ && (members_.empty() || std::ranges::any_of(members_, is_there));
+}
+
+void AskedFunicular::clear()
+{
+    const std::size_t next = number_ + 1;
+    *this = {};
+    number_ = next;
+}
+
+void AskedFunicular::ask(const femoop::Model& model, const std::vector<femoop::MemberId>& members)
+{
+    std::vector<std::string> names;
+    for (const femoop::MemberId member : members) names.push_back(model[member].id);
+    if (is_on(model) && (names.empty() || names == members_)) return;
+    clear();
+    is_on_ = true;
+    members_ = std::move(names);
+}
+
+void AskedFunicular::pick(const femoop::Model& model, femoop::MemberId member, bool adds)
+{
+    const std::string& name = model[member].id;
+    std::vector<std::string> names = adds ? members_ : std::vector<std::string>();
+    if (std::erase(names, name) == 0) names.push_back(name);
+    clear();
+    is_on_ = true;
+    members_ = std::move(names);
+}
+
+void AskedFunicular::drag(FunicularHandle handle, double height)
+{
+    constexpr double least_share = 0.002; // of the span: of no rise at all H would be infinite
+    const Funicular now = funicular();
+    rise_ = now.rise();
+    is_stale_ = true;
+    if (handle == FunicularHandle::LeftEnd) over_ends_.left = height - basis_->chain.left().y();
+    if (handle == FunicularHandle::RightEnd) over_ends_.right = height - basis_->chain.right().y();
+    if (handle != FunicularHandle::Rise) return;
+    const double rise = height - now.closing(now.span.largest_moment().x), least = least_share * now.span.length();
+    rise_ = std::abs(rise) < least ? std::copysign(least, rise) : rise;
+}
+
+void AskedFunicular::read_at(std::optional<double> x)
+{
+    is_stale_ = is_stale_ || x != reading_;
+    reading_ = x;
+}
+
+void AskedFunicular::lead_through_crown()
+{
+    over_ends_ = {};
+    rise_.reset();
+    is_stale_ = true;
+}
+
+std::vector<femoop::MemberId> AskedFunicular::members(const femoop::Model& model) const
+{
+    std::vector<femoop::MemberId> found;
+    for (const std::string& name : members_)
+        if (const auto member = model.find_member(name)) found.push_back(*member);
+    return found;
+}
+
+Funicular AskedFunicular::funicular() const
+{
+    const Chain& chain = basis_->chain;
+    const ClosingLine line{chain.left().y() + over_ends_.left, chain.right().y() + over_ends_.right};
+    const double H = rise_ ? thrust_of_rise(basis_->span, *rise_) : usual_thrust(chain, basis_->span);
+    return {basis_->span, line, H};
+}
+
+const drawing::FunicularPicture* AskedFunicular::picture(const femoop::Model& model, std::uint64_t generation,
+                                                         const drawing::DrawOptions& options) const
+{
+    const Subject subject{generation, options.load_case, options.tr.language()};
+    if (subject_ == subject && !is_stale_) return last();
+    if (subject_ != subject) find(model, options);
+    subject_ = subject;
+    is_stale_ = false;
+    picture_.reset();
+    if (basis_) draw(model, options);
+    return last();
+}
+
+void AskedFunicular::find(const femoop::Model& model, const drawing::DrawOptions& options) const
+{
+    basis_.reset();
+    why_none_.clear();
+    if (!is_on(model)) return;
+    const femoop::Discretisation structure = discretise(model);
+    const std::vector<femoop::MemberId> chosen = members_.empty() ? members_across(structure) : members(model);
+    auto refusal = why_no_chain(structure, chosen);
+    if (!refusal) {
+        Chain chain = chain_of(structure, chosen);
+        refusal = why_no_vertical_loads(model, structure, chain, options.load_case);
+        if (!refusal) {
+            SimpleSpan span(chain.left().x(), chain.right().x(),
+                            vertical_loads(model, structure, chain, options.load_case));
+            basis_ = {std::move(chain), std::move(span)};
+        }
+    }
+    if (refusal) why_none_ = sentence(*refusal, model, options.tr);
+}
+
+void AskedFunicular::draw(const femoop::Model& model, const drawing::DrawOptions& options) const
+{
+    picture_ = drawing::FunicularPicture{.chain = basis_->chain, .funicular = funicular()};
+    const Funicular& shown = picture_->funicular;
+    if (reading_ && *reading_ >= shown.span.from() && *reading_ <= shown.span.to()) picture_->reading = reading_;
+    picture_->sentences = funicular_lines(shown, basis_->chain, model, options.tr);
+    picture_->sentences.push_back(picture_->reading
+                                      ? reading_line(shown, basis_->chain, *reading_, model, options.tr)
+                                      : options.tr("Point at a place of the span: M0 and M are read there."));
+}
+
+} // namespace frame
