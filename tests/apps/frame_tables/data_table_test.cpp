@@ -246,7 +246,7 @@ TEST_SUITE("frame tables")
     TEST_CASE("A block that is wider than the table is refused")
     {
         const Document document = starting_document();
-        const Filled result = pasted(document, TableKind::Members, {.row = 0, .column = 11}, "1\t2\t3\n");
+        const Filled result = pasted(document, TableKind::Members, {.row = 0, .column = 13}, "1\t2\t3\n");
         CHECK(result.document == document);
         REQUIRE(result.faults.size() == 1);
     }
