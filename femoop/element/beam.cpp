@@ -39,7 +39,7 @@ Eigen::Matrix2d Beam::chord_stiffness(double L) const
     return S * (EI / (L * (1.0 + shear)));
 }
 
-// By the unit-load theorem, with M = -m1 (1 - x/L) + m2 x/L and V = (m1 + m2) / L.
+// By the unit-load theorem [Kassimali, ch. 7], with M = -m1 (1 - x/L) + m2 x/L and V = (m1 + m2) / L.
 Eigen::Matrix2d Beam::tapered_chord_stiffness(double L) const
 {
     SpanLoading pieces;
