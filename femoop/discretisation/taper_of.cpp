@@ -28,13 +28,12 @@ Taper taper_of(const Section& section, double first, double second, double lengt
     const auto [B, w, t] = walls_of(*section.shape);
     const double slope = (second - first) / length, opening = first - 2.0 * t;
     const double A = w * first + 2.0 * (B - w) * t;
-    const double twelve_I = B * std::pow(first, 3) - (B - w) * std::pow(opening, 3);
+    const double Iz_12 = B * std::pow(first, 3) - (B - w) * std::pow(opening, 3);
     Taper taper;
     taper.depth = taper.shear_area = slope / first;
     taper.area = w * slope / A;
-    taper.inertia = {3.0 * slope * (B * first * first - (B - w) * opening * opening) / twelve_I,
-                     3.0 * slope * slope * (B * first - (B - w) * opening) / twelve_I,
-                     slope * slope * slope * w / twelve_I};
+    taper.inertia = {3.0 * slope * (B * first * first - (B - w) * opening * opening) / Iz_12,
+                     3.0 * slope * slope * (B * first - (B - w) * opening) / Iz_12, slope * slope * slope * w / Iz_12};
     // No zero of Iz, as a complex function of h, has a real part above t; those of A and Asy have none above 0.
     constexpr double share = 1.0 / 6.0; // of the way to the nearest zero
     if (slope != 0.0) taper.longest_piece = share * (std::min(first, second) - t) / std::abs(slope);
