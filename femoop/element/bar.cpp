@@ -1,7 +1,8 @@
 #include "femoop/element/bar.h"
 
-#include <algorithm>
 #include <cmath>
+
+#include "femoop/element/polynomial_product.h"
 
 namespace femoop {
 
@@ -31,8 +32,7 @@ Bar::Series Bar::tapered_series(const State& begin, const SpanPiece& piece, cons
     const Polynomial flexibility = Polynomial{EA * (1.0 + taper * piece.begin), EA * taper}.reciprocal();
     Series s{.u = {begin.u}, .N = N};
     for (std::size_t n = 0; n + 1 < Polynomial::max_terms; ++n) {
-        double du = n == 0 ? strain : 0.0;
-        for (std::size_t k = 0; k < std::min(N.n_terms(), n + 1); ++k) du += N[k] * flexibility[n - k];
+        const double du = (n == 0 ? strain : 0.0) + product_coefficient(N, flexibility, n);
         s.u.append(du / static_cast<double>(n + 1));
     }
     return s;

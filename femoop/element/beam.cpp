@@ -1,19 +1,19 @@
 #include "femoop/element/beam.h"
 
 #include <Eigen/LU>
-#include <algorithm>
 #include <cmath>
 #include <limits>
+
+#include "femoop/element/polynomial_product.h"
+#include "femoop/element/strain_form.h"
 
 namespace femoop {
 
 Eigen::Matrix4d Beam::stiffness(double L) const
 {
     if (!taper.is_prismatic()) {
-        Eigen::Matrix<double, 2, 4> rotations;    // of the ends against the chord
-        rotations << 1.0 / L, 1.0, -1.0 / L, 0.0, //
-            1.0 / L, 0.0, -1.0 / L, 1.0;
-        return rotations.transpose() * chord_stiffness(L) * rotations;
+        const StrainForm form = strain_form(*this, L, BendingPlane::xy);
+        return form.B.transpose() * form.S * form.B;
     }
     const double shear = 12.0 * EI * shear_flexibility / (L * L);
     const double k = EI / (L * L * L * (1.0 + shear));
@@ -86,15 +86,10 @@ Beam::Series Beam::tapered_series(const State& begin, const SpanPiece& piece, Be
     const Polynomial bending = bending_flexibility(piece.begin);
     const Polynomial shearing = shear_flexibility > 0.0 ? shearing_flexibility(piece.begin) : Polynomial{0.0};
     const Polynomial depth = Polynomial{1.0, taper.depth}.shifted(piece.begin).reciprocal();
-    const auto product = [](const Polynomial& a, const Polynomial& b, std::size_t n) { // its coefficient n
-        double sum = 0.0;
-        for (std::size_t k = 0; k < std::min(a.n_terms(), n + 1); ++k) sum += a[k] * b[n - k];
-        return sum;
-    };
     for (std::size_t n = 0; n + 1 < Polynomial::max_terms; ++n) {
         const double next = 1.0 / static_cast<double>(n + 1);
-        s.v.append((s.phi[n] - product(s.V, shearing, n)) * next);
-        s.phi.append((product(s.M, bending, n) + curvature * depth[n]) * next);
+        s.v.append((s.phi[n] - product_coefficient(s.V, shearing, n)) * next);
+        s.phi.append((product_coefficient(s.M, bending, n) + curvature * depth[n]) * next);
     }
     return s;
 }

@@ -106,6 +106,7 @@ Polynomial Polynomial::derivative() const
 
 Polynomial Polynomial::shifted(double by) const
 {
+    if (by == 0.0) return *this;
     Polynomial moved = *this; // divided by t - by again and again: the remainders are the coefficients
     for (std::size_t first = 0; first + 1 < n_; ++first)
         for (std::size_t i = n_ - 1; i-- > first;) moved.c_[i] += by * moved.c_[i + 1];

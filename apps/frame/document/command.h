@@ -35,7 +35,7 @@ void set_theory(Document& document, femoop::MemberId member, femoop::BeamTheory 
 
 /// Can the depth of this member vary, as far as its section and the kind of structure go?
 bool can_taper(const femoop::Model& model, const femoop::Member& member);
-/// On gives it the depth of its section at both ends, for the hand to change. \pre can_taper
+/// Gives it the depth of its section at both ends, for the hand to change. \pre can_taper
 void taper(Document& document, femoop::MemberId member);
 void make_prismatic(Document& document, femoop::MemberId member);
 

@@ -38,7 +38,7 @@ Reason why_no_funicular(const Workspace& workspace)
         return translatable("a funicular is drawn in a plane frame");
     if (session.model().members.empty()) return translatable("the model has no members");
     if (session.view.is_envelope) return translatable("an envelope is of several cases; choose one");
-    if (is_understood(session)) return session.hidden ? session.why_no_results() : std::nullopt;
+    if (is_understood(session) && !session.hidden) return std::nullopt;
     return session.why_no_results();
 }
 

@@ -211,17 +211,11 @@ MemberEnd ModelReader::member_end(JsonValue value, const Place& place)
 
 std::vector<Quantity> ModelReader::depths(JsonValue value, const Place& place)
 {
-    std::vector<Quantity> depths;
-    if (!reader_.is_list(value, place)) return depths;
-    if (value.size() != 2) {
+    if (value.is(JsonKind::Array) && value.size() != 2) {
         reader_.add({FaultKind::DepthCount, {place.text(value.key()), std::to_string(value.size())}});
-        return depths;
+        return {};
     }
-    const Place here = place.key(value.key());
-    std::size_t i = 0;
-    for (const JsonValue entry : value)
-        depths.push_back(reader_.quantity(entry, dimension::length, here.entry(i++)).value_or(no_number));
-    return depths;
+    return quantities(value, dimension::length, place);
 }
 
 std::optional<Quantity> ModelReader::foundation(JsonValue value, const Place& place)

@@ -326,8 +326,8 @@ MemberMotion Dislocation::motion(std::array<LocalDisplacement, 2> ends) const
         motion.push_back(
             {.from = from,
              .to = places[i + 1],
-             .along = {along(from, places[i + 1]), about(v.v, from - v.from), about(w.v, from - w.from),
-                       around.over(from), negated(about(w.phi, from - w.from)), about(v.phi, from - v.from)}});
+             .along = {along(from, places[i + 1]), v.v.shifted(from - v.from), w.v.shifted(from - w.from),
+                       around.over(from), negated(w.phi.shifted(from - w.from)), v.phi.shifted(from - v.from)}});
     }
     return motion;
 }

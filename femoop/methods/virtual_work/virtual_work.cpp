@@ -5,9 +5,9 @@
 #include <utility>
 
 #include "femoop/analysis/linear_static.h"
+#include "femoop/element/polynomial_product.h"
 #include "femoop/methods/influence/effect_name.h"
 #include "femoop/methods/influence/influence_line.h"
-#include "femoop/methods/influence/polynomial_terms.h"
 #include "femoop/methods/unit_load_case.h"
 #include "femoop/result/components.h"
 
@@ -36,11 +36,8 @@ double integral_of_product(const Polynomial& p, const Polynomial& q, double end)
 {
     double sum = 0.0;
     double power = end;
-    for (std::size_t k = 0; k + 1 < p.n_terms() + q.n_terms(); ++k, power *= end) {
-        double coefficient = 0.0; // of t^k in the product
-        for (std::size_t i = 0; i <= k; ++i) coefficient += p[i] * q[k - i];
-        sum += coefficient * power / static_cast<double>(k + 1);
-    }
+    for (std::size_t k = 0; k + 1 < p.n_terms() + q.n_terms(); ++k, power *= end)
+        sum += product_coefficient(p, q, k) * power / static_cast<double>(k + 1);
     return sum;
 }
 
@@ -144,7 +141,7 @@ private:
     static Polynomial about(const Curve& curve, MemberComponent component, const Curve::Piece& piece, double from,
                             const Magnitudes& magnitudes)
     {
-        const Polynomial p = influence::about(curve.polynomial(component, piece), from - piece.load.begin);
+        const Polynomial p = curve.polynomial(component, piece).shifted(from - piece.load.begin);
         return without_round_off(p, piece.load.end - from, magnitudes.of(component));
     }
     Polynomial about_real(MemberComponent component, const Curve::Piece& piece, double from) const

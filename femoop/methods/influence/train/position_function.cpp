@@ -36,7 +36,7 @@ public:
         while (next_ < pieces.size() && pieces[next_].to < middle) ++next_;
         if (next_ == pieces.size()) return constant(of_.after());
         if (next_ == 0 && middle < pieces.front().from) return constant(of_.before());
-        return about(pieces[next_].value, start - pieces[next_].from);
+        return pieces[next_].value.shifted(start - pieces[next_].from);
     }
 
 private:
@@ -87,7 +87,7 @@ void append_envelope(std::vector<Piece>& pieces, const std::vector<Polynomial>& 
         const double middle = 0.5 * (cuts[i] + cuts[i + 1]);
         const auto best = std::max_element(of.begin(), of.end(),
                                            [&](const auto& p, const auto& q) { return p(middle) < q(middle); });
-        pieces.push_back({from + cuts[i], from + cuts[i + 1], about(*best, cuts[i])});
+        pieces.push_back({from + cuts[i], from + cuts[i + 1], best->shifted(cuts[i])});
     }
 }
 
@@ -152,7 +152,7 @@ PositionFunction PositionFunction::mirrored(double length) const
     PositionFunction mirror({}, after_, before_);
     for (std::size_t i = pieces_.size(); i-- > 0;) {
         const Piece& piece = pieces_[i];
-        const Polynomial about_end = about(piece.value, piece.to - piece.from);
+        const Polynomial about_end = piece.value.shifted(piece.to - piece.from);
         Piece& turned = mirror.pieces_.emplace_back(Piece{length - piece.to, length - piece.from, {}});
         for (std::size_t k = 0; k < about_end.n_terms(); ++k)
             turned.value.append(k % 2 == 0 ? about_end[k] : -about_end[k]);

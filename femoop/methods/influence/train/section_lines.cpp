@@ -48,7 +48,7 @@ Polynomial through(const std::vector<double>& places, const std::vector<double>&
 /// The piece's polynomial in s - origin.
 Polynomial piece_about(const LinePiece& piece, double origin)
 {
-    return about(polynomial_of(piece.coefficients), origin - piece.from);
+    return polynomial_of(piece.coefficients).shifted(origin - piece.from);
 }
 
 } // namespace
@@ -131,7 +131,7 @@ LinePiece SectionLines::piece(const Region& region, double x) const
     LinePiece piece{region.from.at(x), region.to.at(x), {}};
     Polynomial about_origin;
     for (const Polynomial& coefficient : region.coefficients) about_origin.append(coefficient(x));
-    const Polynomial moved = about(about_origin, piece.from - region.origin);
+    const Polynomial moved = about_origin.shifted(piece.from - region.origin);
     for (std::size_t k = 0; k < moved.n_terms(); ++k) piece.coefficients.push_back(moved[k]);
     return piece;
 }
@@ -215,7 +215,7 @@ PositionFunction SectionLines::along_section(const Border& section, const std::v
             const double start = section.at(from) + distances[j] - region->origin;
             Polynomial ordinate{0.0};
             for (std::size_t k = region->coefficients.size(); k-- > 0;)
-                ordinate = combined(times_linear(ordinate, start, section.b), about(region->coefficients[k], from),
+                ordinate = combined(times_linear(ordinate, start, section.b), region->coefficients[k].shifted(from),
                                     1.0);
             effect = combined(effect, ordinate, forces[j]);
         }

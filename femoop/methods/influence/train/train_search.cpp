@@ -48,7 +48,7 @@ std::vector<Piece> positive_parts(const PositionFunction& of)
             if (cuts[i + 1] <= cuts[i]) continue;
             const bool is_positive = piece.value(0.5 * (cuts[i] + cuts[i + 1])) > zero;
             parts.push_back({piece.from + cuts[i], piece.from + cuts[i + 1],
-                             is_positive ? about(piece.value, cuts[i]) : Polynomial{0.0}});
+                             is_positive ? piece.value.shifted(cuts[i]) : Polynomial{0.0}});
         }
     }
     return parts;
