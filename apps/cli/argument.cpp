@@ -52,6 +52,18 @@ std::vector<std::string> comma_list(std::string_view text)
     }
 }
 
+bool read_keyed_lists(std::string_view text, std::span<const KeyedList> lists)
+{
+    std::vector<std::string>* list = nullptr;
+    for (const std::string& part : comma_list(text)) {
+        const auto keyed = std::ranges::find_if(lists, [&](const KeyedList& one) { return part.starts_with(one.key); });
+        if (keyed != lists.end()) list = keyed->parts;
+        if (list == nullptr) return false;
+        list->push_back(keyed != lists.end() ? part.substr(keyed->key.size()) : part);
+    }
+    return true;
+}
+
 UsageError unknown_choice(std::string_view option, const std::string& found, const std::vector<std::string>& choices,
                           const ui::Catalogue& tr)
 {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -20,6 +21,14 @@ double positive_number(std::string_view option, const std::string& text, const u
 
 /// The parts between the commas; blanks around them are left out.
 std::vector<std::string> comma_list(std::string_view text);
+
+/// What stands behind a key, such as "members=", of "cut=BC@2,DE@50%,beside=A".
+struct KeyedList {
+    std::string_view key;
+    std::vector<std::string>* parts;
+};
+/// False where no key stands before a part.
+bool read_keyed_lists(std::string_view text, std::span<const KeyedList> lists);
 
 /// "--case: there is no "Gg"; did you mean "G"?", else with the list of what there is.
 UsageError unknown_choice(std::string_view option, const std::string& found, const std::vector<std::string>& choices,

@@ -5,7 +5,6 @@
 #include <array>
 #include <charconv>
 #include <string_view>
-#include <utility>
 #include <vector>
 
 #include "apps/cli/argument.h"
@@ -36,19 +35,9 @@ UsageError not_understood(const std::string& text, const ui::Catalogue& tr)
 Words words_of(const std::string& text, const ui::Catalogue& tr)
 {
     Words words;
-    const std::array<std::pair<std::string_view, std::vector<std::string>*>, 4> keys{
+    const std::array<KeyedList, 4> keys{
         {{"node=", &words.node}, {"members=", &words.members}, {"cut=", &words.cut}, {"beside=", &words.beside}}};
-    std::vector<std::string>* list = nullptr;
-    for (std::string_view part : comma_list(text)) {
-        const auto* const key = std::ranges::find_if(keys,
-                                                     [&](const auto& one) { return part.starts_with(one.first); });
-        if (key != keys.end()) {
-            list = key->second;
-            part.remove_prefix(key->first.size());
-        }
-        if (list == nullptr) throw not_understood(text, tr);
-        list->emplace_back(part);
-    }
+    if (!read_keyed_lists(text, keys)) throw not_understood(text, tr);
     return words;
 }
 
@@ -116,14 +105,8 @@ Body AskedBody::body(const Model& model, const ui::Catalogue& tr) const
 Eigen::Vector3d AskedBody::about(const Model& model, const FreeBody& body, const ui::Catalogue& tr) const
 {
     if (!about_) return usual_moment_point(body, model);
-    const std::vector<std::string> numbers = comma_list(*about_);
-    const std::size_t wanted = n_coordinates(model.analysis);
-    if (numbers.size() != wanted)
-        throw UsageError(tr("--about: found {found}; wanted the coordinates of a point, {count} of them",
-                            {{"found", femoop::printable(*about_)}, {"count", std::to_string(wanted)}}));
     Eigen::Vector3d point = Eigen::Vector3d::Zero();
-    for (std::size_t i = 0; i < wanted; ++i)
-        point[static_cast<Eigen::Index>(i)] = length_named("--about", numbers[i], model);
+    std::ranges::copy(lengths_named("--about", *about_, n_coordinates(model.analysis), model, tr), point.begin());
     return point;
 }
 

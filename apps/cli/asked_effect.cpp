@@ -185,6 +185,16 @@ femoop::Quantity length_named(std::string_view option, const std::string& text, 
     throw femoop::ModelError({std::move(fault)});
 }
 
+std::vector<double> lengths_named(std::string_view option, const std::string& text, std::size_t wanted,
+                                  const Model& model, const ui::Catalogue& tr)
+{
+    std::vector<double> lengths;
+    for (const std::string& part : comma_list(text)) lengths.push_back(length_named(option, part, model));
+    if (lengths.size() == wanted) return lengths;
+    throw UsageError(tr("{option}: found {found}; wanted {count} lengths with commas between them",
+                        {{"option", option}, {"found", femoop::printable(text)}, {"count", std::to_string(wanted)}}));
+}
+
 femoop::LoadPathReference path_named(const Model& model, const std::string& name, const ui::Catalogue& tr)
 {
     const auto& paths = model.moving_loads.paths;

@@ -1,7 +1,10 @@
 #pragma once
 
+#include <cstddef>
 #include <optional>
 #include <string>
+#include <string_view>
+#include <vector>
 
 #include "apps/cli/console.h"
 #include "femoop/model/model.h"
@@ -47,6 +50,10 @@ double place_named(std::string_view option, const std::string& text, double leng
 
 /// A length that an option gives: a number in the model's unit, or one with its own. \throws ModelError
 femoop::Quantity length_named(std::string_view option, const std::string& text, const femoop::Model& model);
+
+/// So many of them, with commas between. \throws ModelError, UsageError where there are more or fewer
+std::vector<double> lengths_named(std::string_view option, const std::string& text, std::size_t wanted,
+                                  const femoop::Model& model, const ui::Catalogue& tr);
 
 /// A path of the file by its id, else members by theirs: m1,m2. \throws UsageError
 femoop::LoadPathReference path_named(const femoop::Model& model, const std::string& name, const ui::Catalogue& tr);

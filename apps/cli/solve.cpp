@@ -13,6 +13,7 @@
 #include "apps/cli/argument.h"
 #include "apps/cli/asked_body.h"
 #include "apps/cli/asked_effect.h"
+#include "apps/cli/asked_funicular.h"
 #include "apps/cli/asked_redundants.h"
 #include "apps/cli/model_input.h"
 #include "apps/cli/output_file.h"
@@ -73,6 +74,7 @@ private:
     bool is_json_ = false, is_timed_ = false, is_refined_ = false, is_described_ = false;
     SolverTraceOptions solver_trace_;
     AskedBody body_;
+    AskedFunicular funicular_;
     AskedRedundants redundants_;
 };
 
@@ -103,6 +105,8 @@ HelpText Solve::help(const ui::Catalogue& tr) const
           tr("The same with one redundant, the moment at midspan: a hinge, whose rotation it closes.")},
          {"cremona solve examples/portal.json --free-body cut=BC@2,beside=A --about 0,4.5",
           tr("The forces on the part left of a cut, and its equations of equilibrium.")},
+         {"cremona solve examples/three_hinged_arch.json --funicular automatic",
+          tr("The line of thrust of an arch, from the moments of the simple beam.")},
          {"cremona solve examples/storey_frame.json --trace-solver",
           tr("Which solver and which order are chosen, and how the front walks over the structure.")},
          {"cremona solve examples/portal.json --describe",
@@ -151,6 +155,7 @@ void Solve::declare(CLI::App& app, const ui::Catalogue& tr)
         ->option_text("WHAT");
     redundants_.declare(app, tr);
     body_.declare(app, tr);
+    funicular_.declare(app, tr);
     solver_trace_.declare(app, tr);
     app.add_flag("--describe", is_described_,
                  tr("print sentences instead of tables: for a screen reader, or beside a picture"));
@@ -201,6 +206,7 @@ void Solve::require_one_output(const ui::Catalogue& tr) const
                              Output{worked_displacement_.has_value(), "--virtual-work", true, false},
                              Output{redundants_.are_asked(), "--force-method", true, false},
                              Output{body_.is_asked(), "--free-body", true, false},
+                             Output{funicular_.is_asked(), "--funicular", true, false},
                              Output{is_described_, "--describe", true, true}};
     for (std::size_t i = 0; i < outputs.size(); ++i) {
         const auto& [is_given, option, is_of_a_case, has_csv] = outputs[i];
@@ -272,6 +278,7 @@ std::string Solve::output(const Model& model, const Results& results, const Sele
     if (worked_displacement_) return virtual_work(model, results, tr);
     if (redundants_.are_asked()) return redundants_.output(model, results, followed_case(model, tr), is_json_, tr);
     if (body_.is_asked()) return body_.output(model, results, followed_case(model, tr), is_json_, tr);
+    if (funicular_.is_asked()) return funicular_.output(model, followed_case(model, tr), is_json_, tr);
     if (is_described_) return description(model, results, selection, tr);
     if (!is_json_) return tables(model, results, selection, tr);
     return selection.is_envelope ? femoop::envelope_json(model, results, selection.cases, selection.n_stations)
@@ -354,6 +361,7 @@ ExitStatus Solve::run(Console& console)
     if (file_.empty()) throw no_file("solve", tr);
     require_one_output(tr);
     body_.require_sensible(tr);
+    funicular_.require_sensible(tr);
     solver_trace_.require_trace(tr);
     const femoop::AnalysisOptions options{.solver = solver_named(solver_, tr), .is_refined = is_refined_};
     Phases phases;

@@ -44,7 +44,7 @@ public:
         draw_rise();
         if (picture_.reading) draw_reading(*picture_.reading);
         const ui::LayerScope layer(sketch().painter(), ui::Layer::Labels); // over supports
-        for (const FunicularHandle handle : funicular_handles) draw_handle(picture_.place_of(handle));
+        for (const FunicularHandle handle : funicular_handles) draw_handle(handle);
     }
 
 private:
@@ -125,12 +125,15 @@ private:
                           .others = {axis, line}});
     }
 
-    void draw_handle(const Vector3d& place) const
+    /// A ring, filled where the hand can take hold of it.
+    void draw_handle(FunicularHandle handle) const
     {
-        const ui::Point center = scene_.projection(place);
-        const double radius = sketch().px(5.0);
-        sketch().disc(center, radius, sketch().theme().background());
-        sketch().ring(center, radius, {.color = sketch().theme().stroke(line_role).color, .width = sketch().px(2.0)});
+        const ui::Point center = scene_.projection(picture_.place_of(handle));
+        const bool is_in_reach = picture_.in_reach == handle;
+        const double radius = sketch().px(is_in_reach ? 6.5 : 5.0);
+        const auto color = sketch().theme().stroke(line_role).color;
+        sketch().disc(center, radius, is_in_reach ? color : sketch().theme().background());
+        sketch().ring(center, radius, {.color = color, .width = sketch().px(2.0)});
     }
 
     const Scene& scene_;

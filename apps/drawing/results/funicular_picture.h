@@ -22,8 +22,9 @@ inline constexpr FunicularHandle funicular_handles[] = {FunicularHandle::LeftEnd
 struct FunicularPicture {
     femoop::funicular::Chain chain;
     femoop::funicular::Funicular funicular;
-    std::optional<double> reading{};      ///< x of the place that is read
-    std::vector<std::string> sentences{}; ///< for the foot of the sheet
+    std::optional<double> reading{};           ///< x of the place that is read
+    std::optional<FunicularHandle> in_reach{}; ///< of the hand
+    std::vector<std::string> sentences{};      ///< for the foot of the sheet
 
     Eigen::Vector3d place_of(FunicularHandle handle) const;
 };

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <utility>
+#include <variant>
 
 #include "femoop/io/funicular/funicular_text.h"
 
@@ -63,6 +64,12 @@ void AskedFunicular::read_at(std::optional<double> x)
     reading_ = x;
 }
 
+void AskedFunicular::reach_for(std::optional<FunicularHandle> handle)
+{
+    is_stale_ = is_stale_ || handle != in_reach_;
+    in_reach_ = handle;
+}
+
 void AskedFunicular::lead_through_crown()
 {
     over_ends_ = {};
@@ -104,19 +111,9 @@ void AskedFunicular::find(const femoop::Model& model, const drawing::DrawOptions
     basis_.reset();
     why_none_.clear();
     if (!is_on(model)) return;
-    const femoop::Discretisation structure = discretise(model);
-    const std::vector<femoop::MemberId> chosen = members_.empty() ? members_across(structure) : members(model);
-    auto refusal = why_no_chain(structure, chosen);
-    if (!refusal) {
-        Chain chain = chain_of(structure, chosen);
-        refusal = why_no_vertical_loads(model, structure, chain, options.load_case);
-        if (!refusal) {
-            SimpleSpan span(chain.left().x(), chain.right().x(),
-                            vertical_loads(model, structure, chain, options.load_case));
-            basis_ = {std::move(chain), std::move(span)};
-        }
-    }
-    if (refusal) why_none_ = sentence(*refusal, model, options.tr);
+    auto found = loaded_chain(model, members(model), options.load_case);
+    if (const auto* refusal = std::get_if<Refusal>(&found)) why_none_ = sentence(*refusal, model, options.tr);
+    else basis_ = std::get<LoadedChain>(std::move(found));
 }
 
 void AskedFunicular::draw(const femoop::Model& model, const drawing::DrawOptions& options) const
@@ -124,6 +121,7 @@ void AskedFunicular::draw(const femoop::Model& model, const drawing::DrawOptions
     picture_ = drawing::FunicularPicture{.chain = basis_->chain, .funicular = funicular()};
     const Funicular& shown = picture_->funicular;
     if (reading_ && *reading_ >= shown.span.from() && *reading_ <= shown.span.to()) picture_->reading = reading_;
+    picture_->in_reach = in_reach_;
     picture_->sentences = funicular_lines(shown, basis_->chain, model, options.tr);
     picture_->sentences.push_back(picture_->reading
                                       ? reading_line(shown, basis_->chain, *reading_, model, options.tr)

@@ -8,6 +8,7 @@
 
 #include "apps/drawing/draw_options.h"
 #include "apps/drawing/results/funicular_picture.h"
+#include "femoop/methods/funicular/loaded_chain.h"
 #include "femoop/model/model.h"
 
 namespace frame {
@@ -30,6 +31,7 @@ public:
     /// \pre there is a last picture
     void drag(drawing::FunicularHandle handle, double height);
     void read_at(std::optional<double> x);
+    void reach_for(std::optional<drawing::FunicularHandle> handle);
     bool has_crown() const { return basis_ && basis_->chain.crown(); } ///< of the last picture
     void lead_through_crown();                                         ///< and through the ends of the chain
 
@@ -54,6 +56,7 @@ private:
     femoop::funicular::ClosingLine over_ends_; ///< height over the ends of the chain
     std::optional<double> rise_;               ///< nothing: the usual one
     std::optional<double> reading_;
+    std::optional<drawing::FunicularHandle> in_reach_;
     /// What the last picture is of.
     struct Subject {
         std::uint64_t generation;
@@ -62,13 +65,8 @@ private:
 
         friend bool operator==(const Subject&, const Subject&) = default;
     };
-    /// What does not change as the hand drags.
-    struct Basis {
-        femoop::funicular::Chain chain;
-        femoop::funicular::SimpleSpan span;
-    };
-    mutable std::optional<Subject> subject_; ///< nothing after another was asked for
-    mutable std::optional<Basis> basis_;
+    mutable std::optional<Subject> subject_;                      ///< nothing after another was asked for
+    mutable std::optional<femoop::funicular::LoadedChain> basis_; ///< does not change as the hand drags
     mutable std::string why_none_;
     mutable std::optional<drawing::FunicularPicture> picture_;
     mutable bool is_stale_ = false; ///< the picture, of a hand that has dragged since

@@ -85,6 +85,7 @@ std::optional<Change> FunicularTool::move(const Work& work, const Aim& to)
 {
     const FunicularPicture* const picture = work.funicular->last();
     if (picture == nullptr) return std::nullopt;
+    if (!press_) work.funicular->reach_for(handle_at(*picture, to));
     if (!held_) work.funicular->read_at(place_read(*picture, to));
     else if (press_ && to.is_dragged_from(*press_)) work.funicular->drag(*held_, height_for(*picture, *held_, to));
     return std::nullopt;

@@ -74,12 +74,16 @@ std::string reactions_line(const Funicular& funicular, const Chain& chain, const
                  model[chain.nodes.back()].id});
 }
 
-bool passes_hinges(const Funicular& funicular, const Chain& chain)
+std::string left_out_line(const Chain& chain, const Model& model, const Translator& tr)
 {
-    const auto is_on = [&](const Eigen::Vector2d& place) {
-        return std::abs(funicular.height(place.x()) - place.y()) <= negligible * chain.span();
-    };
-    return is_on(chain.left()) && is_on(chain.right()) && is_on(*chain.hinge);
+    constexpr std::size_t most_named = 6;
+    if (chain.held.size() > most_named)
+        return fill(tr("left out: what supports and other members do at {0} nodes between the ends"),
+                    {std::to_string(chain.held.size())});
+    std::vector<std::string> names;
+    for (const NodeId node : chain.held) names.push_back(model[node].id);
+    return femoop::fill(tr("left out: what supports and other members do at {0} between the ends"), {listed(names)},
+                        tr(translatable("and")));
 }
 
 tabular::Table table(const Funicular& funicular, const Chain& chain, const Model& model, const Translator& tr)
@@ -152,8 +156,8 @@ std::vector<std::string> funicular_lines(const Funicular& funicular, const Chain
                                          const Translator& tr)
 {
     std::vector<std::string> lines{thrust_line(funicular, model, tr), reactions_line(funicular, chain, model, tr)};
-    if (chain.is_three_hinged_arch && passes_hinges(funicular, chain))
-        lines.front() += "; " + tr("the line of thrust of the arch");
+    if (is_line_of_thrust(funicular, chain)) lines.front() += "; " + tr("the line of thrust of the arch");
+    if (!chain.held.empty()) lines.push_back(left_out_line(chain, model, tr));
     return lines;
 }
 

@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "femoop/io/json/json_writer.h"
 #include "femoop/methods/funicular/chain.h"
 #include "femoop/methods/funicular/funicular.h"
 #include "femoop/methods/funicular/refusal.h"
@@ -22,6 +23,9 @@ std::vector<std::string> funicular_lines(const Funicular& funicular, const Chain
 /// What is read at a place: the ordinate, M0 = H times it, and the moment of an arch whose line of thrust this is.
 std::string reading_line(const Funicular& funicular, const Chain& chain, double x, const Model& model,
                          const Translator& tr);
+
+/// Members of an object that is open, as courseware/reference/command-line.md lists them.
+void write_funicular(JsonWriter& json, const Funicular& funicular, const Chain& chain, const Model& model);
 
 /// The chain and its lines, then the ordinates at its nodes as a table.
 std::string funicular_text(const Funicular& funicular, const Chain& chain, const Model& model, const Translator& tr);

@@ -113,6 +113,19 @@ bool is_three_hinged_arch(const Discretisation& structure, const Chain& chain)
            std::ranges::all_of(chain.links, stands_free);
 }
 
+std::vector<NodeId> held_between(const Discretisation& structure, const Chain& chain)
+{
+    std::vector<int> n_members(structure.positions.size());
+    for (const auto& member : structure.members)
+        for (const NodeId node : member.nodes) ++n_members[node.index];
+    std::vector<NodeId> found;
+    for (std::size_t i = 1; i + 1 < chain.nodes.size(); ++i) {
+        const NodeId node = chain.nodes[i];
+        if (n_members[node.index] > 2 || structure.support_of(node) != nullptr) found.push_back(node);
+    }
+    return found;
+}
+
 double on_line(const Vector2d& a, const Vector2d& b, double x)
 {
     return std::lerp(a.y(), b.y(), (x - a.x()) / (b.x() - a.x()));
@@ -182,6 +195,7 @@ Chain chain_of(const Discretisation& structure, std::span<const MemberId> member
     }
     const std::vector<Vector2d> hinges = hinges_between(structure, chain);
     if (hinges.size() == 1) chain.hinge = hinges.front();
+    chain.held = held_between(structure, chain);
     chain.is_three_hinged_arch = is_three_hinged_arch(structure, chain);
     return chain;
 }

@@ -23,6 +23,8 @@ struct Chain {
     std::vector<Link> links;           ///< one at least
     std::vector<NodeId> nodes;         ///< one more
     std::vector<Eigen::Vector2d> axis; ///< from node to node, along rigid arms too; x never falls
+    /// Those between the ends that a support or another member holds; what these do there is no load of a funicular.
+    std::vector<NodeId> held{};
     /// Where the hinge is if there is one alone between the ends.
     std::optional<Eigen::Vector2d> hinge{};
     /// Pinned at both ends, with one hinge between them, and the whole structure: statics alone gives its thrust.

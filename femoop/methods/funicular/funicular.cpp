@@ -35,6 +35,14 @@ double usual_thrust(const Chain& chain, const SimpleSpan& span)
     return H.value_or(std::abs(span.largest_moment().value) / (usual_share * span.length()));
 }
 
+bool is_line_of_thrust(const Funicular& funicular, const Chain& chain)
+{
+    const auto is_on = [&](const Eigen::Vector2d& place) {
+        return std::abs(funicular.height(place.x()) - place.y()) <= nothing * chain.span();
+    };
+    return chain.is_three_hinged_arch && is_on(chain.left()) && is_on(chain.right()) && is_on(*chain.hinge);
+}
+
 ForcePolygon force_polygon(const Funicular& funicular)
 {
     ForcePolygon polygon;

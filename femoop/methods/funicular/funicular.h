@@ -51,6 +51,9 @@ std::optional<double> thrust_through(const SimpleSpan& span, const ClosingLine& 
 /// of the span.
 double usual_thrust(const Chain& chain, const SimpleSpan& span);
 
+/// Whether the chain is a three-hinged arch and this, over its ends and through its hinge, the line of its thrust.
+bool is_line_of_thrust(const Funicular& funicular, const Chain& chain);
+
 /// The loads one after the other on the load line, and the pole: each ray is parallel to a side of the funicular polygon,
 /// whose corners lie on the lines of the loads.
 ///

@@ -525,11 +525,54 @@ TEST_CASE("What names no body, and what is not of the model, is refused with wha
     refused({"--free-body", "cut=AB@900,beside=A"}, "wanted a place from 0 to ");
     refused({"--free-body", "cut=AB@5x%,beside=A"}, "--free-body");
     refused({"--free-body", "cut=AB@nan,beside=A"}, "--free-body: \"nan\" does not begin with a number");
-    refused({"--free-body", "node=A", "--about", "1"},
-            "--about: found 1; wanted the coordinates of a point, 2 of them");
+    refused({"--free-body", "node=A", "--about", "1"}, "--about: found 1; wanted 2 lengths with commas between them");
     refused({"--about", "1,2"}, "--about needs --free-body too; add it");
     refused({"--free-body", "node=A", "--describe"}, "--free-body and --describe print different things");
     refused({"--free-body", "node=A", "--case", "envelope"}, "--free-body and --case envelope print different things");
+}
+
+TEST_CASE("A funicular in JSON passes through the point that is asked for, over the closing line that is asked for")
+{
+    const Run run = cremona({"solve", "examples/three_hinged_arch.json", "--funicular", "members=AB,BC,CD,DE", "--case",
+                             "Q", "--closing", "1,-1.5", "--through", "6,4.25", "--json"});
+    REQUIRE(run.status == 0);
+    const auto found = nlohmann::json::parse(run.out).at("funicular");
+    CHECK(found.at("closing_line") == nlohmann::json({1, -1.5}));
+    for (const auto& node : found.at("nodes"))
+        if (node.at("x") == 6.0) CHECK(node.at("height").get<double>() == doctest::Approx(4.25));
+    const double H = found.at("H").get<double>();
+    for (const auto& node : found.at("nodes"))
+        CHECK(H * node.at("ordinate").get<double>() == doctest::Approx(node.at("M0").get<double>()));
+    CHECK(found.at("left_out_at").empty());
+    CHECK_FALSE(found.at("line_of_thrust"));
+}
+
+TEST_CASE("The funicular of a three-hinged arch is its line of thrust, with the reactions of the simple beam")
+{
+    const Run run = cremona({"solve", "examples/three_hinged_arch.json", "--funicular", "automatic", "--case", "Q"});
+    CHECK(run.status == 0);
+    CHECK(has(run.out, "the line of thrust of the arch\n"));
+    CHECK(has(run.out, "reactions of the simple beam: 75 kN at A, 25 kN at I\n"));
+}
+
+TEST_CASE("What names no chain, and a point that no funicular passes through, is refused with what would be right")
+{
+    const auto refused = [](std::vector<std::string> arguments, const std::string& sentence) {
+        arguments.insert(arguments.begin(), {"solve", "examples/three_hinged_arch.json", "--case", "Q"});
+        const Run run = cremona(arguments);
+        CHECK(run.status == 2);
+        CHECK(run.out.empty());
+        CAPTURE(run.err);
+        CHECK(has(run.err, sentence));
+    };
+    refused({"--funicular", "all"}, "--funicular: \"all\" names no chain; write it like \"members=AB,BC\"");
+    refused({"--funicular", "members=AB,XY"}, "--funicular: there is no \"XY\"");
+    refused({"--funicular", "members=AB,CD"}, "--funicular: no members lead from AB to CD");
+    refused({"--funicular", "automatic", "--through", "30,4"}, "--through: no funicular passes through 30,4");
+    refused({"--funicular", "automatic", "--through", "6,0"}, "or the closing line passes through it");
+    refused({"--funicular", "automatic", "--closing", "1"}, "--closing: found 1; wanted 2 lengths");
+    refused({"--closing", "1,2"}, "--closing needs --funicular too; add it");
+    refused({"--funicular", "automatic", "--free-body", "node=A"}, "print different things");
 }
 
 TEST_SUITE_END();

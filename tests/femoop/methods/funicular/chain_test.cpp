@@ -75,6 +75,17 @@ TEST_SUITE("funicular")
         CHECK_FALSE(why_no_chain(structure, across));
     }
 
+    TEST_CASE("Nodes between the ends that a support or another member holds are told")
+    {
+        FrameMaker made;
+        made.node("A", 0, 0, Pin).node("B", 3, 0).node("C", 5, 0, Pin).node("D", 9, 0, Pin).node("E", 3, -2, Pin);
+        made.member("A", "B").member("B", "C").member("C", "D").member("E", "B");
+        const Discretisation structure = discretise(made.model);
+        CHECK(chain_of(structure, members_of(made.model, {"AB", "BC", "CD"})).held ==
+              std::vector{*made.model.find_node("B"), *made.model.find_node("C")});
+        CHECK(chain_of(structure, members_of(made.model, {"AB"})).held.empty());
+    }
+
     TEST_CASE("Upright members, forks and parts that hang not together are no chain")
     {
         FrameMaker made = portal();

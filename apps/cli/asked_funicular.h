@@ -1,0 +1,37 @@
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "apps/cli/console.h"
+#include "femoop/methods/funicular/loaded_chain.h"
+
+namespace CLI { // NOLINT(readability-identifier-naming): the name that its authors gave it
+class App;
+}
+
+namespace cli {
+
+/// The funicular that `solve --funicular WHAT --closing YA,YB --through X,Y` asks for.
+class AskedFunicular {
+public:
+    void declare(CLI::App& app, const ui::Catalogue& tr);
+
+    bool is_asked() const { return what_.has_value(); }
+    /// A closing line or a point without the funicular asks for nothing. \throws UsageError
+    void require_sensible(const ui::Catalogue& tr) const;
+
+    /// In words, or as JSON. \throws UsageError where what was typed is none of the model's, or has no funicular
+    std::string output(const femoop::Model& model, femoop::CaseId load_case, bool is_json,
+                       const ui::Catalogue& tr) const;
+
+private:
+    femoop::funicular::LoadedChain loaded_chain(const femoop::Model& model, femoop::CaseId load_case,
+                                                const ui::Catalogue& tr) const;
+    femoop::funicular::Funicular funicular(const femoop::funicular::LoadedChain& loaded, const femoop::Model& model,
+                                           const ui::Catalogue& tr) const;
+
+    std::optional<std::string> what_, closing_, through_;
+};
+
+} // namespace cli
