@@ -40,6 +40,21 @@ void drop_noise(std::vector<double>& coefficients, double length)
     while (!coefficients.empty() && coefficients.back() == 0.0) coefficients.pop_back();
 }
 
+std::string_view power_text(std::size_t power)
+{
+    static constexpr std::array<std::string_view, most_terms> texts{"", " x", " x²", " x³", " x⁴", " x⁵"};
+    return texts.at(power);
+}
+
+} // namespace
+
+Expression expression(const Polynomial& p, double from, double to, double length)
+{
+    Expression of{from, to, shifted(p, from), p.n_terms() > most_terms};
+    drop_noise(of.coefficients, length);
+    return of;
+}
+
 bool go_on(const Expression& a, const Expression& b, double length)
 {
     if (a.is_series || b.is_series) return false;
@@ -54,21 +69,6 @@ bool go_on(const Expression& a, const Expression& b, double length)
         power *= length;
     }
     return apart <= noise * largest;
-}
-
-std::string_view power_text(std::size_t power)
-{
-    static constexpr std::array<std::string_view, most_terms> texts{"", " x", " x²", " x³", " x⁴", " x⁵"};
-    return texts.at(power);
-}
-
-} // namespace
-
-Expression expression(const Polynomial& p, double from, double to, double length)
-{
-    Expression of{from, to, shifted(p, from), p.n_terms() > most_terms};
-    drop_noise(of.coefficients, length);
-    return of;
 }
 
 std::vector<Expression> expressions(const Curve& curve, MemberComponent component)

@@ -17,6 +17,9 @@ struct Expression {
 /// p(x - from), from one place of a member of this length to another.
 Expression expression(const Polynomial& p, double from, double to, double length);
 
+/// Whether two neighbours on a member of this length are one formula, but for rounding; series never are.
+bool go_on(const Expression& a, const Expression& b, double length);
+
 /// The formulas of a component from load point to load point; neighbours that go on by the same formula are one.
 std::vector<Expression> expressions(const Curve& curve, MemberComponent component);
 

@@ -25,7 +25,10 @@ void write_integrals(JsonWriter& json, const std::vector<WorkIntegral>& integral
         json.member("from", one.from).member("to", one.to);
         write_polynomial(json, "real", one.real);
         write_polynomial(json, "unit", one.unit);
-        json.member("flexibility", one.flexibility).member("strain", one.strain).member("work", one.value).end();
+        json.member("flexibility", one.flexibility).member("strain", one.strain);
+        if (one.stiffness.n_terms() > 1) write_polynomial(json, "stiffness_ratio", one.stiffness);
+        if (one.depth.n_terms() > 1) write_polynomial(json, "depth_ratio", one.depth);
+        json.member("work", one.value).end();
     }
     json.end();
 }

@@ -76,7 +76,11 @@ private:
     std::string stiffness(const WorkIntegral& on) const
     {
         if (on.flexibility == 0.0) return tr_("rigid");
-        return std::string(stiffness_name(on.force)) + " = " + six_digits(1.0 / on.flexibility, tr_);
+        Polynomial varying;
+        for (std::size_t i = 0; i < on.stiffness.n_terms(); ++i) varying.append(on.stiffness[i] / on.flexibility);
+        const bool is_tapered = on.stiffness.n_terms() > 1;
+        return std::string(stiffness_name(on.force)) + " = " +
+               (is_tapered ? formula(varying, on) : six_digits(1.0 / on.flexibility, tr_));
     }
 
     std::string integrals() const

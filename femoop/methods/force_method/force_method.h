@@ -51,7 +51,7 @@ struct ForceMethod {
 /// \param results     of the model
 /// \param redundants  which check_redundants finds sound; none: usual_redundants
 /// \throws MechanismError  without its redundants the structure can move
-///         ModelError      RedundantsNone, RedundantsTooMany, RedundantsUnstrained, WorkOfTaperedMember, or as `analyse`
+///         ModelError      RedundantsNone, RedundantsTooMany, RedundantsUnstrained, or as `analyse`
 ForceMethod solve(const Model& model, const Results& results, CaseId load_case, std::span<const Redundant> redundants);
 
 } // namespace femoop::force_method

@@ -10,6 +10,7 @@
 #include "femoop/methods/influence/influence_line.h"
 #include "femoop/methods/unit_load_case.h"
 #include "femoop/result/components.h"
+#include "femoop/result/expression.h"
 
 namespace femoop::virtual_work {
 
@@ -41,7 +42,16 @@ double integral_of_product(const Polynomial& p, const Polynomial& q, double end)
     return sum;
 }
 
-double integral_of(const Polynomial& p, double end) { return integral_of_product(p, {1.0}, end); }
+/// Of p q / divisor. \pre where the divisor is no constant, `end` is within reach of its reciprocal
+double integral_of_quotient(const Polynomial& p, const Polynomial& q, const Polynomial& divisor, double end)
+{
+    if (divisor.n_terms() == 1) return integral_of_product(p, q, end) / divisor[0];
+    const Polynomial series = divisor.reciprocal();
+    double sum = 0.0;
+    for (std::size_t k = 0; k + 1 < p.n_terms() + q.n_terms(); ++k)
+        sum += product_coefficient(p, q, k) * series.moment(k, end);
+    return sum;
+}
 
 /// The force that works on a displacement of a member's end.
 constexpr std::array<MemberComponent, 6> end_forces{MemberComponent::N, MemberComponent::Vy, MemberComponent::Vz,
@@ -102,6 +112,26 @@ private:
         return force == MemberComponent::Mz && !is_bar() ? real_loading_.curvature() : 0.0;
     }
 
+    bool is_tapered() const { return !properties_.xy.taper.is_prismatic(); }
+
+    /// Beside that at the first end, as a polynomial of t = x - from.
+    Polynomial stiffness(MemberComponent force, double from) const
+    {
+        if (!is_tapered()) return {1.0};
+        const Taper& taper = properties_.xy.taper;
+        const auto [a1, a2, a3] = taper.inertia;
+        switch (force) {
+        case MemberComponent::N: return Polynomial{1.0, properties_.axial.taper}.shifted(from);
+        case MemberComponent::Vy: return Polynomial{1.0, taper.shear_area}.shifted(from);
+        default: return Polynomial{1.0, a1, a2, a3}.shifted(from);
+        }
+    }
+    Polynomial depth(MemberComponent force, double from) const
+    {
+        if (!is_tapered() || force != MemberComponent::Mz) return {1.0};
+        return Polynomial{1.0, properties_.xy.taper.depth}.shifted(from);
+    }
+
     void add_integrals(MemberComponent force)
     {
         const double flexibility = this->flexibility(force), strain = this->strain(force);
@@ -114,7 +144,9 @@ private:
                           .real = about_real(force, real, from),
                           .unit = about_unit(force, unit, from),
                           .flexibility = flexibility,
-                          .strain = strain});
+                          .strain = strain,
+                          .stiffness = stiffness(force, from),
+                          .depth = depth(force, from)});
         });
     }
 
@@ -171,9 +203,28 @@ private:
     {
         if (is_nothing(integral.unit) || (is_nothing(integral.real) && integral.strain == 0.0)) return;
         const double length = integral.to - integral.from;
-        integral.value = integral.flexibility * integral_of_product(integral.real, integral.unit, length) +
-                         integral.strain * integral_of(integral.unit, length);
-        work_.integrals.push_back(integral);
+        integral.value = integral.flexibility *
+                             integral_of_quotient(integral.real, integral.unit, integral.stiffness, length) +
+                         integral.strain * integral_of_quotient(integral.unit, {1.0}, integral.depth, length);
+        if (is_tapered() && goes_on(integral)) {
+            work_.integrals.back().to = integral.to;
+            work_.integrals.back().value += integral.value;
+        } else {
+            work_.integrals.push_back(integral);
+        }
+    }
+
+    /// Along a taper the displacements have short pieces, of which the forces know nothing.
+    bool goes_on(const WorkIntegral& next) const
+    {
+        if (work_.integrals.empty()) return false;
+        const WorkIntegral& last = work_.integrals.back();
+        if (last.member != next.member || last.force != next.force || last.to != next.from) return false;
+        const auto formula = [&](const Polynomial& p, const WorkIntegral& on) {
+            return expression(p, on.from, on.to, real_.length());
+        };
+        return go_on(formula(last.real, last), formula(next.real, next), real_.length()) &&
+               go_on(formula(last.unit, last), formula(next.unit, next), real_.length());
     }
 
     void add_joint(std::size_t end, MemberComponent force)
@@ -210,13 +261,6 @@ void add_support(const LoadedStructure& real, const LoadedStructure& unit, const
     }
 }
 
-void require_prismatic(const Model& model, const Discretisation& structure)
-{
-    for (std::size_t i = 0; i < structure.members.size(); ++i)
-        if (!structure.properties_of(MemberId(i)).xy.taper.is_prismatic())
-            throw ModelError({Fault{FaultKind::WorkOfTaperedMember, {model.members[i].id}}});
-}
-
 } // namespace
 
 double Work::of(MemberId member) const
@@ -241,7 +285,6 @@ Work work_between(const Loading& real, const Loading& unit)
     Work work;
     const LoadedStructure under_loads(real), under_unit(unit);
     const Discretisation& structure = under_loads.structure();
-    require_prismatic(real.model, structure);
     for (std::size_t i = 0; i < structure.members.size(); ++i)
         MemberWork(under_loads, under_unit, MemberId(i), work).add(structure.kind);
     for (const Discretisation::SupportRow& support : structure.supports)

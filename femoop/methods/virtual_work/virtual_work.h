@@ -14,14 +14,18 @@ namespace femoop::virtual_work {
 
 /// The work along a stretch of a member over which both forces are polynomials in t = x - from:
 ///
-///      value = integral of  unit (flexibility real + strain) dt      exact, term by term
+///      value = integral of  unit (flexibility real / stiffness + strain / depth) dt
+///
+/// term by term, and along a taper by power series over short pieces: exact.
 struct WorkIntegral {
     MemberId member;
     std::optional<MemberComponent> force; ///< N Vy Vz T My Mz; none: the pressure p = -k v of its foundation
     double from = 0.0, to = 0.0;          ///< along the member
     Polynomial real, unit;                ///< under the loads, and under the unit load
-    double flexibility = 0.0;             ///< 1 / EA, 1 / GAs, 1 / GJ, 1 / EI, 1 / k
-    double strain = 0.0;                  ///< imposed by heat or misfit: a lengthening (N), a curvature (Mz)
+    double flexibility = 0.0;             ///< 1 / EA, 1 / GAs, 1 / GJ, 1 / EI, 1 / k, at the first end of the member
+    double strain = 0.0;                  ///< imposed by heat or misfit: a lengthening (N), a curvature there (Mz)
+    Polynomial stiffness{1.0};            ///< beside that at the first end: along a taper it varies
+    Polynomial depth{1.0};                ///< likewise, where it divides an imposed curvature
     double value = 0.0;
 };
 
@@ -63,7 +67,6 @@ struct Work {
 ///         of `real`
 /// Signs   femoop/result/curve.h
 /// Units   the model's base units
-/// \throws ModelError  WorkOfTaperedMember
 /// Source  [Kassimali, ch. 7]; what a bar (truss) carries between its nodes strains it along its axis alone
 Work work_between(const Loading& real, const Loading& unit);
 
@@ -78,7 +81,7 @@ struct VirtualWork {
 };
 
 /// \param results  of the model  \pre the effect is a displacement that is sound (check_effect)
-/// \throws ModelError, MechanismError  as `analyse`, of the structure under the unit load, and as `work_between`
+/// \throws ModelError, MechanismError  as `analyse`, of the structure under the unit load
 VirtualWork displacement_by_work(const Model& model, const Results& results, CaseId load_case,
                                  const MovingEffect& displacement);
 

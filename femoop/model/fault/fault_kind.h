@@ -245,8 +245,6 @@ enum class FaultKind : std::uint8_t {
     RedundantsUnstrained, ///< {0} redundants
     PrimaryMoves,         ///< {0} redundants
 
-    WorkOfTaperedMember, ///< {0} member: product integrals
-
     // how well the analysis could solve it
     InaccurateCase,     ///< {0} case, {1} how many digits hold
     IllConditionedCase, ///< {0} case

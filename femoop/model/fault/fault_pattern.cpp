@@ -417,9 +417,6 @@ std::string_view pattern(FaultKind kind)
     case FaultKind::RedundantsUnstrained:
         return "{0} strain nothing in the primary structure, so that no equation gives them; release other forces, or "
                "give inextensible and rigid members a stiffness";
-    case FaultKind::WorkOfTaperedMember:
-        return "member {0} is tapered, and its product integrals, which want one EI, are not worked yet; "
-               "take its depths away";
     case FaultKind::PrimaryMoves: return "without {0} the structure can move; release other forces";
     }
     return "";

@@ -324,7 +324,6 @@ TEST_SUITE("force method")
         for (const AnalysisKind kind : every_model)
             for (unsigned seed = 1; seed <= 2; ++seed) {
                 Model model = random_structure(kind, seed);
-                make_prismatic(model);
                 model.combinations.push_back({.id = "ULS", .terms = {{CaseId(0), 1.35}, {CaseId(1), -1.5}}});
                 const std::vector<Redundant> redundants = random_redundants(model, seed, 4);
                 CAPTURE(femoop::name(kind));

@@ -181,7 +181,6 @@ TEST_SUITE("virtual work")
         for (const AnalysisKind kind : every_model)
             for (unsigned seed = 1; seed <= 2; ++seed) {
                 Model model = random_structure(kind, seed);
-                make_prismatic(model);
                 model.combinations.push_back({.id = "ULS", .terms = {{CaseId(0), 1.35}, {CaseId(1), -1.5}}});
                 CAPTURE(name(kind));
                 CAPTURE(seed);
