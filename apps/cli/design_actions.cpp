@@ -1,5 +1,6 @@
 #include "apps/cli/design_actions.h"
 
+#include <algorithm>
 #include <vector>
 
 #include "apps/cli/argument.h"
@@ -44,8 +45,11 @@ std::vector<CaseAction> actions_of(const femoop::Model& model, DesignCode code, 
         if (equals == std::string::npos)
             throw UsageError(tr("--actions: found {found}; wanted a load case and its action, such as G=permanent",
                                 {{"found", part}}));
-        actions.push_back(
-            {load_case_named(model, part.substr(0, equals), tr), &kind_named(code, part.substr(equals + 1), tr)});
+        const femoop::CaseId load_case = load_case_named(model, part.substr(0, equals), tr);
+        if (std::ranges::find(actions, load_case, &CaseAction::load_case) != actions.end())
+            throw UsageError(tr("--actions: {case} is named twice; give each load case one action",
+                                {{"case", model.case_name(load_case)}}));
+        actions.push_back({load_case, &kind_named(code, part.substr(equals + 1), tr)});
     }
     return actions;
 }
@@ -64,7 +68,12 @@ void add_design_combinations(femoop::Model& model, const DesignActions& typed, C
 {
     const ui::Catalogue& tr = console.tr();
     const DesignCode code = code_named(typed.code, tr);
-    const auto combinations = design_combinations(code, actions_of(model, code, typed.actions, tr), limit_states(code));
+    const std::vector<CaseAction> actions = actions_of(model, code, typed.actions, tr);
+    if (are_too_many_combinations(code, actions, limit_states(code)))
+        throw UsageError(tr("--actions: more than {most} combinations may come of so many alternatives; leave cases "
+                            "out, and combine them in several runs",
+                            {{"most", std::to_string(femoop::most_design_combinations)}}));
+    const auto combinations = design_combinations(code, actions, limit_states(code));
     const auto prefix = [&](femoop::LimitState state) { return tr(short_name(code, state)); };
     for (const femoop::DesignCombination& one : combinations)
         console.message(prefix(one.state) + ' ' + formula(model, one) + ": " + meaning(model, code, one, tr));

@@ -386,6 +386,20 @@ std::span<const LimitState> limit_states(DesignCode code)
     return code == DesignCode::ASCE7 ? all.first(2) : all;
 }
 
+// Each choice of alternatives, with each of its actions as the leading one, with or without each of the others.
+bool are_too_many_combinations(DesignCode code, std::span<const CaseAction> actions, std::span<const LimitState> states)
+{
+    double n_choices = 1.0, n_kinds = 0.0;
+    for (const ActionKind& kind : action_kinds(code)) {
+        const std::size_t n = alternatives(kind, actions).size();
+        if (kind.is_permanent || n == 0) continue;
+        n_choices *= static_cast<double>(n);
+        n_kinds += 1.0;
+    }
+    const double most = n_choices * std::max(1.0, n_kinds) * std::exp2(n_kinds) * static_cast<double>(states.size());
+    return most > static_cast<double>(most_design_combinations);
+}
+
 std::vector<DesignCombination> design_combinations(DesignCode code, std::span<const CaseAction> actions,
                                                    std::span<const LimitState> states)
 {

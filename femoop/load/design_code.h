@@ -61,6 +61,12 @@ struct DesignCombination {
     std::string_view clause;              ///< "expression (6.10)"
 };
 
+/// More are not made: nobody would look through them. Alternatives multiply.
+inline constexpr std::size_t most_design_combinations = 20'000;
+/// Whether there may be more, those counted that come twice; told at once, however many cases there are.
+bool are_too_many_combinations(DesignCode code, std::span<const CaseAction> actions,
+                               std::span<const LimitState> states);
+
 /// The combinations of a code, none twice.
 ///
 /// NBR 8681 and EN 1990, with G all permanent and Q1 the leading variable action, each in its turn:
@@ -73,6 +79,7 @@ struct DesignCombination {
 /// A variable action that relieves is away: every choice of those that act is made. ASCE 7: the basic combinations of
 /// strength design, and of allowable stress design under service loads (`Rare`), each as the standard lists it.
 ///
+/// \pre     they are not too many
 /// Assumes  loads do not depend on each other's direction; alternate spans are load cases of their own, which act
 ///          together here: what is loaded in part is made by hand
 /// Source   [NBR8681] tables 2, 4, 5 and 6; [EN1990] expressions (6.10), (6.14b), (6.15b), (6.16b), tables A1.1 and

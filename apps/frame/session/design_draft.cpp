@@ -69,7 +69,9 @@ void DesignDraft::combine()
     std::vector<LimitState> states;
     for (const LimitState state : limit_states(code_))
         if (has(state)) states.push_back(state);
-    combinations_ = design_combinations(code_, actions_, states);
+    combinations_.clear();
+    has_too_many_ = are_too_many_combinations(code_, actions_, states);
+    if (!has_too_many_) combinations_ = design_combinations(code_, actions_, states);
 }
 
 void DesignDraft::accept(Session& session)

@@ -26,6 +26,8 @@ public:
     void set_action(std::size_t load_case, const femoop::ActionKind* kind);
     bool has(femoop::LimitState state) const { return has_[static_cast<std::size_t>(state)]; }
     void set(femoop::LimitState state, bool is_on);
+    /// None are made of so many alternatives.
+    bool has_too_many() const { return has_too_many_; }
     const std::vector<femoop::DesignCombination>& combinations() const { return combinations_; }
 
     /// What a scenario says: "code EN1990", "action Q=offices", "state frequent", "accept", "cancel". \returns the
@@ -41,6 +43,7 @@ private:
     femoop::DesignCode code_ = femoop::DesignCode::EN1990;
     std::vector<femoop::CaseAction> actions_;
     std::vector<bool> has_{true, true, true, true}; ///< of each limit state
+    bool has_too_many_ = false;
     std::vector<femoop::DesignCombination> combinations_;
 };
 

@@ -126,8 +126,11 @@ void DesignWindow::show(Workspace& workspace, const ui::NumberFields& fields)
     show_states(workspace);
     ImGui::Separator();
     const std::vector<DesignCombination>& combinations = draft.combinations();
-    ui::wrapped_text(
-        tr("{count} combinations; they can be changed afterwards", {{"count", std::to_string(combinations.size())}}));
+    const std::size_t n = draft.has_too_many() ? femoop::most_design_combinations : combinations.size();
+    ui::wrapped_text(tr(draft.has_too_many() ? ui::translatable("More than {count} combinations may come of so many "
+                                                                "alternatives; leave cases or limit states out")
+                                             : ui::translatable("{count} combinations; they can be changed afterwards"),
+                        {{"count", std::to_string(n)}}));
     ImGui::BeginChild("###combinations", {0.0F, 0.0F});
     for (const DesignCombination& one : combinations) show_combination(workspace, one);
     ImGui::EndChild();

@@ -70,6 +70,7 @@ TEST_CASE("With the combinations of a code a model has them as ordinary ones, an
     CHECK(has(refused("EN1990", "P"), "such as G=permanent"));
     CHECK(has(refused("EN1990", "P=rain"), "congregation"));
     CHECK(has(refused("EN1990", "Z=wind"), "--actions"));
+    CHECK(has(refused("EN1990", "P=permanent,P=wind"), "--actions: P is named twice"));
 }
 
 TEST_CASE("To CSV every result stands in one long table with its unit")

@@ -128,6 +128,23 @@ TEST_SUITE("design codes")
         }
     }
 
+    TEST_CASE("So many alternatives that nobody would look through their combinations are told beforehand")
+    {
+        std::vector<Typed> cases{{"G", "permanent"}};
+        for (const std::string_view kind : {"offices", "wind", "snow", "temperature"})
+            for (int i = 0; i < 4; ++i) cases.push_back({std::string(kind) + std::to_string(i), kind});
+        const auto are_too_many = [&] {
+            return are_too_many_combinations(DesignCode::EN1990, actions_of(DesignCode::EN1990, cases),
+                                             limit_states(DesignCode::EN1990));
+        };
+        CHECK_FALSE(are_too_many());
+        CHECK(written(DesignCode::EN1990, LimitState::Ultimate, cases).size() < most_design_combinations);
+        for (int i = 4; i < 70; ++i)
+            for (const std::string_view kind : {"wind", "snow", "temperature"})
+                cases.push_back({std::string(kind) + std::to_string(i), kind});
+        CHECK(are_too_many());
+    }
+
     TEST_CASE("Without variable actions each limit state has the permanent ones alone, without any actions nothing")
     {
         CHECK(written(DesignCode::EN1990, LimitState::Ultimate, {{"G", "permanent"}}) == Set{"1.35 G"});

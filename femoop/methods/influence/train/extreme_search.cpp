@@ -4,6 +4,7 @@
 #include <cmath>
 #include <functional>
 #include <limits>
+#include <queue>
 #include <utility>
 
 namespace femoop::influence {
@@ -51,6 +52,10 @@ public:
             for (std::size_t i = 0; i < std::min(with_axle.size(), n_peaks); ++i) look_at(with_axle[i].x);
             if (permanent_ != nullptr)
                 for (const double x : permanent_->breaks) look_at(x);
+            look_towards_ends();
+            sort();
+            find_sharpest_bend();
+            look_where_more_may_be();
             sort();
             for (const auto& [from, to] : peaks()) close_in(from, to);
             sort();
@@ -73,6 +78,12 @@ private:
 
     double value_at(double x) const { return sign_ * placing_at(x).value; }
     void look_at(double x) { sections_.push_back({x, value_at(x)}); }
+    /// The limits there.
+    void look_towards_ends()
+    {
+        const double length = lines_.length(), hair = 0.05 * one_section * length;
+        for (const double x : {hair, length - hair}) sections_.push_back({snapped(x), value_at(x)});
+    }
     void sort() { std::ranges::sort(sections_, {}, &Tried::x); }
 
     /// The worst first.
@@ -97,15 +108,68 @@ private:
         return all;
     }
 
+    /// The value is the largest of many smooth functions of x, one for each way in which the train may stand: it can
+    /// turn up in a kink, but turn down no more sharply than one of them does. That is looked for between kinks.
+    void find_sharpest_bend()
+    {
+        constexpr double hair = 1e-3, safety = 3.0;
+        const double d = hair * lines_.length();
+        for (int i = 1; i < n_looked_at; ++i) {
+            const double x = lines_.length() * i / n_looked_at;
+            const double turn = 2.0 * value_at(x) - value_at(x - d) - value_at(x + d);
+            sharpest_bend_ = std::max(sharpest_bend_, safety * turn / (d * d));
+        }
+    }
+
+    /// Neighbouring sections, and the most that a value between them can be: that of a parabola over the higher one.
+    struct Stretch {
+        Tried from, to;
+        double bound = 0.0;
+
+        friend bool operator<(const Stretch& a, const Stretch& b) { return a.bound < b.bound; }
+    };
+    Stretch stretch(const Tried& from, const Tried& to) const
+    {
+        const double width = to.x - from.x;
+        return {from, to, std::max(from.value, to.value) + sharpest_bend_ * width * width / 8.0};
+    }
+
+    /// By branch and bound: halves the stretch that promises most until none promises more than there is.
+    void look_where_more_may_be()
+    {
+        constexpr int most_halvings = 400; // where the value is level over a stretch
+        double most = -std::numeric_limits<double>::infinity(), scale = 0.0;
+        for (const Tried& section : sections_) {
+            most = std::max(most, section.value);
+            scale = std::max(scale, std::abs(section.value));
+        }
+        std::priority_queue<Stretch> stretches;
+        for (std::size_t i = 0; i + 1 < sections_.size(); ++i) stretches.push(stretch(sections_[i], sections_[i + 1]));
+        for (int i = 0; i < most_halvings && stretches.top().bound > most + equal_extremes * scale; ++i) {
+            const auto [from, to, bound] = stretches.top();
+            stretches.pop();
+            look_at(0.5 * (from.x + to.x));
+            const Tried middle = sections_.back();
+            most = std::max(most, middle.value);
+            stretches.push(stretch(from, middle));
+            stretches.push(stretch(middle, to));
+        }
+    }
+
+    /// No neighbour is above it by more than rounding.
+    bool is_peak(std::size_t i, double rounding) const
+    {
+        const double most = sections_[i].value + rounding;
+        return (i == 0 || sections_[i - 1].value <= most) &&
+               (i + 1 == sections_.size() || sections_[i + 1].value <= most);
+    }
+
     /// Stretches around the largest values of neighbours.
     std::vector<std::pair<double, double>> peaks() const
     {
         std::vector<std::size_t> found;
-        for (std::size_t i = 0; i < sections_.size(); ++i) {
-            const bool is_above_last = i == 0 || sections_[i].value >= sections_[i - 1].value;
-            const bool is_above_next = i + 1 == sections_.size() || sections_[i].value >= sections_[i + 1].value;
-            if (is_above_last && is_above_next) found.push_back(i);
-        }
+        for (std::size_t i = 0; i < sections_.size(); ++i)
+            if (is_peak(i, 0.0)) found.push_back(i);
         std::ranges::sort(found, [&](std::size_t i, std::size_t j) { return sections_[i].value > sections_[j].value; });
         if (found.size() > n_peaks) found.resize(n_peaks);
         std::vector<std::pair<double, double>> stretches;
@@ -151,8 +215,9 @@ private:
         std::vector<Tried> equal;
         double scale = std::abs(most);
         for (const Tried& section : sections_) scale = std::max(scale, std::abs(section.value));
-        for (const Tried& section : sections_)
-            if (section.value >= most - equal_extremes * scale) add(equal, section);
+        for (std::size_t i = 0; i < sections_.size(); ++i)
+            if (sections_[i].value >= most - equal_extremes * scale && is_peak(i, 0.01 * equal_extremes * scale))
+                add(equal, sections_[i]);
         WorstSection result;
         result.sections = without_inner(equal, most - equal_extremes * scale);
         result.placing = first_placing(result.sections, most - 10.0 * equal_extremes * scale);
@@ -213,6 +278,7 @@ private:
     const Permanent* permanent_;
     ExtremeKind kind_;
     double sign_;
+    double sharpest_bend_ = 0.0; ///< [value / length^2]
     std::vector<Tried> sections_;
 };
 

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <random>
 #include <variant>
 #include <vector>
 
@@ -168,6 +169,40 @@ TEST_CASE("No position of a train goes beyond its envelope")
                 const double value = search.at({.position = position, .reversed = reversed}, ExtremeKind::Max).value;
                 CHECK(value <= section.max.value + tolerance);
                 CHECK(value >= section.min.value - tolerance);
+            }
+        }
+    }
+}
+
+TEST_CASE("No section of a member goes beyond its extreme, whatever stays and whatever goes along with the axles")
+{
+    std::mt19937 generator(7);
+    const auto one_of = [&](const std::vector<double>& all) {
+        return all[std::uniform_int_distribution<std::size_t>(0, all.size() - 1)(generator)];
+    };
+    for (int i = 0; i < 8; ++i) {
+        CAPTURE(i);
+        Model model = bridge();
+        Train train = lorry();
+        for (Quantity& axle : train.axles) axle = Quantity(one_of({40.0, 90.0, 160.0, 200.0}));
+        train.spacings = {Quantity(one_of({1.2, 2.0, 4.3})), Quantity(one_of({2.7, 4.3}))};
+        if (i % 2 == 0) train.uniform = Quantity(one_of({4.0, 15.0}));
+        if (i % 4 == 0) train.uniform_extent = UniformExtent::WholeSpans;
+        model.moving_loads.trains.push_back(train);
+        const MovingEnvelope envelope{
+            .id = "E", .trains = {TrainId(0)}, .with = CaseId(0), .factor = one_of({1.0, 1.35, 2.0})};
+        TrainAnalysis analysis(model);
+        for (std::size_t member = 0; member < 3; ++member) {
+            MovingEffect along = moment(member, 0.0);
+            along.at.reset();
+            const TrainExtreme extreme = analysis.extreme(envelope, along);
+            std::vector<MovingEffect> sections;
+            const double length = geometry_of(model, model.members[member]).length;
+            for (int k = 0; k <= 120; ++k) sections.push_back(at_section(along, length * k / 120.0, length));
+            const double rounding = 1e-9 * (extreme.max.placing.value - extreme.min.placing.value);
+            for (const TrainEffect& of : analysis.effects(envelope, sections)) {
+                CHECK(of.max.value <= extreme.max.placing.value + rounding);
+                CHECK(of.min.value >= extreme.min.placing.value - rounding);
             }
         }
     }
