@@ -116,7 +116,9 @@ void Train::choose_effects(Question& question, const Model& model, const ui::Cat
 {
     if (asked_.is_asked()) {
         const MovingEffect effect = asked_.sound_effect(model, tr);
-        (effect.quantity == ExpectedQuantity::Extreme ? question.extremes : question.effects).push_back(effect);
+        const bool is_extreme = effect.quantity == ExpectedQuantity::Extreme;
+        if (is_extreme && is_proved_) throw needs_too("--proof", "--at", tr);
+        (is_extreme ? question.extremes : question.effects).push_back(effect);
         return;
     }
     const auto n = static_cast<std::size_t>(whole_number("--stations", stations_, {2, 100000}, tr));

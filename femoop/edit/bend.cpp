@@ -3,7 +3,10 @@
 #include <Eigen/Core>
 #include <cmath>
 #include <stdexcept>
+#include <variant>
+#include <vector>
 
+#include "femoop/edit/load_change.h"
 #include "femoop/edit/member_line.h"
 #include "femoop/edit/split.h"
 #include "femoop/geometry/member_geometry.h"
@@ -38,6 +41,17 @@ Eigen::Vector3d sideways(const Model& model, const Member& member)
     return {-line.axes(0, 1), line.axes(0, 0), 0.0};
 }
 
+/// Loads keep their share of the length of parts that became longer.
+void stretch_places(Model& model, MemberId member, double factor)
+{
+    for (LoadCase& load_case : model.load_cases)
+        for (MemberLoad& load : load_case.members)
+            if (load.member == member)
+                change_places(load, [&](Position& place) {
+                    if (const auto* length = std::get_if<Quantity>(&place)) place = Quantity(factor * length->value());
+                });
+}
+
 } // namespace
 
 BentMember bend_member(Model& model, MemberId member, const Bend& bend)
@@ -55,12 +69,16 @@ BentMember bend_member(Model& model, MemberId member, const Bend& bend)
         bent.nodes.push_back(parts.node);
         bent.members.push_back(parts.second);
     }
+    std::vector<double> lengths;
+    for (const MemberId part : bent.members) lengths.push_back(geometry_of(model, model[part]).length);
     const auto place = bend.curve == BendCurve::Arc ? on_arc : on_parabola;
     for (std::size_t i = 0; i < bent.nodes.size(); ++i) {
         const OnCurve at = place(share(i + 1), chord.length, bend.rise);
         model.nodes[bent.nodes[i].index].at = coordinates(chord.at(at.x) + at.y * side,
                                                           chord.length + std::abs(bend.rise));
     }
+    for (std::size_t i = 0; i < bent.members.size(); ++i)
+        stretch_places(model, bent.members[i], geometry_of(model, model[bent.members[i]]).length / lengths[i]);
     return bent;
 }
 

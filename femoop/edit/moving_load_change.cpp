@@ -19,6 +19,16 @@ void change_paths(Model& model, const std::function<void(std::vector<MemberId>&)
     for (Train& train : model.moving_loads.trains) change_reference(train.path);
 }
 
+void lead_with(MovingLoads& moving, LoadPath path)
+{
+    const auto renumber = [](LoadPathReference& reference) {
+        if (auto* id = std::get_if<PathId>(&reference)) *id = PathId(id->index + std::size_t{1});
+    };
+    for (InfluenceLineDefinition& line : moving.influence_lines) renumber(line.path);
+    for (Train& train : moving.trains) renumber(train.path);
+    moving.paths.insert(moving.paths.begin(), std::move(path));
+}
+
 // The other way round where the path comes from the whole member's end.
 void follow_split(Model& model, MemberId first, MemberId second)
 {

@@ -10,6 +10,9 @@ namespace femoop {
 /// Every list of members that a load moves along: of the model's paths, and those spelled out.
 void change_paths(Model& model, const std::function<void(std::vector<MemberId>&)>& change);
 
+/// A path before the others: the first one is meant where none is named.
+void lead_with(MovingLoads& moving, LoadPath path);
+
 /// A path over a member that was cut in two goes on over both. \pre the second part begins where the first ends
 void follow_split(Model& model, MemberId first, MemberId second);
 

@@ -1,7 +1,9 @@
 #include "femoop/result/difference.h"
 
+#include <algorithm>
 #include <cmath>
 #include <string>
+#include <vector>
 
 #include "femoop/result/components.h"
 
@@ -26,6 +28,26 @@ std::optional<MemberId> former_member(const Model& then, const Model& now, Membe
 std::optional<NodeId> former_node(const Model& then, const Model& now, NodeId node)
 {
     return namesake(then.nodes, node, now[node].id, [&](const std::string& name) { return then.find_node(name); });
+}
+
+/// The ends, and where either is largest or smallest.
+std::vector<double> compared_shares(const Curve& now, const std::optional<Curve>& then, MemberComponent component)
+{
+    std::vector<double> shares{0.0, 1.0};
+    const auto add = [&](const Curve& curve) {
+        const auto [max, min] = curve.extremes(component);
+        for (const double x : {max.x, min.x}) shares.push_back(std::clamp(x / curve.length(), 0.0, 1.0));
+    };
+    add(now);
+    if (then) add(*then);
+    return shares;
+}
+
+/// Of two sections the one where more has changed, else where there is more now.
+bool is_larger(const Difference& a, const Difference& b)
+{
+    const double change = std::abs(a.change().value_or(0.0)), other = std::abs(b.change().value_or(0.0));
+    return change != other ? change > other : std::abs(a.now) > std::abs(b.now);
 }
 
 } // namespace
@@ -60,13 +82,26 @@ Difference Differences::operator[](std::size_t place) const
 
 Difference Differences::force(MemberId member, MemberComponent component) const
 {
-    const auto of = [&](const ComparedCase& which, const Magnitudes& sizes, MemberId id) {
-        return without_rounding(largest(which.result.curve(id), component), sizes.of(component));
+    const Curve curve = now_.result.curve(member);
+    const auto former = former_member(*then_.model, *now_.model, member);
+    const std::optional<Curve> past = former ? std::optional(then_.result.curve(*former)) : std::nullopt;
+    const double now_size = now_sizes_.of(component), then_size = then_sizes_.of(component);
+    const auto at = [&](double share, Side side) {
+        Difference one{.quantity = ComparedQuantity::SectionForce, .part = member, .component = component};
+        one.now = without_rounding(curve.value(component, share * curve.length(), side), now_size);
+        if (past) one.then = without_rounding(past->value(component, share * past->length(), side), then_size);
+        one.share = share;
+        one.size = std::max(now_size, then_size);
+        return one;
     };
-    Difference one{ComparedQuantity::SectionForce, member, component, of(now_, now_sizes_, member)};
-    if (const auto former = former_member(*then_.model, *now_.model, member))
-        one.then = of(then_, then_sizes_, *former);
-    return one;
+    std::optional<Difference> most;
+    for (const double share : compared_shares(curve, past, component))
+        for (const Side side : {Side::Before, Side::After}) {
+            if (share == (side == Side::Before ? 0.0 : 1.0)) continue;
+            const Difference one = at(share, side);
+            if (!most || is_larger(one, *most)) most = one;
+        }
+    return most.value();
 }
 
 Difference Differences::reaction(NodeId node, Dof dof) const
@@ -74,7 +109,9 @@ Difference Differences::reaction(NodeId node, Dof dof) const
     const auto of = [&](const ComparedCase& which, const Magnitudes& sizes, NodeId id) {
         return without_rounding(which.result.reaction(id)[index(dof)], sizes.force_of(dof));
     };
-    Difference one{ComparedQuantity::Reaction, node, dof, of(now_, now_sizes_, node)};
+    Difference one{.quantity = ComparedQuantity::Reaction, .part = node, .component = dof};
+    one.now = of(now_, now_sizes_, node);
+    one.size = std::max(now_sizes_.force_of(dof), then_sizes_.force_of(dof));
     const auto former = former_node(*then_.model, *now_.model, node);
     if (former && then_.result.is_supported(*former)) one.then = of(then_, then_sizes_, *former);
     return one;
@@ -85,15 +122,11 @@ Difference Differences::displacement(NodeId node, Dof dof) const
     const auto of = [&](const ComparedCase& which, const Magnitudes& sizes, NodeId id) {
         return without_rounding(which.result.displacement(id)[index(dof)], sizes.displacement_of(dof));
     };
-    Difference one{ComparedQuantity::Displacement, node, dof, of(now_, now_sizes_, node)};
+    Difference one{.quantity = ComparedQuantity::Displacement, .part = node, .component = dof};
+    one.now = of(now_, now_sizes_, node);
+    one.size = std::max(now_sizes_.displacement_of(dof), then_sizes_.displacement_of(dof));
     if (const auto former = former_node(*then_.model, *now_.model, node)) one.then = of(then_, then_sizes_, *former);
     return one;
-}
-
-double largest(const Curve& curve, MemberComponent component)
-{
-    const Extremes extremes = curve.extremes(component);
-    return std::abs(extremes.min.value) > std::abs(extremes.max.value) ? extremes.min.value : extremes.max.value;
 }
 
 } // namespace femoop

@@ -24,14 +24,20 @@ struct Difference {
     ComparedQuantity quantity = ComparedQuantity::SectionForce;
     std::variant<NodeId, MemberId> part;
     std::variant<Dof, MemberComponent> component;
-    double now = 0.0;             ///< of a section force the largest along the member, with its sign
-    std::optional<double> then{}; ///< absent where there was no such part, or no support there
+    double now = 0.0;
+    std::optional<double> then{};  ///< absent where there was no such part, or no support there
+    std::optional<double> share{}; ///< of a section force: the section, as a share of the member's length
+    double size = 0.0;             ///< of such values: what is rounding beside it is no change
 
-    std::optional<double> change() const { return then ? std::optional(now - *then) : std::nullopt; }
+    std::optional<double> change() const
+    {
+        return then ? std::optional(without_rounding(now - *then, size)) : std::nullopt;
+    }
 };
 
 /// Section forces of every member, then reactions of every support, then displacements of every node, in the order of the
-/// present model; 0 where a value is nothing but rounding. None where the two are of different analyses. Each is found
+/// present model; 0 where a value is nothing but rounding. Section forces are held against each other at one section:
+/// of the ends and those where either is largest or smallest, where they differ most. None where the two are of different analyses. Each is found
 /// when it is asked for.
 class Differences {
 public:
@@ -52,8 +58,5 @@ private:
     std::vector<Dof> dofs_;
     std::vector<NodeId> supported_;
 };
-
-/// The value along the member that is largest without its sign.
-double largest(const Curve& curve, MemberComponent component);
 
 } // namespace femoop

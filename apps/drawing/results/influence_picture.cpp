@@ -197,7 +197,8 @@ private:
     void draw_moved() const
     {
         if (picture_.motion.empty()) return;
-        const double factor = scale_.pixels_per_unit / scene_.projection.scale() * scene_.state.phase;
+        const double opened = 0.5 * (1.0 + scene_.state.phase); // the release opens and closes, never the other way
+        const double factor = scale_.pixels_per_unit / scene_.projection.scale() * opened;
         ui::Stroke stroke = sketch().thin(ui::Role::Deformed);
         stroke.dash = {6.0, 4.0};
         for (std::size_t i = 0; i < picture_.motion.size(); ++i) {
@@ -373,10 +374,14 @@ std::string_view released_by(const MovingEffect& effect)
 {
     if (effect.quantity == ExpectedQuantity::Reaction)
         return is_rotation(*effect.dof)
-                   ? ui::translatable("The support turns by 1 against its couple; the path moves by the line.")
-                   : ui::translatable("The support moves by 1 against its reaction; the path moves by the line.");
+                   ? ui::translatable(
+                         "The support turns by 1 against its couple; the path moves by the line: M · 1 = 1 · η(s).")
+                   : ui::translatable(
+                         "The support moves by 1 against its reaction; the path moves by the line: R · 1 = 1 · η(s).");
     if (!effect.component || is_displacement(*effect.component))
-        return ui::translatable("A unit load stands where the displacement is asked for; the path moves by the line.");
+        return ui::translatable(
+            "A unit load stands where the displacement is asked for; the path moves by the line, and "
+            "by Maxwell 1 · u = 1 · η(s).");
     switch (*effect.component) {
     case MemberComponent::N:
         return ui::translatable("The member parts by 1 at the section; the path moves by the line: N · 1 = 1 · η(s).");

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "femoop/edit/naming.h"
+#include "femoop/model/moving_load.h"
 #include "ui/text/catalogue.h"
 #include "ui/text/message.h"
 
@@ -30,6 +31,14 @@ std::string fresh_name(const std::vector<Entry>& list, std::string Entry::*name_
 {
     return femoop::fresh_name(
         wanted, [&](const std::string& name) { return std::ranges::find(list, name, name_of) != list.end(); });
+}
+
+/// A number counted up behind a standard's name would name another of its trains: "LM1 lane 1" is followed by
+/// "LM1 lane 1 #2".
+inline std::string fresh_train_name(const std::vector<femoop::Train>& trains, const std::string& wanted)
+{
+    const bool is_taken = std::ranges::find(trains, wanted, &femoop::Train::id) != trains.end();
+    return is_taken ? fresh_name(trains, &femoop::Train::id, wanted + " #2") : wanted;
 }
 
 } // namespace frame

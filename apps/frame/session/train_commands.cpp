@@ -9,9 +9,12 @@
 #include <vector>
 
 #include "apps/frame/document/naming.h"
+#include "apps/frame/document/selected_members.h"
 #include "apps/frame/session/influence_commands.h"
 #include "apps/frame/tools/snap.h"
+#include "femoop/edit/moving_load_change.h"
 #include "femoop/methods/influence/load_path.h"
+#include "femoop/methods/influence/usual_path.h"
 
 namespace frame {
 
@@ -62,6 +65,24 @@ Reason why_no_train_path(const Workspace& workspace)
 {
     if (!workspace.session.model().members.empty()) return std::nullopt;
     return translatable("the model has no member that a train could run along");
+}
+
+Reason why_no_path(const Workspace& workspace)
+{
+    const std::vector<femoop::MemberId> members = selected_members(workspace.session.selection);
+    if (members.empty()) return translatable("no member is selected; select those that a load moves along");
+    if (femoop::influence::row_of(workspace.session.model(), members)) return std::nullopt;
+    return translatable("the selected members are no row, each beginning where another ends; select such ones");
+}
+
+/// Lines and trains that name no path take the first one that passes them.
+void add_path(Workspace& workspace)
+{
+    Session& session = workspace.session;
+    const auto row = femoop::influence::row_of(session.model(), selected_members(session.selection));
+    femoop::LoadPath path{fresh_name(session.model().moving_loads.paths, &femoop::LoadPath::id, "path"), row.value()};
+    session.change({{translatable("Add load path: {name}"), {{"name", path.id}}},
+                    [&path](Document& document) { lead_with(document.model.moving_loads, std::move(path)); }});
 }
 
 Reason why_no_train_envelope(const Workspace& workspace)
@@ -243,7 +264,7 @@ void take_from_library(Session& session, const LibraryTrain& entry)
     Train train = train_from(entry, session.model().units, path_of_line(session));
     const bool is_there = std::ranges::find(trains_of(session), train) != trains_of(session).end();
     if (!is_there) {
-        train.id = fresh_name(trains_of(session), &Train::id, train.id);
+        train.id = fresh_train_name(trains_of(session), train.id);
         const bool is_added = session.change_soundly(
             {{translatable("Add train: {name}"), {{"name", train.id}}},
              [&train](Document& document) { document.model.moving_loads.trains.push_back(train); }});
@@ -255,6 +276,7 @@ void take_from_library(Session& session, const LibraryTrain& entry)
 void add_train_commands(CommandTable& table)
 {
     Menu menu(table, translatable("Trains"));
+    menu.step({"train.path", translatable("Load path along the selected members")}, add_path, why_no_path);
     menu.step({"train.next", translatable("The next train on the influence line"), {{Key::R, {}}}}, choose_next_train,
               needs_trains);
     menu.step({"train.extreme", translatable("Its largest or its least value"), {{Key::R, ui::ctrl_shift}}}, seek_other,

@@ -68,7 +68,7 @@ void TrainDraft::add_copy(Session& session) { append(session, train()); }
 
 void TrainDraft::append(Session& session, Train train)
 {
-    train.id = fresh_name(loads_.trains, &Train::id, train.id);
+    train.id = fresh_train_name(loads_.trains, train.id);
     loads_.trains.push_back(std::move(train));
     chosen_ = loads_.trains.size() - 1;
     show(session);

@@ -19,6 +19,7 @@
 #include "apps/frame/window/no_results.h"
 #include "apps/frame/window/result_list.h"
 #include "apps/frame/window/train_envelope_panel.h"
+#include "femoop/geometry/member_geometry.h"
 #include "femoop/result/components.h"
 #include "femoop/result/difference.h"
 #include "femoop/result/results.h"
@@ -174,14 +175,23 @@ Measure measure_of_difference(const Difference& one)
     return one.quantity == ComparedQuantity::Reaction ? force_measures.of(dof) : displacement_measures.of(dof);
 }
 
-/// "BC: M [kN·m]", the value, that of what is compared with, and the change.
+/// " (3.2 m)" of a section force.
+std::string section_text(const ShownCase& shown, const Difference& one)
+{
+    const auto* const member = std::get_if<femoop::MemberId>(&one.part);
+    if (member == nullptr || !one.share) return "";
+    const double x = *one.share * geometry_of(shown.model(), shown.model()[*member]).length;
+    return " (" + shown.units.text(x, Measure::Length) + ")";
+}
+
+/// "BC (3.2 m): M [kN·m]", the value, that of what is compared with, and the change.
 void difference_row(const ShownCase& shown, const Difference& one)
 {
     const Measure measure = measure_of_difference(one);
     const auto part = std::visit([](auto id) { return Part(id); }, one.part);
     const std::string id = std::visit([&](auto id_of_part) { return shown.model()[id_of_part].id; }, one.part);
-    part_cell(shown.session(), part,
-              id + ": " + shown.units.label(component_name(one, shown.model().analysis), measure));
+    const std::string component = shown.units.label(component_name(one, shown.model().analysis), measure);
+    part_cell(shown.session(), part, id + section_text(shown, one) + ": " + component);
     for (const std::optional<double>& value : {std::optional(one.now), one.then, one.change()})
         number_cell(value ? with_minus(shown.units.number(*value, measure)) : "");
 }
@@ -198,7 +208,7 @@ void show_differences(const ShownCase& shown)
     const Differences all({&shown.model(), shown.result}, {&reference.model, reference.results[*counterpart]});
     const std::vector<std::string> headings{tr("Part"), tr("now"), tr("kept"), "Δ"};
     result_list("differences", headings, all.size(), [&](std::size_t i) { difference_row(shown, all[i]); });
-    ImGui::TextDisabled("%s", tr("Of a section force the largest along the member").c_str());
+    ImGui::TextDisabled("%s", tr("Of a section force where it differs most").c_str());
 }
 
 } // namespace

@@ -35,7 +35,7 @@ public:
         const bool turns = transform_.kind == TransformKind::Rotate || transform_.kind == TransformKind::Mirror;
         if (turns && !is_mirror) number(tr_("angle"), "angle", Measure::Angle, transform_.angle);
         if (transform_.kind == TransformKind::Scale) factor();
-        if (transform_.kind == TransformKind::Copy) count(tr_("times"), "###times", transform_.times, {1, 100});
+        if (transform_.kind == TransformKind::Copy) count(tr_("times"), "times", transform_.times, {1, 100});
         if (transform_.kind == TransformKind::Rotate || transform_.kind == TransformKind::Mirror) {
             is_changed_ |= ImGui::Checkbox((tr_("a copy") + "###copy").c_str(), &transform_.keeps_original);
             ImGui::SameLine();
@@ -57,7 +57,7 @@ private:
         number(tr_("rise"), "rise", Measure::Length, rise);
         if (std::abs(rise) > 0.0) transform_.bend.rise = rise;
         int parts = static_cast<int>(transform_.bend.n_parts);
-        count(tr_("parts"), "###parts", parts,
+        count(tr_("parts"), "parts", parts,
               {static_cast<int>(femoop::least_bend_parts), static_cast<int>(femoop::most_bend_parts)});
         transform_.bend.n_parts = static_cast<std::size_t>(parts);
         return is_changed_;
@@ -108,10 +108,12 @@ private:
     };
     void count(const std::string& label, const char* id, int& value, Limits limits)
     {
+        femoop::Quantity typed(value);
         name(label);
-        ImGui::SetNextItemWidth(6.0F * ImGui::GetFontSize());
-        is_changed_ |= ImGui::InputInt(id, &value);
-        value = std::clamp(value, limits.least, limits.most);
+        if (edit_quantity(workspace_, fields_, {id, Measure::Plain, 3.0F * ImGui::GetFontSize()}, typed)) {
+            value = static_cast<int>(std::lround(std::clamp<double>(typed, limits.least, limits.most)));
+            is_changed_ = true;
+        }
         ImGui::SameLine();
     }
 

@@ -159,8 +159,9 @@ private:
     /// What acts alike at one place is one force with its components.
     void add(const Force& force)
     {
+        const double near = force.member ? rounding * structure_.geometry(*force.member).length : 0.0;
         const auto same = std::ranges::find_if(free_.forces, [&](const Force& other) {
-            return other.kind == force.kind && other.member == force.member && other.x == force.x &&
+            return other.kind == force.kind && other.member == force.member && std::abs(other.x - force.x) <= near &&
                    force.kind != ForceKind::SectionForces;
         });
         if (force.node || same == free_.forces.end()) {

@@ -137,6 +137,33 @@ const LoadPath* path_of_file(const Model& model, const Straight& straight, const
 
 std::vector<MemberId> straight_path(const Model& model, MemberId member) { return Straight(model).through(member); }
 
+std::optional<std::vector<MemberId>> row_of(const Model& model, const std::vector<MemberId>& members)
+{
+    std::vector<std::vector<MemberId>> at_node(model.nodes.size());
+    for (const MemberId member : members)
+        for (const NodeId node : model[member].nodes) at_node[node.index].push_back(member);
+    const auto is_before = [&](NodeId a, NodeId b) {
+        const Vector3d p = position_of(model, a), q = position_of(model, b);
+        return std::lexicographical_compare(p.begin(), p.end(), q.begin(), q.end());
+    };
+    std::optional<NodeId> place; // the first end, then where the load has come to
+    for (std::size_t i = 0; i < at_node.size(); ++i)
+        if (at_node[i].size() == 1 && (!place || is_before(NodeId(i), *place))) place = NodeId(i);
+    std::vector<MemberId> row;
+    while (place && row.size() < members.size()) {
+        const std::vector<MemberId>& here = at_node[place->index];
+        const bool is_fork = here.size() > 2;
+        const auto next = std::ranges::find_if(here,
+                                               [&](MemberId member) { return row.empty() || member != row.back(); });
+        if (is_fork || next == here.end()) return std::nullopt;
+        const auto& ends = model[*next].nodes;
+        place = ends[0] == *place ? ends[1] : ends[0];
+        row.push_back(*next);
+    }
+    const bool is_whole = place && at_node[place->index].size() == 1;
+    return is_whole && !row.empty() ? std::optional(row) : std::nullopt;
+}
+
 std::vector<MemberId> usual_path(const Model& model, const MovingEffect& effect, const NodeVector& load)
 {
     const Straight straight(model);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "femoop/discretisation/discretisation.h"
@@ -15,6 +16,10 @@ namespace femoop::influence {
 ///
 /// Of a mesh where several go on straight from a node the first one is taken.
 std::vector<MemberId> straight_path(const Model& model, MemberId member);
+
+/// The members in the order in which a load passes each of them once, from the end that is farther to the left, or
+/// lower; nothing where they are no such row.
+std::optional<std::vector<MemberId>> row_of(const Model& model, const std::vector<MemberId>& members);
 
 /// The path that is meant where none is named: the first of the model's that passes the effect's member or node, or its
 /// first one; in a model without paths the straight path of the member, or the longest at the node. Where a load cannot

@@ -74,6 +74,24 @@ TEST_SUITE("frame session")
         CHECK(workspace.session.influence.standing() == nullptr);
     }
 
+    TEST_CASE("A load path along the selected members leads the others, and trains stay on theirs")
+    {
+        Workspace workspace = bridge();
+        Session& session = workspace.session;
+        const femoop::Model before = session.model();
+        const femoop::MemberId last(before.members.size() - 1);
+        session.selection = {last};
+        CHECK(!run(workspace, "train.path"));
+        const femoop::MovingLoads& now = session.model().moving_loads;
+        REQUIRE(now.paths.size() == before.moving_loads.paths.size() + 1);
+        CHECK(now.paths.front().members == std::vector{last});
+        for (std::size_t i = 0; i < now.trains.size(); ++i)
+            CHECK(femoop::influence::members_of(session.model(), now.trains[i].path) ==
+                  femoop::influence::members_of(before, before.moving_loads.trains[i].path));
+        session.selection = {};
+        CHECK(run(workspace, "train.path") == "no member is selected; select those that a load moves along");
+    }
+
     TEST_CASE("A train stands where the search of the line finds it worst, and the sum of its ordinates is that value")
     {
         Workspace workspace = bridge();

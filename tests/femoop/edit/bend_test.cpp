@@ -129,4 +129,16 @@ TEST_CASE("No rise and no parts are refused, with the model as it was")
     CHECK(model.nodes.size() == 2);
 }
 
+TEST_CASE("A load that stands at a length keeps its share of it, as one that stands at a percentage does")
+{
+    for (const Position& place : {Position(Quantity(0.29 * span)), Position(Percent{29.0})}) {
+        Model model = beam(false);
+        model.load_cases.front().members = {
+            {MemberId(0), PointLoad{.at = place, .components = {{Dof::uy, Quantity(-40.0)}}}}};
+        bend_member(model, MemberId(0), {BendCurve::Arc, 0.5 * span, 2});
+        // The first of two parts at 45 degrees: 0.58 of it is 0.29 of the span; pinned supports bear it as a beam does.
+        CHECK(reaction(model, NodeId(1), Dof::uy) == doctest::Approx(0.29 * 40.0));
+    }
+}
+
 TEST_SUITE_END();

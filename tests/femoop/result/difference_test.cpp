@@ -63,6 +63,20 @@ TEST_SUITE("differences")
         CHECK(of(all, ComparedQuantity::SectionForce, MemberComponent::Mz).now == 0.0);
     }
 
+    TEST_CASE("Section forces are held against each other at one section, where they differ most")
+    {
+        // P at the tip of 4 m beside a couple of 100 there: M = -P (L - x) and 100, apart by 128 at the clamp
+        Model model = cantilever("4");
+        model.load_cases[1].nodes[0].components = {{Dof::rz, Quantity(100.0)}};
+        const Results results = analyse(model);
+        const Differences all({&model, results.at("H")}, {&model, results.at("P")});
+        const Difference M = of(all, ComparedQuantity::SectionForce, MemberComponent::Mz);
+        CHECK(M.share == 0.0);
+        CHECK(M.now == doctest::Approx(100.0));
+        CHECK(*M.then == doctest::Approx(-28.0));
+        CHECK(*M.change() == doctest::Approx(128.0));
+    }
+
     TEST_CASE("A part that was not there has nothing to be compared with, and another analysis nothing at all")
     {
         const Model then = cantilever("3");

@@ -25,12 +25,13 @@ std::vector<double> values_of(const std::vector<Quantity>& quantities)
     return values;
 }
 
-void require_in_range(const Train& train, const MovingTrain& moving)
+/// \throws ModelError that names the train or the envelope
+void require_in_range(const std::string& id, const MovingTrain& moving, double factor = 1.0)
 {
     double sum = std::abs(moving.uniform);
     for (const double axle : moving.axles) sum += std::abs(axle);
     for (const double force : moving.concentrated) sum += std::abs(force);
-    if (!(sum <= largest_force)) throw ModelError({{FaultKind::ResultsBeyondRange, {train.id}}});
+    if (!(std::abs(factor) * sum <= largest_force)) throw ModelError({{FaultKind::ResultsBeyondRange, {id}}});
 }
 
 /// Nothing, where rounding alone is left beside what a unit load does to other effects of this kind.
@@ -142,7 +143,7 @@ MovingTrain moving_train(const Train& train, const MovingEffect& effect)
         const bool is_other = force.for_others && !is_moment(effect);
         moving.concentrated.push_back((is_other ? *force.for_others : force.for_moments).value());
     }
-    require_in_range(train, moving);
+    require_in_range(train.id, moving);
     return moving;
 }
 
@@ -247,7 +248,10 @@ std::vector<TrainEffect> TrainAnalysis::effects(const MovingEnvelope& envelope, 
 {
     std::vector<TrainEffect> worst;
     for (const TrainId id : envelope.trains) {
-        std::vector<TrainEffect> all = effects(model_.moving_loads.trains[id.index], asked);
+        const Train& train = model_.moving_loads.trains[id.index];
+        for (const MovingEffect& effect : asked)
+            require_in_range(envelope.id, moving_train(train, effect), envelope.factor);
+        std::vector<TrainEffect> all = effects(train, asked);
         for (std::size_t i = 0; i < all.size(); ++i) {
             all[i] = enveloped(std::move(all[i]), permanent(envelope, all[i].effect), envelope.factor);
             if (i < worst.size()) keep_worse(worst[i], std::move(all[i]), value_at_place);
@@ -281,6 +285,7 @@ TrainExtreme TrainAnalysis::extreme(const MovingEnvelope& envelope, const Moving
         const SectionLines lines = section_lines(train, effect);
         const std::vector<double> ends = path(train).nodes();
         const MovingTrain moving = moving_train(train, effect);
+        require_in_range(envelope.id, moving, envelope.factor);
         TrainExtreme one{effect, worst_section(lines, ends, moving, ExtremeKind::Max, &above),
                          worst_section(lines, ends, moving, ExtremeKind::Min, &below), &train, &train};
         if (worst) keep_worse(*worst, std::move(one), value_of_extreme);

@@ -110,6 +110,22 @@ TEST_CASE("What is distributed acts as its resultant where the area of the load 
     CHECK(load.force.isApprox(Vector3d(0.0, -0.5 * q * L, 0.0)));
 }
 
+TEST_CASE("Wind on a slope is one resultant beyond whatever cut, with no part along what it does not push")
+{
+    FrameMaker made;
+    made.node("A", 0, 0, Fixed).node("B", 4.1, 2.7).member("A", "B");
+    made.load("AB", DistributedLoad{.values = {{.dof = Dof::ux, .start = 2.5}}});
+    const double length = std::hypot(4.1, 2.7);
+    const Results results = analyse(made.model);
+    for (int i = 1; i < 200; ++i) {
+        const Cut cut{MemberId(0), length * std::fmod(0.7548776662466927 * i, 1.0)};
+        const Body beyond = body_of(discretise(made.model), std::vector{cut}, std::vector{NodeId(1)});
+        const Force& wind = only(lift_out(made.model, results, CaseId(0), beyond), ForceKind::MemberLoad);
+        CHECK(wind.force.x() == doctest::Approx(2.5 * (length - cut.x)));
+        CHECK(std::abs(wind.force.y()) <= 1e-12 * 2.5 * length);
+    }
+}
+
 TEST_CASE("A node has the opposite of what its members have at their ends, its load and its reaction")
 {
     FrameMaker made;

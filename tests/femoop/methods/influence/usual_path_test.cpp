@@ -92,3 +92,24 @@ TEST_CASE("A support has the reactions that it can bear, in either global direct
     model.nodes[model.find_node("C")->index].support->angle = Quantity(0.5);
     CHECK(reactions_at(model, *model.find_node("C")).size() == 2);
 }
+
+TEST_CASE(
+    "A row of members is found in whatever order they are chosen, from the left; a fork, a ring and a gap are none")
+{
+    FrameMaker made;
+    made.node("A", 0, 0, SupportKind::Pin).node("B", 3, 2).node("C", 7, 3).node("D", 12, 0, SupportKind::Pin);
+    made.node("E", 3, 6).member("C", "B").member("C", "D").member("A", "B").member("B", "E").member("A", "D");
+    const auto row = [&](const Names& chosen) {
+        std::vector<MemberId> members;
+        for (const std::string& name : chosen) members.push_back(*made.model.find_member(name));
+        const auto found = row_of(made.model, members);
+        return found ? names(made.model, *found) : Names{};
+    };
+    CHECK(row({"CD", "AB", "CB"}) == Names{"AB", "CB", "CD"});
+    CHECK(row({"CD"}) == Names{"CD"});
+    CHECK(row({"BE", "CB"}) == Names{"BE", "CB"});
+    CHECK(row({"AB", "CB", "BE"}).empty());
+    CHECK(row({"AB", "CB", "CD", "AD"}).empty());
+    CHECK(row({"AB", "CD"}).empty());
+    CHECK(row({}).empty());
+}

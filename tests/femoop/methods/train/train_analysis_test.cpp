@@ -208,6 +208,17 @@ TEST_CASE("No section of a member goes beyond its extreme, whatever stays and wh
     }
 }
 
+TEST_CASE("An envelope whose factor takes it beyond the range of numbers is refused by its name")
+{
+    Model model = bridge();
+    model.moving_loads.trains.push_back(lorry());
+    const MovingEnvelope envelope{.id = "E", .trains = {TrainId(0)}, .with = CaseId(0), .factor = 1e308};
+    MovingEffect along = moment(0, 0.0);
+    along.at.reset();
+    CHECK_THROWS_AS(TrainAnalysis(model).extreme(envelope, along), ModelError);
+    CHECK_THROWS_AS(TrainAnalysis(model).effects(envelope, asked), ModelError);
+}
+
 TEST_CASE("A train beyond the range of numbers is refused, not left out")
 {
     const Model model = bridge();
