@@ -375,13 +375,10 @@ std::string_view released_by(const MovingEffect& effect)
     if (effect.quantity == ExpectedQuantity::Reaction)
         return is_rotation(*effect.dof)
                    ? ui::translatable(
-                         "The support turns by 1 against its couple; the path moves by the line: M · 1 = 1 · η(s).")
-                   : ui::translatable(
-                         "The support moves by 1 against its reaction; the path moves by the line: R · 1 = 1 · η(s).");
+                         "The support gives way and turns by 1; the path moves by the line: M · 1 = 1 · η(s).")
+                   : ui::translatable("The support gives way by 1; the path moves by the line: R · 1 = 1 · η(s).");
     if (!effect.component || is_displacement(*effect.component))
-        return ui::translatable(
-            "A unit load stands where the displacement is asked for; the path moves by the line, and "
-            "by Maxwell 1 · u = 1 · η(s).");
+        return ui::translatable("A unit load stands there; the path moves by the line (Maxwell): 1 · u = 1 · η(s).");
     switch (*effect.component) {
     case MemberComponent::N:
         return ui::translatable("The member parts by 1 at the section; the path moves by the line: N · 1 = 1 · η(s).");
