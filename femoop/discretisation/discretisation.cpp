@@ -26,8 +26,9 @@ struct PropertyKey {
 struct PropertyHash {
     std::size_t operator()(const PropertyKey& key) const
     {
-        return (static_cast<std::size_t>(key.material) << 33U) ^ (static_cast<std::size_t>(key.section) << 1U) ^
-               static_cast<std::size_t>(key.shear_flexible);
+        return std::hash<std::uint64_t>()((static_cast<std::uint64_t>(key.material) << 33U) ^
+                                          (static_cast<std::uint64_t>(key.section) << 1U) ^
+                                          static_cast<std::uint64_t>(key.shear_flexible));
     }
 };
 constexpr std::uint32_t no_property = 0xffffffffU;

@@ -8,6 +8,8 @@
 #ifdef __linux__
 #include <sys/resource.h>
 #include <unistd.h>
+#elif defined(__EMSCRIPTEN__)
+#include <emscripten/heap.h>
 #endif
 
 namespace femoop {
@@ -66,6 +68,8 @@ double available_memory()
 {
 #ifdef __linux__
     return std::max(0.0, std::min({free_of_system(), free_of_group(), free_of_process()}));
+#elif defined(__EMSCRIPTEN__)
+    return static_cast<double>(emscripten_get_heap_max() - emscripten_get_heap_size());
 #else
     return unlimited;
 #endif
