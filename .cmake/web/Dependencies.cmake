@@ -36,7 +36,7 @@ if(CREMONA_APPS)
 
   # Of FreeType the modules that freetype/ftmodule.h names: outlines of TrueType, light hinting, grey pictures.
   set(CREMONA_FREETYPE_SOURCE "" CACHE PATH "The unpacked source package freetype")
-  set(parts base/ftbase base/ftbitmap base/ftdebug base/ftglyph base/ftinit base/ftsystem autofit/autofit psnames/psnames
+  set(parts base/ftbase base/ftbitmap base/ftdebug base/ftglyph base/ftinit base/ftsystem autofit/autofit gzip/ftgzip psnames/psnames
     sfnt/sfnt smooth/smooth truetype/truetype)
   list(TRANSFORM parts PREPEND "${CREMONA_FREETYPE_SOURCE}/src/")
   list(TRANSFORM parts APPEND ".c")

@@ -11,7 +11,7 @@ namespace {
 
 /// Ends without what libraries do at the end: OpenBLAS, which comes with CHOLMOD, waits there for a thread of its own,
 /// which asks again and again for 128 MB where less is allowed.
-[[noreturn]] void leave(cli::ExitStatus status) { std::quick_exit(static_cast<int>(status)); }
+[[noreturn]] void leave(cli::ExitStatus status) { std::_Exit(static_cast<int>(status)); }
 
 } // namespace
 

@@ -69,12 +69,13 @@ private:
 
 bool may_write(const fs::path& path) { return access(path.c_str(), W_OK) == 0; }
 
-/// What a new file gets: mkstemp made it for the owner's eyes alone.
+/// What a new file gets: mkstemp made it for the owner's eyes alone, whose it is whatever the mask, which a browser's
+/// file system begins with taking away everything.
 fs::perms usual_permissions()
 {
     const mode_t mask = umask(0);
     umask(mask);
-    return static_cast<fs::perms>(0666U & ~mask);
+    return static_cast<fs::perms>(0666U & ~mask) | fs::perms::owner_read | fs::perms::owner_write;
 }
 
 #else

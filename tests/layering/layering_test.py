@@ -21,6 +21,7 @@ FONTS_AND_CAIRO = re.compile(r"cairo|ft2build|freetype/|fontconfig/|png\.h$")
 WINDOW = re.compile(r"(imgui|imstb_|GLFW/|GL/|EGL/|GLES)")
 OPTIONS = re.compile(r"CLI/")
 SYSTEM = re.compile(r"(dlfcn|fcntl|spawn|unistd|windows)\.h$|sys/")
+BROWSER = re.compile(r"emscripten(\.h$|/)|stb/")  # a page's own, and the pictures that Cairo reads elsewhere
 
 # The folders of femoop, each with those that it may know besides itself: from the model up to the analyses, no circles.
 # What no line names may know all of femoop: hand methods and files, which stand above.
@@ -56,8 +57,9 @@ ALLOWED = {
     "femoop": ["femoop/", EIGEN],
     "femoop/io": ["femoop/", EIGEN, JSON, SYSTEM],
     **{f"femoop/{folder}": [f"femoop/{folder}/", *below, EIGEN] for folder, below in FEMOOP.items()},
-    "femoop/solver": [NUMBERS, EIGEN, SPARSE, SYSTEM],
+    "femoop/solver": [NUMBERS, EIGEN, SPARSE, SYSTEM, BROWSER],
     "ui": ["ui/", "femoop/tabular/", "femoop/files/", WINDOW, FONTS_AND_CAIRO, SYSTEM],
+    "ui/context/web": ["ui/", WINDOW, BROWSER],
     "ui/app": ["ui/", "femoop/files/", WINDOW, OPTIONS],
     "ui/paint": ["ui/paint/", "femoop/files/", FONTS_AND_CAIRO],
     "ui/canvas": ["ui/canvas/", "ui/paint/"],

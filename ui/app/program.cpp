@@ -46,7 +46,7 @@ try {
 void run_program(std::string_view name, const std::function<int()>& run)
 {
     // Without OpenBLAS, which waits at the end for memory where there is none.
-    std::quick_exit(status_of(name, run));
+    std::_Exit(status_of(name, run));
 }
 
 } // namespace ui

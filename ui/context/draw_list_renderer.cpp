@@ -17,8 +17,7 @@ namespace {
 
 // A vertex of a Mesh's line or disc gives how far it lies across and, negated, its reach in place of a texture's place.
 // frame = (left, top, 2 / width, 2 / height) of the part of the plane that is seen.
-constexpr const char* vertex_source = R"(#version 330 core
-layout(location = 0) in vec2 place;
+constexpr const char* vertex_source = R"(layout(location = 0) in vec2 place;
 layout(location = 1) in vec2 uv;
 layout(location = 2) in vec4 color;
 uniform vec4 frame;
@@ -33,8 +32,7 @@ void main()
 )";
 
 // Text and widgets, with an image; it draws lines and areas too.
-constexpr const char* image_source = R"(#version 330 core
-in vec2 frag_uv;
+constexpr const char* image_source = R"(in vec2 frag_uv;
 in vec4 frag_color;
 uniform sampler2D image;
 layout(location = 0) out vec4 result;
@@ -47,8 +45,7 @@ void main()
 )";
 
 // Lines and areas alone: a software renderer is much faster where it need not look into an image.
-constexpr const char* plain_source = R"(#version 330 core
-in vec2 frag_uv;
+constexpr const char* plain_source = R"(in vec2 frag_uv;
 in vec4 frag_color;
 layout(location = 0) out vec4 result;
 void main()
@@ -61,7 +58,9 @@ void main()
 gl::Uint compiled(const gl::Functions& gl, gl::Enum kind, const char* source)
 {
     const gl::Uint shader = gl.CreateShader(kind);
-    gl.ShaderSource(shader, 1, &source, nullptr);
+    const char* const head = gl.is_embedded ? "#version 300 es\nprecision highp float;\n" : "#version 330 core\n";
+    const std::array<const char*, 2> sources = {head, source};
+    gl.ShaderSource(shader, 2, sources.data(), nullptr);
     gl.CompileShader(shader);
     gl::Int is_good = 0;
     gl.GetShaderiv(shader, gl::compile_status, &is_good);
@@ -167,7 +166,7 @@ void DrawListRenderer::set_state(const ImDrawData& data)
     gl.BlendFuncSeparate(gl::src_alpha, gl::one_minus_src_alpha, gl::one, gl::one_minus_src_alpha);
     gl.Disable(gl::cull_face);
     gl.Disable(gl::depth_test);
-    gl.Disable(gl::framebuffer_srgb);
+    if (!gl.is_embedded) gl.Disable(gl::framebuffer_srgb);
     gl.Enable(gl::scissor_test);
     for (const Program& program : {plain_, image_}) {
         gl.UseProgram(program.name);
@@ -282,7 +281,7 @@ void DrawListRenderer::render(const ImDrawData& data, Color background)
     for (auto begin = batches.begin(); begin != batches.end();) {
         const auto end = std::find_if(begin, batches.end(),
                                       [&](const DrawBatch& batch) { return batch.list != begin->list; });
-        render_list({begin, end});
+        render_list({&*begin, static_cast<std::size_t>(end - begin)});
         begin = end;
     }
     copy_to(static_cast<gl::Uint>(shown));

@@ -1,6 +1,7 @@
 #include "ui/context/gl.h"
 
 #include <string>
+#include <string_view>
 
 namespace ui::gl {
 
@@ -74,6 +75,8 @@ Functions::Functions(Loader load)
     load_one(load, "glUseProgram", UseProgram);
     load_one(load, "glVertexAttribPointer", VertexAttribPointer);
     load_one(load, "glViewport", Viewport);
+    const auto* const words = reinterpret_cast<const char*>(GetString(version));
+    is_embedded = words && std::string_view(words).starts_with("OpenGL ES");
 }
 
 } // namespace ui::gl

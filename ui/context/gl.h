@@ -56,6 +56,9 @@ struct Functions {
     /// \pre the context is current. \throws ContextError naming the first function that is missing.
     explicit Functions(Loader load);
 
+    /// OpenGL ES 3.0, which WebGL 2 is: its shaders are headed otherwise, and it has no switch for sRGB.
+    bool is_embedded = false;
+
     void(UI_GL_CALL* ActiveTexture)(Enum);
     void(UI_GL_CALL* AttachShader)(Uint, Uint);
     void(UI_GL_CALL* BindBuffer)(Enum, Uint);

@@ -21,6 +21,7 @@ namespace ui {
 /// Dear ImGui on a context, on the screen or off it: the frame's beginning and end, its type, its colours, its input.
 ///
 ///     while (!window.wants_to_close()) {
+///         window.wait(patience);
 ///         Input input = window.input();
 ///         if (!session.awaits_field()) window.typing().deliver_next(input, session.reader());
 ///         session.begin_frame(input);

@@ -9,8 +9,8 @@
 namespace ui {
 
 /// Which off-screen renderer: OSMesa draws in memory with no help of the system; EGL is asked for a surfaceless
-/// context of Mesa's, where OSMesa is missing (newer Mesa has dropped it).
-enum class OffscreenKind { OsMesa, Egl };
+/// context of Mesa's, where OSMesa is missing (newer Mesa has dropped it). In a browser it is a canvas that no page shows.
+enum class OffscreenKind { OsMesa, Egl, WebGl };
 
 /// Draws into memory, without a display. The library behind it is opened when the first one is made, never linked.
 class Offscreen final : public Context {
@@ -20,7 +20,7 @@ public:
         double scale = 1.0;
     };
 
-    /// Tries OSMesa, then EGL. \throws ContextError with what was found wrong with each and the package to install.
+    /// Tries OSMesa, then EGL; in a browser there is but one kind. \throws ContextError with what was found wrong with each and the package to install.
     explicit Offscreen(const Setup& setup);
     /// Only that kind. \throws ContextError
     Offscreen(const Setup& setup, OffscreenKind kind);
@@ -38,7 +38,7 @@ public:
     /// What was drawn, from the top row down.
     Pixels pixels();
 
-    class Backend; ///< one per kind, in the source file
+    class Backend; ///< one per kind (offscreen_backend.h)
 
 private:
     void make_picture();

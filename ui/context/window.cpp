@@ -279,11 +279,16 @@ std::string Window::clipboard() const
 
 void Window::set_clipboard(const std::string& text) { glfwSetClipboardString(parts_->window, text.c_str()); }
 
-Input Window::input(double patience)
+bool Window::wait(double patience)
 {
     parts_->listens_since = glfwGetTime();
     if (patience > 0.0) glfwWaitEventsTimeout(patience);
     else glfwPollEvents();
+    return true;
+}
+
+Input Window::input()
+{
     Input now = parts_->input;
     const double time = glfwGetTime();
     now.seconds = time - std::exchange(parts_->time, time);

@@ -11,7 +11,7 @@ namespace ui {
 
 enum class PointerShape { Arrow, Text, Hand, Crosshair, ResizeAcross, ResizeUpDown };
 
-/// A window on the screen, through GLFW.
+/// A window on the screen, through GLFW; of a page in a browser its canvas (web/window.cpp).
 class Window final : public Context {
 public:
     struct Setup {
@@ -19,7 +19,7 @@ public:
         Size size{1280.0, 800.0}; ///< logical pixels
     };
 
-    /// \throws ContextError with the system's words when there is no display or no OpenGL 3.3.
+    /// \throws ContextError with the system's words when there is no display or no OpenGL 3.3 (WebGL 2).
     explicit Window(const Setup& setup);
     ~Window() override;
 
@@ -38,9 +38,11 @@ public:
     std::string clipboard() const;
     void set_clipboard(const std::string& text);
 
-    /// What happened since the last call, without what was typed; waits for something to happen, `patience` seconds at
-    /// most.
-    Input input(double patience = 0.0);
+    /// Waits for something to happen, `patience` seconds at most. False where it cannot wait, as in a browser, and
+    /// nothing has happened: ask again at the browser's next frame.
+    bool wait(double patience);
+    /// What happened since the last call, without what was typed.
+    Input input();
     /// What was typed until the last `input`.
     Typing& typing();
 

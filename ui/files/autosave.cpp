@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <thread>
 
 #include "femoop/files/whole_file.h"
 
@@ -41,6 +42,12 @@ std::vector<std::string> in_all_languages(const std::function<std::string(const 
     return texts;
 }
 
+/// Where there is but one core, as in a browser, it is written when it is collected.
+std::launch in_background()
+{
+    return std::thread::hardware_concurrency() > 1 ? std::launch::async : std::launch::deferred;
+}
+
 } // namespace
 
 void Autosave::keep(const UnsavedDocument& document)
@@ -51,7 +58,7 @@ void Autosave::keep(const UnsavedDocument& document)
     kept.state = document.state;
     const auto write = [draft = kept.draft.get(), copy = document.copy(), original = document.original,
                         about = in_all_languages(document.about)] { return draft->keep(copy, original, about); };
-    kept.writing = std::async(std::launch::async, write);
+    kept.writing = std::async(in_background(), write);
 }
 
 std::optional<Message> Autosave::collect()
@@ -59,7 +66,7 @@ std::optional<Message> Autosave::collect()
     std::optional<Message> sentence;
     for (auto& [document, kept] : kept_) {
         if (!kept.is_writing()) continue;
-        if (kept.writing.wait_for(std::chrono::seconds(0)) != std::future_status::ready) continue;
+        if (kept.writing.wait_for(std::chrono::seconds(0)) == std::future_status::timeout) continue;
         if (auto hindered = note_written(kept, kept.writing.get())) sentence = std::move(hindered);
     }
     return sentence;

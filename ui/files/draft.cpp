@@ -1,7 +1,5 @@
 #include "ui/files/draft.h"
 
-#include <fcntl.h>
-#include <sys/file.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -14,6 +12,7 @@
 #include <sstream>
 
 #include "femoop/files/whole_file.h"
+#include "ui/files/file_lock.h"
 
 namespace ui {
 
@@ -41,20 +40,12 @@ std::error_code last_error() { return {errno, std::generic_category()}; }
 /// Beside 7-0.json: 7-0.json.lock, 7-0.json.path, 7-0.json.about
 fs::path beside(fs::path draft, const char* extension) { return draft += extension; }
 
-/// A descriptor that holds the lock of a draft, or -1 if another program holds it.
-int take_lock(const fs::path& draft)
-{
-    const int descriptor = open(beside(draft, ".lock").c_str(), O_CREAT | O_RDWR | O_CLOEXEC, 0600);
-    if (descriptor < 0 || flock(descriptor, LOCK_EX | LOCK_NB) == 0) return descriptor;
-    close(descriptor);
-    errno = EWOULDBLOCK;
-    return -1;
-}
+fs::path lock_of(const fs::path& draft) { return beside(draft, ".lock"); }
 
 bool is_in_use(const fs::path& draft)
 {
-    const int lock = take_lock(draft);
-    if (lock >= 0) close(lock);
+    const int lock = take_lock(lock_of(draft));
+    if (lock >= 0) release_lock(lock_of(draft), lock);
     return lock < 0;
 }
 
@@ -124,9 +115,9 @@ std::string time_of(const RecoverableFile& recoverable)
     std::error_code error;
     const fs::file_time_type time = fs::last_write_time(recoverable.draft, error);
     if (error) return {};
-    const auto system = std::chrono::file_clock::to_sys(time);
-    const std::time_t seconds = std::chrono::system_clock::to_time_t(
-        std::chrono::time_point_cast<std::chrono::system_clock::duration>(system));
+    const auto since = std::chrono::duration_cast<std::chrono::system_clock::duration>(
+        fs::file_time_type::clock::now() - time);
+    const std::time_t seconds = std::chrono::system_clock::to_time_t(std::chrono::system_clock::now() - since);
     std::tm here{};
     localtime_r(&seconds, &here);
     std::array<char, 32> text{};
@@ -136,7 +127,7 @@ std::string time_of(const RecoverableFile& recoverable)
 std::unique_ptr<Draft> Draft::taken_over(DraftFolder folder, const RecoverableFile& recoverable)
 {
     auto draft = std::make_unique<Draft>(std::move(folder));
-    draft->lock_ = take_lock(recoverable.draft);
+    draft->lock_ = take_lock(lock_of(recoverable.draft));
     if (draft->lock_ < 0) return nullptr;
     draft->path_ = recoverable.draft;
     std::error_code error;
@@ -147,7 +138,7 @@ std::unique_ptr<Draft> Draft::taken_over(DraftFolder folder, const RecoverableFi
 
 Draft::~Draft()
 {
-    if (lock_ >= 0) close(lock_);
+    if (lock_ >= 0) release_lock(lock_of(path_), lock_);
 }
 
 std::error_code Draft::lock()
@@ -160,7 +151,7 @@ std::error_code Draft::lock()
         const std::string name = std::to_string(getpid()) + "-" + std::to_string(i) + folder_.extension;
         const fs::path draft = folder_.path / name;
         if (fs::exists(draft, error)) continue;
-        lock_ = take_lock(draft);
+        lock_ = take_lock(lock_of(draft));
         if (lock_ < 0 && errno != EWOULDBLOCK) return last_error();
         if (lock_ >= 0) path_ = draft;
     }
@@ -198,7 +189,7 @@ void Draft::forget()
 {
     if (path_.empty()) return;
     remove_all_of(path_);
-    close(std::exchange(lock_, -1));
+    release_lock(lock_of(path_), std::exchange(lock_, -1));
     path_.clear();
 }
 

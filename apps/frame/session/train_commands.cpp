@@ -81,7 +81,7 @@ void add_path(Workspace& workspace)
     Session& session = workspace.session;
     const auto row = femoop::influence::row_of(session.model(), selected_members(session.selection));
     femoop::LoadPath path{fresh_name(session.model().moving_loads.paths, &femoop::LoadPath::id, "path"), row.value()};
-    session.change({{translatable("Add load path: {name}"), {{"name", path.id}}},
+    session.change({{translatable("Add path: {name}"), {{"name", path.id}}},
                     [&path](Document& document) { lead_with(document.model.moving_loads, std::move(path)); }});
 }
 
@@ -276,7 +276,7 @@ void take_from_library(Session& session, const LibraryTrain& entry)
 void add_train_commands(CommandTable& table)
 {
     Menu menu(table, translatable("Trains"));
-    menu.step({"train.path", translatable("Load path along the selected members")}, add_path, why_no_path);
+    menu.step({"train.path", translatable("Path along the selected members")}, add_path, why_no_path);
     menu.step({"train.next", translatable("The next train on the influence line"), {{Key::R, {}}}}, choose_next_train,
               needs_trains);
     menu.step({"train.extreme", translatable("Its largest or its least value"), {{Key::R, ui::ctrl_shift}}}, seek_other,

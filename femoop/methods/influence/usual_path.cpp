@@ -1,5 +1,6 @@
 #include "femoop/methods/influence/usual_path.h"
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <iterator>

@@ -1,0 +1,39 @@
+# cremona_page(APP TITLE): the page of an app, in site/ of the build folder: APP.html, what it runs, and its files: the fonts,
+# cut down to the characters that widgets show, and the examples. site/single/APP.html is all of it in one file.
+set(site "${PROJECT_BINARY_DIR}/site")
+set(page_folder "${PROJECT_SOURCE_DIR}/ui/app/web")
+set(page_files "${PROJECT_BINARY_DIR}/page_files")
+
+set(characters # as in ui/context/imgui_session.cpp
+  0020-024F,02B0-02DF,0370-03FF,2010-2027,2030-205E,2070-209F,20A0-20BF,2100-214F,2190-22FF,25A0-25FF,2713-2718,27C0-27EF,FFFD)
+set(fonts "")
+foreach(font DejaVuSans DejaVuSans-Bold)
+  add_custom_command(OUTPUT "${page_files}/fonts/${font}.ttf"
+    COMMAND "${CMAKE_COMMAND}" -E make_directory "${page_files}/fonts"
+    COMMAND /usr/bin/python3 -m fontTools.subset "/usr/share/fonts/truetype/dejavu/${font}.ttf" --unicodes=${characters}
+            --no-hinting --layout-features= --drop-tables+=FFTM "--output-file=${page_files}/fonts/${font}.ttf"
+    VERBATIM)
+  list(APPEND fonts "${page_files}/fonts/${font}.ttf")
+endforeach()
+file(GLOB examples CONFIGURE_DEPENDS "${PROJECT_SOURCE_DIR}/examples/*.json" "${PROJECT_SOURCE_DIR}/examples/*.eul")
+file(MAKE_DIRECTORY "${page_files}/examples")
+file(COPY ${examples} DESTINATION "${page_files}/examples")
+add_custom_target(page_files DEPENDS ${fonts})
+
+function(cremona_page app title)
+  set_target_properties(${app} PROPERTIES RUNTIME_OUTPUT_DIRECTORY "${site}")
+  set_property(TARGET ${app} APPEND PROPERTY LINK_DEPENDS ${fonts})
+  add_dependencies(${app} page_files)
+  target_link_options(${app} PRIVATE -sENVIRONMENT=web -sMIN_WEBGL_VERSION=2 -sMAX_WEBGL_VERSION=2 -sDYNAMIC_EXECUTION=0
+    -lidbfs.js
+    "SHELL:--preload-file ${page_files}@/")
+  configure_file("${page_folder}/app.html.in" "${site}/${app}.html" @ONLY)
+  configure_file("${page_folder}/page.js" "${site}/page.js" COPYONLY)
+  configure_file("${page_folder}/index.html" "${site}/index.html" COPYONLY)
+  set(single "${site}/single/${app}.html")
+  add_custom_command(OUTPUT "${single}"
+    COMMAND /usr/bin/python3 "${page_folder}/single_file.py" "${site}" ${app} "${single}"
+    DEPENDS ${app} "${page_folder}/single_file.py" "${site}/${app}.html" "${site}/page.js"
+    VERBATIM)
+  add_custom_target(${app}_page ALL DEPENDS "${single}")
+endfunction()

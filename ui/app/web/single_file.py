@@ -1,0 +1,51 @@
+#!/usr/bin/env python3
+"""single_file.py SITE APP OUTPUT: the page of an app with all that it needs in one file, which opens from a disk without a
+server. Program and files are compressed inside."""
+
+import base64
+import gzip
+import pathlib
+import re
+import sys
+
+UNPACK = '''
+async function unpacked(id) {
+    const packed = Uint8Array.from(atob(document.getElementById(id).textContent), (letter) => letter.charCodeAt(0));
+    const bytes = new Blob([packed]).stream().pipeThrough(new DecompressionStream('gzip'));
+    return new Response(bytes).arrayBuffer();
+}
+async function begin() {
+    if (typeof DecompressionStream === 'undefined') return tell(texts.old);
+    const files = await unpacked('files');
+    Module.getPreloadedPackage = () => files;
+    Module.wasmBinary = await unpacked('wasm');
+    const program = document.createElement('script');
+    program.textContent = new TextDecoder().decode(await unpacked('program'));
+    document.body.append(program);
+}
+begin();
+'''
+
+
+def packed(part, path):
+    text = base64.b64encode(gzip.compress(path.read_bytes(), 9, mtime=0)).decode()
+    return f'<script type="text/plain" id="{part}">{text}</script>\n'
+
+
+def single_file(site, app):
+    page = (site / f'{app}.html').read_text(encoding='utf-8')
+    page_script = (site / 'page.js').read_text(encoding='utf-8')
+    page = re.sub(r"script-src 'self'", "script-src 'unsafe-inline'", page)
+    page = page.replace("connect-src 'self'", "connect-src 'none'")
+    page = page.replace('<a href="index.html">Cremona</a>\n', '<span>Cremona</span>\n')
+    parts = [packed('files', site / f'{app}.data'), packed('wasm', site / f'{app}.wasm'),
+             packed('program', site / f'{app}.js')]
+    page = page.replace('<script src="page.js"></script>\n', f'<script>\n{page_script}</script>\n')
+    return page.replace(f'<script src="{app}.js"></script>\n', ''.join(parts) + f'<script>{UNPACK}</script>\n')
+
+
+if __name__ == '__main__':
+    folder, name, output = sys.argv[1:]
+    path = pathlib.Path(output)
+    path.parent.mkdir(parents=True, exist_ok=True)
+    path.write_text(single_file(pathlib.Path(folder), name), encoding='utf-8')
