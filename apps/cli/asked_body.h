@@ -4,12 +4,9 @@
 #include <string>
 
 #include "apps/cli/argument.h"
+#include "apps/cli/option_parser.h"
 #include "femoop/methods/free_body/free_body.h"
 #include "femoop/result/results.h"
-
-namespace CLI { // NOLINT(readability-identifier-naming): the name that its authors gave it
-class App;
-}
 
 namespace cli {
 

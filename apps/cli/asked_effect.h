@@ -7,11 +7,8 @@
 #include <vector>
 
 #include "apps/cli/console.h"
+#include "apps/cli/option_parser.h"
 #include "femoop/model/model.h"
-
-namespace CLI { // NOLINT(readability-identifier-naming): the name that its authors gave it
-class App;
-}
 
 namespace cli {
 

@@ -4,11 +4,8 @@
 #include <string>
 
 #include "apps/cli/console.h"
+#include "apps/cli/option_parser.h"
 #include "femoop/methods/funicular/loaded_chain.h"
-
-namespace CLI { // NOLINT(readability-identifier-naming): the name that its authors gave it
-class App;
-}
 
 namespace cli {
 

@@ -4,11 +4,8 @@
 #include <vector>
 
 #include "apps/cli/argument.h"
+#include "apps/cli/option_parser.h"
 #include "femoop/result/results.h"
-
-namespace CLI { // NOLINT(readability-identifier-naming): the name that its authors gave it
-class App;
-}
 
 namespace cli {
 

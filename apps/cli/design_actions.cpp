@@ -76,12 +76,10 @@ void add_design_combinations(femoop::Model& model, const DesignActions& typed, C
     const auto combinations = design_combinations(code, actions, limit_states(code));
     const auto prefix = [&](femoop::LimitState state) { return tr(short_name(code, state)); };
     for (const femoop::DesignCombination& one : combinations) {
-        const std::string name = prefix(one.state) + ' ' + formula(model, one);
-        const bool is_there = std::ranges::find(model.combinations, name, &femoop::Combination::id) !=
-                              model.combinations.end();
-        console.message(
-            name + ": " +
-            (is_there ? tr("the file has one of this name, which stays as it is") : meaning(model, code, one, tr)));
+        const std::string name = combination_name(model, one, prefix);
+        console.message(name + ": " +
+                        (model.find_case(name) ? tr("the file has one of this name, which stays as it is")
+                                               : meaning(model, code, one, tr)));
     }
     add_combinations(model, combinations, prefix);
 }

@@ -6,12 +6,9 @@
 #include "apps/cli/asked_effect.h"
 #include "apps/cli/console.h"
 #include "apps/cli/exit_status.h"
+#include "apps/cli/option_parser.h"
 #include "apps/cli/picture.h"
 #include "femoop/model/model.h"
-
-namespace CLI { // NOLINT(readability-identifier-naming): the name that its authors gave it
-class App;
-}
 
 namespace cli {
 

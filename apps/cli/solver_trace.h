@@ -4,13 +4,10 @@
 #include <string>
 
 #include "apps/cli/console.h"
+#include "apps/cli/option_parser.h"
 #include "femoop/analysis/solver_trace.h"
 #include "femoop/io/results/solver_trace_text.h"
 #include "femoop/model/model.h"
-
-namespace CLI { // NOLINT(readability-identifier-naming): the name that its authors gave it
-class App;
-}
 
 namespace cli {
 

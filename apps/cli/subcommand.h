@@ -6,10 +6,7 @@
 
 #include "apps/cli/console.h"
 #include "apps/cli/exit_status.h"
-
-namespace CLI { // NOLINT(readability-identifier-naming): the name that its authors gave it
-class App;
-}
+#include "apps/cli/option_parser.h"
 
 namespace cli {
 

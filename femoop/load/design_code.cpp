@@ -421,14 +421,17 @@ std::string formula(const Model& model, const DesignCombination& combination)
     return text;
 }
 
-std::size_t add_combinations(Model& model, std::span<const DesignCombination> combinations,
-                             const std::function<std::string(LimitState)>& prefix)
+std::string combination_name(const Model& model, const DesignCombination& combination, const StatePrefix& prefix)
+{
+    return prefix(combination.state) + ' ' + formula(model, combination);
+}
+
+std::size_t add_combinations(Model& model, std::span<const DesignCombination> combinations, const StatePrefix& prefix)
 {
     std::size_t n = 0;
     for (const DesignCombination& one : combinations) {
-        const std::string name = prefix(one.state) + ' ' + formula(model, one);
-        const bool is_there = std::ranges::find(model.combinations, name, &Combination::id) != model.combinations.end();
-        if (is_there) continue;
+        const std::string name = combination_name(model, one, prefix);
+        if (model.find_case(name)) continue;
         model.combinations.push_back({name, one.terms});
         ++n;
     }

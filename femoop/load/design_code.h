@@ -90,11 +90,14 @@ std::vector<DesignCombination> design_combinations(DesignCode code, std::span<co
 /// "1.35 G + 1.5 Q + 0.9 W". \pre the cases are load cases of the model
 std::string formula(const Model& model, const DesignCombination& combination);
 
-/// Behind the others, each under a name of its limit state and its formula, "ULS 1.35 G + 1.5 Q"; one that the model
-/// has under that name stays out.
-/// \param prefix  of the names of a limit state: its short name in the reader's language
+/// How the names of a limit state begin: its short name in the reader's language.
+using StatePrefix = std::function<std::string(LimitState)>;
+
+/// "ULS 1.35 G + 1.5 Q"
+std::string combination_name(const Model& model, const DesignCombination& combination, const StatePrefix& prefix);
+
+/// Behind the others, each under its name; where the model has a case of that name it stays out.
 /// \returns how many came
-std::size_t add_combinations(Model& model, std::span<const DesignCombination> combinations,
-                             const std::function<std::string(LimitState)>& prefix);
+std::size_t add_combinations(Model& model, std::span<const DesignCombination> combinations, const StatePrefix& prefix);
 
 } // namespace femoop

@@ -36,9 +36,9 @@ struct Difference {
 };
 
 /// Section forces of every member, then reactions of every support, then displacements of every node, in the order of the
-/// present model; 0 where a value is nothing but rounding. Section forces are held against each other at one section:
-/// of the ends and those where either is largest or smallest, where they differ most. None where the two are of different analyses. Each is found
-/// when it is asked for.
+/// present model; 0 where a value is nothing but rounding. Section forces are held against each other at one section: of
+/// the ends and those where either is largest or smallest, where they differ most. None where the two are of different
+/// analyses. Each is found when it is asked for.
 class Differences {
 public:
     /// Both models outlive it.

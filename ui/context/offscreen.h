@@ -9,7 +9,8 @@
 namespace ui {
 
 /// Which off-screen renderer: OSMesa draws in memory with no help of the system; EGL is asked for a surfaceless
-/// context of Mesa's, where OSMesa is missing (newer Mesa has dropped it). In a browser it is a canvas that no page shows.
+/// context of Mesa's, where OSMesa is missing (newer Mesa has dropped it); in a browser it is a canvas that no page
+/// shows.
 enum class OffscreenKind { OsMesa, Egl, WebGl };
 
 /// Draws into memory, without a display. The library behind it is opened when the first one is made, never linked.
@@ -20,7 +21,8 @@ public:
         double scale = 1.0;
     };
 
-    /// Tries OSMesa, then EGL; in a browser there is but one kind. \throws ContextError with what was found wrong with each and the package to install.
+    /// Tries OSMesa, then EGL; in a browser there is but one kind.
+    /// \throws ContextError with what was found wrong with each and the package to install
     explicit Offscreen(const Setup& setup);
     /// Only that kind. \throws ContextError
     Offscreen(const Setup& setup, OffscreenKind kind);

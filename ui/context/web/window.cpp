@@ -243,7 +243,7 @@ void Window::Parts::fit_canvas() const
 
 void Window::Parts::collect_files()
 {
-    while (char* const path = web_next_file()) {
+    for (char* path = web_next_file(); path != nullptr; path = web_next_file()) {
         input.dropped_files.push_back(taken(path));
         has_news = true;
     }

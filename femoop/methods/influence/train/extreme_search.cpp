@@ -48,13 +48,15 @@ public:
             for (const Tried& section : with_axle) sections_.push_back(section);
             sort();
         } else {
-            for (int i = 1; i < n_looked_at; ++i) look_at(lines_.length() * i / n_looked_at);
+            for (int i = 1; i < n_looked_at; ++i) {
+                look_at(lines_.length() * i / n_looked_at);
+                note_bend(sections_.back());
+            }
             for (std::size_t i = 0; i < std::min(with_axle.size(), n_peaks); ++i) look_at(with_axle[i].x);
             if (permanent_ != nullptr)
                 for (const double x : permanent_->breaks) look_at(x);
             look_towards_ends();
             sort();
-            find_sharpest_bend();
             look_where_more_may_be();
             sort();
             for (const auto& [from, to] : peaks()) close_in(from, to);
@@ -110,15 +112,27 @@ private:
 
     /// The value is the largest of many smooth functions of x, one for each way in which the train may stand: it can
     /// turn up in a kink, but turn down no more sharply than one of them does. That is looked for between kinks.
-    void find_sharpest_bend()
+    void note_bend(const Tried& at)
     {
         constexpr double hair = 1e-3, safety = 3.0;
         const double d = hair * lines_.length();
-        for (int i = 1; i < n_looked_at; ++i) {
-            const double x = lines_.length() * i / n_looked_at;
-            const double turn = 2.0 * value_at(x) - value_at(x - d) - value_at(x + d);
-            sharpest_bend_ = std::max(sharpest_bend_, safety * turn / (d * d));
+        const double turn = 2.0 * at.value - value_at(at.x - d) - value_at(at.x + d);
+        sharpest_bend_ = std::max(sharpest_bend_, safety * turn / (d * d));
+    }
+
+    /// The largest value that was found, and the largest without its sign.
+    struct Size {
+        double most = -std::numeric_limits<double>::infinity();
+        double scale = 0.0;
+    };
+    Size size() const
+    {
+        Size found;
+        for (const Tried& section : sections_) {
+            found.most = std::max(found.most, section.value);
+            found.scale = std::max(found.scale, std::abs(section.value));
         }
+        return found;
     }
 
     /// Neighbouring sections, and the most that a value between them can be: that of a parabola over the higher one.
@@ -138,11 +152,7 @@ private:
     void look_where_more_may_be()
     {
         constexpr int most_halvings = 400; // where the value is level over a stretch
-        double most = -std::numeric_limits<double>::infinity(), scale = 0.0;
-        for (const Tried& section : sections_) {
-            most = std::max(most, section.value);
-            scale = std::max(scale, std::abs(section.value));
-        }
+        auto [most, scale] = size();
         std::priority_queue<Stretch> stretches;
         for (std::size_t i = 0; i + 1 < sections_.size(); ++i) stretches.push(stretch(sections_[i], sections_[i + 1]));
         for (int i = 0; i < most_halvings && stretches.top().bound > most + equal_extremes * scale; ++i) {
@@ -210,11 +220,8 @@ private:
 
     WorstSection worst() const
     {
-        double most = -std::numeric_limits<double>::infinity();
-        for (const Tried& section : sections_) most = std::max(most, section.value);
+        const auto [most, scale] = size();
         std::vector<Tried> equal;
-        double scale = std::abs(most);
-        for (const Tried& section : sections_) scale = std::max(scale, std::abs(section.value));
         for (std::size_t i = 0; i < sections_.size(); ++i)
             if (sections_[i].value >= most - equal_extremes * scale && is_peak(i, 0.01 * equal_extremes * scale))
                 add(equal, sections_[i]);

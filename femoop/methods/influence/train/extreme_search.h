@@ -23,8 +23,8 @@ struct Permanent {
 
 /// Between two axles a force depends on the section linearly, so that axles alone are worst with one of them at the
 /// section, or at an end of the member: exact roots of one polynomial in x. With a uniform load, single forces or
-/// spacings that vary the exact largest value at a section is a piecewise smooth function of x, which is bounded from above
-/// between sections by how sharply it bends; its peaks are closed in upon from both sides.
+/// spacings that vary the exact largest value at a section is a piecewise smooth function of x. Between sections it is
+/// bounded from above by how sharply it bends; its peaks are closed in upon from both sides.
 ///
 /// \param ends   of the path's members: 0, .., L
 /// Accuracy  values to 1e-10 of the largest, places to 1e-8 of the member's length
