@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "femoop/model/model.h"
@@ -22,5 +23,7 @@ struct CaseTerms {
 /// that the model lacks, and of what combinations name in a circle, there is nothing (femoop/model/check/check.h tells).
 CaseTerms terms_of(const Model& model, CaseId id);
 std::vector<CaseTerms> cases_of(const Model& model); ///< of load cases, then of combinations
+std::vector<CaseTerms> cases_of(const std::vector<std::string_view>& load_cases,
+                                const std::vector<Combination>& combinations);
 
 } // namespace femoop

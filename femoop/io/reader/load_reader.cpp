@@ -22,7 +22,6 @@ constexpr Keys<15> end_load_keys{{"member", "kind", "start_fx", "start_fy", "sta
                                  2};
 constexpr Keys<4> temperature_keys{{"member", "kind", "top", "bottom"}, 4};
 constexpr Keys<3> misfit_keys{{"member", "kind", "elongation"}, 3};
-constexpr Keys<2> combination_keys{{"id", "factors"}, 2};
 
 constexpr std::size_t n_member_loads = names::member_loads.size();
 
@@ -31,14 +30,6 @@ std::optional<Dof> find_line_dof(std::string_view name)
     for (const Dof dof : all_dofs)
         if (names::line_loads[index(dof)] == name) return dof;
     return std::nullopt;
-}
-
-JsonValue field(JsonValue object, std::string_view key)
-{
-    if (!object.is(JsonKind::Object)) return {};
-    for (const JsonValue value : object)
-        if (value.key() == key) return value;
-    return {};
 }
 
 } // namespace
@@ -104,12 +95,6 @@ MemberLoad ModelReader::member_load(JsonValue value, const Place& place)
     }
     load.member = MemberId(reference(field(value, "member"), members_, place));
     return load;
-}
-
-LoadAxes ModelReader::axes(JsonValue value, const Place& place)
-{
-    const auto chosen = reader_.choice(value, names::axes, place);
-    return chosen ? static_cast<LoadAxes>(*chosen) : LoadAxes::Global;
 }
 
 DistributedLoad ModelReader::distributed_load(JsonValue value, const Place& place)
@@ -210,20 +195,9 @@ Misfit ModelReader::misfit(JsonValue value, const Place& place)
     return {reader_.quantity(found[2], dimension::length, place).value_or(no_number)};
 }
 
-Combination ModelReader::combination(JsonValue value, const Place& place)
+Combination ModelReader::own_combination(JsonValue value, const Place& place)
 {
-    const auto [id, factors] = reader_.fields(value, combination_keys, place);
-    Combination combination;
-    combination.id = reader_.id(id, place);
-    if (!reader_.is_object(factors, place)) return combination;
-    const Place here = place.key("factors");
-    const bool is_lost = cases_.is_lost_entry(combination.id, model.n_cases());
-    for (const JsonValue factor : factors) {
-        const auto number = reader_.number(factor, here);
-        const std::size_t of = lookup(factor.key(), cases_, place, is_lost ? 1 : 0);
-        if (number) combination.terms.push_back({CaseId(of), *number});
-    }
-    return combination;
+    return combination(value, model.n_cases(), place);
 }
 
 } // namespace femoop

@@ -1,18 +1,14 @@
 #pragma once
 
 #include <cstdint>
-#include <limits>
 #include <optional>
 #include <string>
 #include <string_view>
-#include <unordered_map>
-#include <unordered_set>
 #include <vector>
 
 #include "femoop/io/influence/influence_block.h"
 #include "femoop/io/json/json_document.h"
-#include "femoop/io/reader/place.h"
-#include "femoop/io/reader/value_reader.h"
+#include "femoop/io/reader/file_reader.h"
 #include "femoop/io/train/train_block.h"
 #include "femoop/model/check/check_parts.h"
 #include "femoop/model/model.h"
@@ -21,7 +17,7 @@ namespace femoop {
 
 /// Reads the parts of a model in the order in which they refer to each other. What cannot be understood is noted and
 /// reading goes on, so that a file's errors come in one list; `unreadable` then says what `check` should pass over.
-class ModelReader {
+class ModelReader : private FileReader {
 public:
     ModelReader(JsonValue file, std::vector<Fault> faults);
     /// For a block of the file, which refers to parts of a model that was read before and outlives this.
@@ -37,45 +33,20 @@ public:
     influence::TrainBlock train_block(JsonValue value); ///< the file's block `train`
 
 private:
-    /// The names of a list. A name that is not in it may be that of an entry whose own name cannot be read: each such
-    /// entry, which is a fault already, excuses one unknown name.
-    struct NameTable {
-        FaultKind missing, missing_near; ///< what an unknown name is, without and with a suggestion
-        std::unordered_map<std::string_view, std::size_t> entries = {};
-        std::size_t n_lost = 0; ///< entries whose name is missing, no text or taken
-        bool is_lost = false;   ///< the list itself cannot be read
-        std::unordered_set<std::string_view> excused = {};
-
-        void add(JsonValue list, std::size_t first_index = 0);
-        template <class Parts> void add_parts(const Parts& parts)
-        {
-            for (const auto& part : parts) entries.emplace(part.id, entries.size());
-        }
-        bool is_lost_entry(std::string_view name, std::size_t index) const;
-        bool excuses(std::string_view name, std::size_t n_own); ///< but not by `n_own` lost entries
-    };
-
     // model_reader.cpp
     void read_header(JsonValue format, JsonValue analysis, JsonValue units, JsonValue mass);
-    void read_units(JsonValue units);
+    Material own_material(JsonValue value, const Place& place) { return material(value, place); }
     void keep_extra_blocks(JsonValue file);
-    template <class Read> void for_each(JsonValue list, const Place& place, Read read);
-    static std::string_view id_of(JsonValue entry); ///< "" if it has none
-    std::size_t reference(JsonValue value, NameTable& names, const Place& place);
-    std::size_t lookup(std::string_view name, NameTable& names, const Place& place, std::size_t n_own = 0);
     template <class Part>
     void read_parts(JsonValue list, const Place& place, std::vector<Part>& parts, std::vector<bool>& unreadable,
                     Part (ModelReader::*read)(JsonValue, const Place&));
 
     // structure_reader.cpp
-    Material material(JsonValue value, const Place& place);
     Section section(JsonValue value, const Place& place);
     Node node(JsonValue value, const Place& place);
     std::optional<Support> support(JsonValue value, const Place& place);
     Member member(JsonValue value, const Place& place);
     MemberEnd member_end(JsonValue value, const Place& place);
-    DofSet dof_set(JsonValue value, const Place& place);
-    std::vector<Spring> springs(JsonValue value, const Place& place);
     std::vector<Quantity> lengths(JsonValue value, std::size_t n, const Place& place);
     std::vector<Quantity> up_vector(JsonValue value, const Place& place);
     std::vector<Quantity> depths(JsonValue value, const Place& place);
@@ -92,10 +63,9 @@ private:
     EndLoads end_loads(JsonValue value, const Place& place);
     TemperatureLoad temperature_load(JsonValue value, const Place& place);
     Misfit misfit(JsonValue value, const Place& place);
-    LoadAxes axes(JsonValue value, const Place& place);
     std::optional<DistributedLoad::Value> line_load(JsonValue value, Dof dof, const Place& place);
     std::optional<Position> position(JsonValue value, const Place& place);
-    Combination combination(JsonValue value, const Place& place);
+    Combination own_combination(JsonValue value, const Place& place);
 
     // expected_reader.cpp
     Expected expected(JsonValue value, const Place& place);
@@ -135,27 +105,13 @@ private:
     std::optional<influence::ExtremeCheck> extreme_check(JsonValue value, const Place& place);
     std::vector<double> numbers(JsonValue list, const Place& place);
 
-    ValueReader reader_;
     Unreadable unreadable_;
-    NameTable materials_{FaultKind::NoSuchMaterial, FaultKind::NoSuchMaterialNear};
     NameTable sections_{FaultKind::NoSuchSection, FaultKind::NoSuchSectionNear};
     NameTable nodes_{FaultKind::NoSuchNode, FaultKind::NoSuchNodeNear};
     NameTable members_{FaultKind::NoSuchMember, FaultKind::NoSuchMemberNear};
-    NameTable cases_{FaultKind::NoSuchCase, FaultKind::NoSuchCaseNear};
     NameTable paths_{FaultKind::NoSuchPath, FaultKind::NoSuchPathNear};
     NameTable trains_{FaultKind::NoSuchTrain, FaultKind::NoSuchTrainNear};
 };
-
-/// What a reference that names nothing becomes: the fault is noted, the index is out of every list.
-inline constexpr std::size_t nowhere = std::numeric_limits<std::uint32_t>::max();
-
-template <class Read> void ModelReader::for_each(JsonValue list, const Place& place, Read read)
-{
-    if (!reader_.is_list(list, place)) return;
-    const Place here = place.key(list.key());
-    std::size_t i = 0;
-    for (const JsonValue value : list) read(value, here.entry(i++, id_of(value)));
-}
 
 /// Every entry of a list as a part of the model, and whether it could be read.
 template <class Part>

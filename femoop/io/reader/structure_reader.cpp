@@ -8,7 +8,6 @@ namespace femoop {
 
 namespace {
 
-constexpr Keys<7> material_keys{{"id", "E", "nu", "G", "alpha", "density", "fy"}, 2};
 constexpr Keys<18> section_keys{{"id", "shape", "profile", "A", "Iz", "Iy", "J", "Asy", "Asz", "h", "yc", "b", "d", "t",
                                  "bf", "tf", "tw", "turned"},
                                 1};
@@ -25,20 +24,6 @@ constexpr Keys<n_dofs> dof_keys{names::displacements, 0};
 bool has_depth(SectionShapeKind kind) { return kind != SectionShapeKind::Circle && kind != SectionShapeKind::Tube; }
 
 } // namespace
-
-Material ModelReader::material(JsonValue value, const Place& place)
-{
-    const auto [id, E, nu, G, alpha, density, fy] = reader_.fields(value, material_keys, place);
-    Material material;
-    material.id = reader_.id(id, place);
-    material.E = reader_.quantity(E, dimension::stress, place).value_or(no_number);
-    material.nu = reader_.quantity(nu, dimension::none, place);
-    material.G = reader_.quantity(G, dimension::stress, place);
-    material.alpha = reader_.quantity(alpha, dimension::expansion, place);
-    material.density = reader_.quantity(density, dimension::density, place);
-    material.fy = reader_.quantity(fy, dimension::stress, place);
-    return material;
-}
 
 Section ModelReader::section(JsonValue value, const Place& place)
 {
@@ -113,42 +98,8 @@ std::optional<Support> ModelReader::support(JsonValue value, const Place& place)
     const auto [fixed, angle, spring_list] = reader_.fields(value, support_keys, here);
     support.fixed = dof_set(fixed, here);
     support.angle = reader_.quantity(angle, dimension::angle, here, AngleUnit::Degrees).value_or(0.0);
-    support.springs = springs(spring_list, here);
+    support.springs = springs(spring_list, spring_dimension, here);
     return support;
-}
-
-DofSet ModelReader::dof_set(JsonValue value, const Place& place)
-{
-    if (!reader_.is_list(value, place)) return {};
-    const Place here = place.key(value.key());
-    std::array<std::optional<std::size_t>, n_dofs> seen;
-    DofSet dofs;
-    std::size_t i = 0;
-    for (const JsonValue entry : value) {
-        const Place own_place = here.entry(i);
-        if (const auto dof = reader_.choice(entry, names::displacements, own_place)) {
-            if (auto& first = seen[*dof])
-                reader_.add({FaultKind::RepeatedDof,
-                             {own_place.text(), std::string(names::displacements[*dof]), here.entry(*first).text()}});
-            else first = i;
-            dofs.insert(all_dofs[*dof]);
-        }
-        ++i;
-    }
-    return dofs;
-}
-
-std::vector<Spring> ModelReader::springs(JsonValue value, const Place& place)
-{
-    std::vector<Spring> springs;
-    if (!value.is_present()) return springs;
-    const Place here = place.key(value.key());
-    reader_.fields(value, dof_keys, here);
-    for (const JsonValue entry : value)
-        if (const auto dof = find_dof(entry.key()))
-            if (auto stiffness = reader_.quantity(entry, spring_dimension(*dof), here))
-                springs.push_back({*dof, std::move(*stiffness)});
-    return springs;
 }
 
 std::vector<Quantity> ModelReader::lengths(JsonValue value, std::size_t n, const Place& place)
@@ -204,7 +155,7 @@ MemberEnd ModelReader::member_end(JsonValue value, const Place& place)
     const Place here = place.key(value.key());
     const auto [release, spring, offset] = reader_.fields(value, end_keys, here);
     end.release = dof_set(release, here);
-    end.springs = springs(spring, here);
+    end.springs = springs(spring, spring_dimension, here);
     end.offset = lengths(offset, n_coordinates(model.analysis), here);
     return end;
 }

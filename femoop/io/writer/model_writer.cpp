@@ -10,23 +10,11 @@
 #include "femoop/io/model_file.h"
 #include "femoop/io/reader/names.h"
 #include "femoop/io/writer/object_text.h"
+#include "femoop/io/writer/part_text.h"
 
 namespace femoop {
 
 namespace {
-
-constexpr std::size_t line_width = 120;
-using Lines = std::vector<std::string>;
-
-template <std::size_t N, class Enum> std::string word(const std::array<std::string_view, N>& names, Enum value)
-{
-    return quoted_json(names.at(static_cast<std::size_t>(value)));
-}
-
-void add_if(ObjectText& object, std::string_view key, const std::optional<Quantity>& value)
-{
-    if (value) object.add(key, *value);
-}
 
 void add_if(ObjectText& object, std::string_view key, bool value)
 {
@@ -42,18 +30,6 @@ std::string json_text(const Position& position)
 void add_if(ObjectText& object, std::string_view key, const std::optional<Position>& position)
 {
     if (position) object.add(key, json_text(*position));
-}
-
-std::string text_of(const Material& material)
-{
-    ObjectText object;
-    object.add_text("id", material.id).add("E", material.E);
-    add_if(object, "nu", material.nu);
-    add_if(object, "G", material.G);
-    add_if(object, "alpha", material.alpha);
-    add_if(object, "density", material.density);
-    add_if(object, "fy", material.fy);
-    return object.str();
 }
 
 void add(ObjectText& object, const SectionShape& shape)
@@ -84,21 +60,6 @@ std::string text_of(const Section& section)
     const bool has_own_depth = section.shape && section.shape->h; // then "h" is the shape's, and stands already
     if (!has_own_depth) add_if(object, "h", section.h);
     add_if(object, "yc", section.yc);
-    return object.str();
-}
-
-std::string text_of(DofSet dofs)
-{
-    Lines names;
-    for (const Dof dof : all_dofs)
-        if (dofs.contains(dof)) names.push_back(quoted_json(name(dof)));
-    return json_list(names);
-}
-
-std::string text_of(const std::vector<Spring>& springs)
-{
-    ObjectText object;
-    for (const Spring& spring : springs) object.add(name(spring.dof), spring.stiffness);
     return object.str();
 }
 
@@ -134,13 +95,6 @@ std::string text_of(const Node& node, AnalysisKind analysis)
     add(mass, node.mass, names::displacements);
     if (!mass.is_empty()) object.add("mass", mass.str());
     return object.str();
-}
-
-std::string list_of(const std::vector<Quantity>& quantities)
-{
-    Lines texts;
-    for (const Quantity& quantity : quantities) texts.push_back(json_text(quantity));
-    return json_list(texts);
 }
 
 void add_if(ObjectText& object, std::string_view key, const MemberEnd& end)
@@ -225,16 +179,6 @@ std::string text_of(const MemberLoad& load, const Model& model)
     return object.str();
 }
 
-/// A list with an entry a line, indented by `indent`.
-std::string lines_text(const Lines& lines, std::size_t indent)
-{
-    if (lines.empty()) return "[]";
-    const std::string margin(indent, ' ');
-    std::string text = "[";
-    for (const std::string& line : lines) text += (text.size() > 1 ? ",\n" : "\n") + margin + "  " + line;
-    return text + '\n' + margin + ']';
-}
-
 /// A load case on one line if it fits, else with a load a line.
 std::string text_of(const LoadCase& load_case, const Model& model)
 {
@@ -242,7 +186,7 @@ std::string text_of(const LoadCase& load_case, const Model& model)
     object.add_text("id", load_case.id);
     if (load_case.self_weight != 0.0) object.add("self_weight", json_text(load_case.self_weight));
     const auto node = [&](NodeId id) -> const std::string& { return model.nodes.at(id.index).id; };
-    std::vector<std::pair<std::string_view, Lines>> lists{{"nodes", {}}, {"settlements", {}}, {"members", {}}};
+    NamedLists lists{{"nodes", {}}, {"settlements", {}}, {"members", {}}};
     for (const NodeLoad& load : load_case.nodes) {
         ObjectText line;
         line.add_text("node", node(load.node));
@@ -257,25 +201,12 @@ std::string text_of(const LoadCase& load_case, const Model& model)
     }
     for (const MemberLoad& load : load_case.members) lists[2].second.push_back(text_of(load, model));
 
-    std::string narrow = object.str();
-    narrow.pop_back();
-    std::size_t width = narrow.size();
-    for (const auto& [key, lines] : lists) {
-        if (lines.empty()) continue;
-        narrow += ",\n     \"" + std::string(key) + "\": " + lines_text(lines, 5);
-        const std::string list = json_list(lines);
-        width += key.size() + 6 + list.size();
-        if (width < line_width) object.add(key, list);
-    }
-    return width < line_width ? object.str() : narrow + '}';
+    return with_lists(std::move(object), lists);
 }
 
 std::string text_of(const Combination& combination, const Model& model)
 {
-    ObjectText factors;
-    for (const Combination::Term& term : combination.terms)
-        factors.add(model.case_name(term.of), json_text(term.factor));
-    return ObjectText().add_text("id", combination.id).add("factors", factors.str()).str();
+    return combination_text(combination, [&](CaseId id) { return model.case_name(id); });
 }
 
 std::string list_of(const std::vector<MemberId>& members, const Model& model)
@@ -402,35 +333,6 @@ std::string text_of(const Expected& check, const Model& model)
     return object.str();
 }
 
-/// The whole file: a key of the outermost object a line.
-class FileText {
-public:
-    void add(std::string_view key, const std::string& json)
-    {
-        text_ += (text_.size() > 1 ? ",\n  \"" : "\n  \"") + std::string(key) + "\": " + json;
-    }
-    void add_text(std::string_view key, const std::string& value)
-    {
-        if (!value.empty()) add(key, quoted_json(value));
-    }
-    template <class List, class... Context>
-    void add_list(std::string_view key, const List& list, const Context&... context)
-    {
-        Lines lines;
-        for (const auto& entry : list) lines.push_back(text_of(entry, context...));
-        add(key, lines_text(lines, 2));
-    }
-    template <class List, class... Context>
-    void add_if(std::string_view key, const List& list, const Context&... context)
-    {
-        if (!list.empty()) add_list(key, list, context...);
-    }
-    std::string str() const { return text_ + "\n}\n"; }
-
-private:
-    std::string text_ = "{";
-};
-
 std::string pretty(const ExtraBlock& block)
 {
     const JsonReading json = parse_json(block.json);
@@ -442,28 +344,27 @@ std::string pretty(const ExtraBlock& block)
 
 std::string write_model(const Model& model)
 {
-    FileText file;
+    ModelText file;
+    const auto alone = [](const auto& part) { return text_of(part); };
+    const auto in_model = [&](const auto& part) { return text_of(part, model); };
     file.add("cremona", "1");
     file.add_text("title", model.title);
     file.add_text("notes", model.notes);
     file.add("analysis", word(names::analyses, model.analysis));
-    file.add("units", ObjectText()
-                          .add("length", word(names::lengths, model.units.length))
-                          .add("force", word(names::forces, model.units.force))
-                          .str());
+    file.add("units", text_of(model.units));
     if (model.mass) file.add("mass", word(names::masses, *model.mass));
-    file.add_if("materials", model.materials);
-    file.add_if("sections", model.sections);
-    file.add_list("nodes", model.nodes, model.analysis);
-    file.add_list("members", model.members, model);
-    file.add_if("load_cases", model.load_cases, model);
-    file.add_if("combinations", model.combinations, model);
-    file.add_if("paths", model.moving_loads.paths, model);
-    file.add_if("influence_lines", model.moving_loads.influence_lines, model);
-    file.add_if("trains", model.moving_loads.trains, model);
-    file.add_if("moving_envelopes", model.moving_loads.envelopes, model);
+    file.add_list_if("materials", model.materials, alone);
+    file.add_list_if("sections", model.sections, alone);
+    file.add_list("nodes", model.nodes, [&](const Node& node) { return text_of(node, model.analysis); });
+    file.add_list("members", model.members, in_model);
+    file.add_list_if("load_cases", model.load_cases, in_model);
+    file.add_list_if("combinations", model.combinations, in_model);
+    file.add_list_if("paths", model.moving_loads.paths, in_model);
+    file.add_list_if("influence_lines", model.moving_loads.influence_lines, in_model);
+    file.add_list_if("trains", model.moving_loads.trains, in_model);
+    file.add_list_if("moving_envelopes", model.moving_loads.envelopes, in_model);
     for (const ExtraBlock& block : model.extra) file.add(block.key, pretty(block));
-    file.add_if("expected", model.expected, model);
+    file.add_list_if("expected", model.expected, in_model);
     return file.str();
 }
 

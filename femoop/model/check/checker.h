@@ -11,26 +11,18 @@
 #include <vector>
 
 #include "femoop/model/check/check_parts.h"
+#include "femoop/model/check/entry_checker.h"
 #include "femoop/model/fault/fault.h"
 #include "femoop/model/model.h"
 #include "femoop/model/quantity/dimension.h"
 
 namespace femoop {
 
-/// An entry of a list, as faults name it: members[2] "BC". Its words are put together only for a fault.
-struct Entry {
-    std::string_view list;
-    std::optional<std::size_t> index;
-    std::string_view id;
-
-    std::string text() const;
-};
-
 /// Goes through a model part by part and writes down what is wrong with it.
-class Checker {
+class Checker : private EntryChecker {
 public:
     Checker(const Model& model, const Unreadable& unreadable)
-        : model_(model), unreadable_(unreadable), is_incomplete_(unreadable.is_incomplete)
+        : EntryChecker(model.units), model_(model), unreadable_(unreadable), is_incomplete_(unreadable.is_incomplete)
     {}
     std::vector<Fault> run(Thoroughness thoroughness);
     std::vector<Fault> run_line(const InfluenceLineDefinition& line, const Entry& place); ///< of this one alone
@@ -46,19 +38,10 @@ private:
     enum class End : std::uint8_t { Start, Finish };
 
     // checker.cpp
-    static bool is_lack(FaultKind kind); ///< something that an entry with an unreadable part need not have
-    void add(FaultKind kind, const Entry& place, std::vector<std::string> details);
-    std::string shown(const Quantity& quantity, Dimension dimension) const; ///< as typed, else with its unit
+    using EntryChecker::shown;
     std::string shown(Point point) const;
     std::string analysis() const { return std::string(name(model_.analysis)); }
-    bool require_entry(const Entry& place, std::string_view list, std::size_t index, std::size_t n);
-    bool require_finite(const Entry& place, std::string_view key, double value);
     bool is_within_reach(NodeId id) const; ///< can its place be reckoned with?
-    void require_within_reach(const Entry& place, std::string_view key, const Quantity& coordinate);
-    void require_positive(const Entry& place, std::string_view key, const Quantity& value, Dimension dimension);
-    void require_stiffness(const Entry& place, std::string_view key, const Quantity& value, Dimension dimension);
-    void require_not_negative(const Entry& place, std::string_view key, const Quantity& value, Dimension dimension);
-    void require_distinct(const Entry& place, const std::vector<Component>& components);
     bool is_readable(NodeId id) const { return id.index < model_.nodes.size() && !flag(unreadable_.nodes, id.index); }
     bool is_readable(MemberId id) const
     {
@@ -73,18 +56,11 @@ private:
         return id.index < model_.sections.size() && !flag(unreadable_.sections, id.index);
     }
     bool is_located(const Member& member) const { return is_readable(member.nodes[0]) && is_readable(member.nodes[1]); }
-    static bool flag(const std::vector<bool>& flags, std::size_t i) { return i < flags.size() && flags[i]; }
-    static bool flag(const std::vector<std::vector<bool>>& flags, std::size_t i, std::size_t j)
-    {
-        return i < flags.size() && flag(flags[i], j);
-    }
 
     // structure_check.cpp
     void check_ids();
-    void check_names(const std::vector<Entry>& entries);
     void check_references(const Member& member, const Entry& place);
     void check_materials();
-    void check_material(const Material& material, const Entry& place);
     void check_sections();
     void check_section(const Section& section, const Entry& place);
     void check_nodes();
@@ -128,8 +104,6 @@ private:
     std::optional<double> check_position(const Position& position, std::string_view key, const Member& member,
                                          const Entry& place);
     void check_combinations();
-    void check_circles();
-    void add_circle(const std::vector<std::size_t>& path, std::size_t again);
 
     // expected_check.cpp
     void check_expected();
@@ -156,10 +130,7 @@ private:
 
     const Model& model_;
     const Unreadable& unreadable_;
-    std::vector<Fault> faults_;
-    bool is_partial_ = false;    ///< the entry at hand has a part that could not be read
-    bool is_incomplete_ = false; ///< what looks unused may be meant where a fault is
-    bool has_repeated_id_ = false;
+    bool is_incomplete_ = false;                                ///< what looks unused may be meant where a fault is
     std::vector<bool> has_member_;                              ///< per node
     std::set<std::pair<std::uint32_t, std::string_view>> said_; ///< section and property that it lacks
 };

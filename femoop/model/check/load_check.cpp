@@ -260,47 +260,7 @@ void Checker::check_combinations()
                 require_finite(place, model_.case_name(term.of), term.factor);
     }
     is_partial_ = false;
-    check_circles();
-}
-
-// Depth-first with a stack of our own: a chain of combinations may be as long as the file.
-void Checker::check_circles()
-{
-    enum class State : std::uint8_t { New, Open, Done };
-    const std::size_t n_load_cases = model_.load_cases.size();
-    std::vector<State> states(model_.combinations.size(), State::New);
-    std::vector<std::size_t> next_term(model_.combinations.size(), 0);
-    for (std::size_t first = 0; first < states.size(); ++first) {
-        std::vector<std::size_t> path;
-        const auto enter = [&](std::size_t i) {
-            states[i] = State::Open;
-            path.push_back(i);
-        };
-        if (states[first] == State::New) enter(first);
-        while (!path.empty()) {
-            const std::size_t current = path.back();
-            const auto& terms = model_.combinations[current].terms;
-            if (next_term[current] == terms.size()) {
-                states[current] = State::Done;
-                path.pop_back();
-                continue;
-            }
-            const std::size_t of = terms[next_term[current]++].of.index;
-            if (of < n_load_cases || of >= model_.n_cases()) continue;
-            const std::size_t next = of - n_load_cases;
-            if (states[next] == State::New) enter(next);
-            else if (states[next] == State::Open) add_circle(path, next);
-        }
-    }
-}
-
-void Checker::add_circle(const std::vector<std::size_t>& path, std::size_t again)
-{
-    std::string circle;
-    for (auto step = std::find(path.begin(), path.end(), again); step != path.end(); ++step)
-        circle += model_.combinations[*step].id + " -> ";
-    const std::string& id = model_.combinations[again].id;
-    add(FaultKind::CombinationCircle, {"combinations", again, id}, {circle + id});
+    check_circles(model_.combinations, model_.load_cases.size());
 }
 
 } // namespace femoop

@@ -34,8 +34,6 @@ std::vector<Need> needs(AnalysisKind kind, const Member& member)
     return {area};
 }
 
-bool is_control_character(char c) { return static_cast<unsigned char>(c) < 0x20U || c == '\x7f'; }
-
 std::array<double, 3> point(const Eigen::Vector3d& v) { return {v[0], v[1], v[2]}; }
 
 std::string_view end_name(bool is_start) { return is_start ? "start" : "end"; }
@@ -71,39 +69,12 @@ void Checker::check_ids()
     check_own("moving_envelopes", model_.moving_loads.envelopes, unreadable_.moving_envelopes);
 }
 
-void Checker::check_names(const std::vector<Entry>& entries)
-{
-    std::vector<std::string_view> names;
-    names.reserve(entries.size());
-    for (const Entry& entry : entries) names.push_back(entry.id);
-    for (const Entry& entry : entries)
-        if (std::any_of(entry.id.begin(), entry.id.end(), is_control_character))
-            add(FaultKind::ControlCharacterInId, entry, {});
-    for (const auto& [index, first] : repeated_names(names)) {
-        if (names[index].empty()) continue;
-        has_repeated_id_ = true;
-        add(FaultKind::RepeatedId, entries[index], {Entry{entries[first].list, entries[first].index, {}}.text()});
-    }
-}
-
 void Checker::check_materials()
 {
     for (std::size_t i = 0; i < model_.materials.size(); ++i) {
         is_partial_ = !is_readable(MaterialId(i));
         check_material(model_.materials[i], {"materials", i, model_.materials[i].id});
     }
-}
-
-void Checker::check_material(const Material& material, const Entry& place)
-{
-    require_positive(place, "E", material.E, dimension::stress);
-    if (material.G) require_positive(place, "G", *material.G, dimension::stress);
-    if (material.alpha) require_finite(place, "alpha", *material.alpha);
-    if (material.density) require_not_negative(place, "density", *material.density, dimension::density);
-    if (material.fy) require_positive(place, "fy", *material.fy, dimension::stress);
-    if (!material.nu || !require_finite(place, "nu", *material.nu)) return;
-    if (*material.nu <= -1.0 || *material.nu > 0.5)
-        add(FaultKind::PoissonOutOfRange, place, {shown(*material.nu, dimension::none)});
 }
 
 void Checker::check_sections()
