@@ -135,8 +135,7 @@ template <class Scalar> auto Assembler::load_vector(const CaseLoads& loads) cons
     Vector<Scalar> f = Vector<Scalar>::Zero(static_cast<Eigen::Index>(equations_.n_unknowns()));
     add_node_loads(loads, f);
     if (!loads.first.empty()) add_span_loads(loads, f);
-    for (const CaseLoads::OnElement& on : loads.elements)
-        add_element_loads(on.element, {.edge_loads = on.edge_loads, .body_loads = on.body_loads}, f);
+    for (const CaseLoads::OnElement& on : loads.elements) add_element_loads(on.element, on.loads(), f);
     if (!loads.settlements.empty()) add_settlements(loads, f);
     return f;
 }

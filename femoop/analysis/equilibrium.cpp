@@ -89,6 +89,7 @@ public:
             result_.balance.reach = std::max(result_.balance.reach, position.norm());
         for (std::size_t i = 0; i < structure_.members.size(); ++i) add_member(MemberId(i));
         add_node_loads();
+        if (!structure_.bodies.empty()) add_bodies();
         for (std::size_t s = 0; s < structure_.supports.size(); ++s) finish(s);
         if (result_.balance.imposed < negligible_loads * result_.balance.largest)
             result_.equilibrium.residual = result_.balance.out_of_balance / result_.balance.largest;
@@ -136,14 +137,89 @@ private:
         }
     }
 
+    /// What the nodes do to the bodies between them, at supports: K u less what replaces the loads on them.
+    void add_bodies()
+    {
+        for (const CaseLoads::OnElement& on : loads_.elements)
+            if (const Element* body = body_of(on.element)) add_body_loads(*body, on);
+        ElementMatrix K;
+        for (const auto& body : structure_.bodies) {
+            const ElementDofs dofs = body->dofs();
+            if (!meets_support(dofs)) continue;
+            body->stiffness(K);
+            add_at_supports(dofs, K * displacements_of(dofs));
+        }
+    }
+
+    /// Nothing for members, whose loads are elsewhere, and for foundations, which are supports.
+    const Element* body_of(std::size_t element) const
+    {
+        const std::size_t first = structure_.members.size();
+        const bool is_body = element >= first && element - first < structure_.bodies.size();
+        return is_body ? structure_.bodies[element - first].get() : nullptr;
+    }
+
+    void add_body_loads(const Element& body, const CaseLoads::OnElement& on)
+    {
+        ElementVector f;
+        body.equivalent_forces(on.loads(), f);
+        const ElementDofs dofs = body.dofs();
+        add_at_supports(dofs, -f);
+        const std::size_t n = dofs.of_each_node.size();
+        for (std::size_t i = 0; i < dofs.n_of_nodes(); ++i) {
+            Eigen::Vector3d F = Eigen::Vector3d::Zero();
+            F[static_cast<int>(index(dofs.of_each_node[i % n]))] = f[static_cast<Eigen::Index>(i)];
+            const Eigen::Vector3d& at = structure_.positions[dofs.nodes[i / n].index];
+            sum_of_loads_.add(F, Eigen::Vector3d::Zero(), at);
+            weigh(F, Eigen::Vector3d::Zero(), at);
+        }
+    }
+
+    bool meets_support(const ElementDofs& dofs) const
+    {
+        return !structure_.ties.empty() || std::ranges::any_of(dofs.nodes, [&](NodeId node) {
+            return structure_.support_of_node[node.index] >= 0;
+        });
+    }
+
+    ElementVector displacements_of(const ElementDofs& dofs) const
+    {
+        const std::size_t n = dofs.of_each_node.size();
+        ElementVector u(static_cast<Eigen::Index>(dofs.n_of_nodes()));
+        for (std::size_t i = 0; i < dofs.n_of_nodes(); ++i)
+            u[static_cast<Eigen::Index>(i)] = result_.displacements[dofs.nodes[i / n].index * n + i % n];
+        return u;
+    }
+
+    void add_at_supports(const ElementDofs& dofs, const ElementVector& forces)
+    {
+        const std::size_t n = dofs.of_each_node.size();
+        for (std::size_t i = 0; i < dofs.n_of_nodes(); ++i)
+            add_at_support(dofs.nodes[i / n], dofs.of_each_node[i % n], forces[static_cast<Eigen::Index>(i)]);
+    }
+
+    /// What a node needs to be held by. One that is tied hands it over to its leader, and the tie takes its moment.
+    void add_at_support(NodeId node, Dof dof, double force)
+    {
+        for (const Discretisation::Tie& tie : structure_.ties)
+            if (tie.node == node && tie.dof == dof) {
+                const Eigen::Vector3d F = force * Eigen::Vector3d::Unit(static_cast<int>(index(dof)) % 3);
+                const Eigen::Vector3d arm = structure_.positions[node.index] - structure_.positions[tie.leader.index];
+                sum_of_reactions_.moment += arm.cross(F);
+                node = tie.leader;
+                break;
+            }
+        const std::int32_t support = structure_.support_of_node[node.index];
+        if (support >= 0) result_.reactions[static_cast<std::size_t>(support)][index(dof)] += force;
+    }
+
     void add_node_loads()
     {
         for (const CaseLoads::OnNode& load : loads_.nodes) {
             sum_of_loads_.add(forces(load.value), moments(load.value), structure_.positions[load.node.index]);
             weigh(forces(load.value), moments(load.value), structure_.positions[load.node.index]);
-            const std::int32_t support = structure_.support_of_node[load.node.index];
-            if (support >= 0)
-                add(result_.reactions[static_cast<std::size_t>(support)], -forces(load.value), -moments(load.value));
+            for (const Dof dof : all_dofs)
+                if (load.value[index(dof)] != 0.0) add_at_support(load.node, dof, -load.value[index(dof)]);
         }
     }
 
@@ -170,7 +246,9 @@ private:
         };
         if (support.angle != 0.0) turn(-si);
         for (const Dof dof : all_dofs)
-            if (!support.blocked.contains(dof) && support.springs[index(dof)] == 0.0) reaction[index(dof)] = 0.0;
+            if (!support.blocked.contains(dof) && support.springs[index(dof)] == 0.0 &&
+                !support.on_foundations.contains(dof))
+                reaction[index(dof)] = 0.0;
         if (support.angle != 0.0) turn(si);
         sum_of_reactions_.add(forces(reaction), moments(reaction), structure_.positions[support.node.index]);
         weigh(forces(reaction), moments(reaction), structure_.positions[support.node.index]);

@@ -8,13 +8,13 @@
 #include "femoop/analysis/accuracy.h"
 #include "femoop/analysis/equilibrium.h"
 #include "femoop/analysis/mechanism_report.h"
+#include "femoop/analysis/memory_fault.h"
 #include "femoop/analysis/overflow_check.h"
 #include "femoop/analysis/rigid_body.h"
 #include "femoop/analysis/static_system.h"
 #include "femoop/analysis/stopwatch.h"
 #include "femoop/analysis/unstressed_cases.h"
 #include "femoop/model/check/check.h"
-#include "femoop/model/quantity/number_text.h"
 #include "femoop/solver/available_memory.h"
 
 namespace femoop {
@@ -26,13 +26,6 @@ constexpr double harmless_pivot = 1e-6;    // of the diagonal: above it no condi
 constexpr double poor_condition = 1e10;    // leaves some six correct digits
 constexpr double unmeant_motion = 1e5;     // of the structure's size; exercises with E I = 1 stay well below
 constexpr double unmeant_soft_motion = 10; // where a pivot is so small that something is soft beside the rest
-
-Fault insufficient_memory(const InsufficientMemory& refusal, Eigen::Index n_equations)
-{
-    const auto gigabytes = [](double bytes) { return number_text(std::round(1e-7 * bytes) / 100.0); };
-    return {FaultKind::MemoryInsufficient,
-            {std::to_string(n_equations), gigabytes(refusal.needed()), gigabytes(refusal.available())}};
-}
 
 void note_size(const ReducedSystem& system, AnalysisStatistics& statistics)
 {

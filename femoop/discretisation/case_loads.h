@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "femoop/discretisation/discretisation.h"
-#include "femoop/element/continuum/continuum_load.h"
+#include "femoop/element/element_loads.h"
 #include "femoop/element/span_load.h"
 #include "femoop/load/case_terms.h"
 #include "femoop/model/model.h"
@@ -23,6 +23,12 @@ struct CaseLoads {
         std::size_t element; ///< index of Elements
         std::vector<EdgeLoad> edge_loads;
         std::vector<BodyLoad> body_loads;
+        std::vector<ThermalLoad> thermal_loads{};
+
+        ElementLoads loads() const
+        {
+            return {.edge_loads = edge_loads, .body_loads = body_loads, .thermal_loads = thermal_loads};
+        }
     };
     std::vector<OnNode> nodes;
     std::vector<OnNode> settlements;  ///< in the support's axes

@@ -3,10 +3,12 @@
 #include <Eigen/Core>
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <span>
 #include <vector>
 
+#include "femoop/element/element.h"
 #include "femoop/element/member_properties.h"
 #include "femoop/element/straight_member.h"
 #include "femoop/geometry/member_geometry.h"
@@ -25,8 +27,14 @@ struct Discretisation {
     struct SupportRow {
         NodeId node;
         DofSet blocked;
-        NodeVector springs{}; ///< 0 where there is none
-        double angle = 0.0;   ///< [rad]
+        NodeVector springs{};  ///< 0 where there is none
+        double angle = 0.0;    ///< [rad]
+        DofSet on_foundations; ///< displacements that elements of `foundations` resist
+    };
+    struct Tie {
+        NodeId node;
+        Dof dof = Dof::ux;
+        NodeId leader; ///< whose displacement it has, global axes
     };
 
     AnalysisKind kind = AnalysisKind::Frame2d;
@@ -36,9 +44,12 @@ struct Discretisation {
     std::vector<MemberEndConditions> end_conditions;
     std::vector<Eigen::Vector3d> up; ///< parallel to end_conditions; zero where the default holds
     std::vector<SupportRow> supports;
-    std::vector<std::int32_t> support_of_node; ///< index of supports, or -1
-    std::vector<bool> is_attached;             ///< does any member meet the node?
-    bool has_constraints = false;              ///< any inextensible or rigid member
+    std::vector<std::int32_t> support_of_node;               ///< index of supports, or -1
+    std::vector<bool> is_attached;                           ///< does any member meet the node?
+    bool has_constraints = false;                            ///< any inextensible or rigid member
+    std::vector<std::shared_ptr<const Element>> bodies;      ///< elements that are no members, such as those of a plate
+    std::vector<std::shared_ptr<const Element>> foundations; ///< elements that are supports
+    std::vector<Tie> ties;                                   ///< \pre of nodes whose axes are not turned
 
     MemberData data(MemberId member) const; ///< valid while this lives
     MemberGeometry geometry(MemberId member) const { return geometry_of(kind, data(member)); }

@@ -1,7 +1,5 @@
 #include "femoop/discretisation/elements.h"
 
-#include <utility>
-
 namespace femoop {
 
 namespace {
@@ -38,12 +36,12 @@ std::unique_ptr<const MemberBlock> members_of(const Discretisation& structure)
 
 } // namespace
 
-Elements::Elements(const Discretisation& structure, std::vector<std::unique_ptr<const Element>> others)
-    : members_(members_of(structure)), others_(std::move(others))
+Elements::Elements(const Discretisation& structure) : members_(members_of(structure))
 {
-    all_.reserve(members_->size() + others_.size());
+    all_.reserve(members_->size() + structure.bodies.size() + structure.foundations.size());
     for (std::size_t i = 0; i < members_->size(); ++i) all_.push_back(&(*members_)[i]);
-    for (const auto& other : others_) all_.push_back(other.get());
+    for (const auto& body : structure.bodies) all_.push_back(body.get());
+    for (const auto& foundation : structure.foundations) all_.push_back(foundation.get());
 }
 
 } // namespace femoop

@@ -9,11 +9,11 @@
 
 namespace femoop {
 
-/// The elements of a structure: its members, in order, then what else it is made of. To be used while the
+/// The elements of a structure: its members, in order, then its bodies, then its foundations. To be used while the
 /// discretisation lives.
 class Elements {
 public:
-    explicit Elements(const Discretisation& structure, std::vector<std::unique_ptr<const Element>> others = {});
+    explicit Elements(const Discretisation& structure);
 
     std::size_t size() const { return all_.size(); }
     const Element& operator[](std::size_t i) const { return *all_[i]; }
@@ -21,7 +21,6 @@ public:
 
 private:
     std::unique_ptr<const MemberBlock> members_;
-    std::vector<std::unique_ptr<const Element>> others_;
     std::vector<const Element*> all_; ///< the members first
 };
 

@@ -60,14 +60,36 @@ bool have_same_equations(const Discretisation& a, const Discretisation& b)
     return true;
 }
 
+namespace {
+
+bool is_tied(const Discretisation& structure, NodeId node, Dof dof)
+{
+    return std::ranges::any_of(structure.ties,
+                               [&](const Discretisation::Tie& tie) { return tie.node == node && tie.dof == dof; });
+}
+
+/// The nodes that ties make others follow; empty where there are none.
+std::vector<std::vector<NodeId>> leaders_of(const Discretisation& structure)
+{
+    std::vector<std::vector<NodeId>> leaders(structure.ties.empty() ? 0 : structure.positions.size());
+    for (const Discretisation::Tie& tie : structure.ties) leaders[tie.node.index].push_back(tie.leader);
+    return leaders;
+}
+
+} // namespace
+
 BlockGraph block_graph(const Discretisation& structure, const Elements& elements)
 {
     BlockGraph graph;
     graph.positions = structure.positions;
+    const std::vector<std::vector<NodeId>> leaders = leaders_of(structure);
     const std::span<const Dof> dofs = model_dofs(structure.kind);
     for (std::size_t node = 0; node < structure.positions.size(); ++node) {
         std::int32_t size = 0;
         for (const Dof dof : dofs) size += is_unknown(structure, NodeId(node), dof) ? 1 : 0;
+        if (!leaders.empty())
+            for (const Dof dof : dofs)
+                size -= is_unknown(structure, NodeId(node), dof) && is_tied(structure, NodeId(node), dof) ? 1 : 0;
         graph.block_sizes.push_back(size);
     }
     std::vector<std::int32_t> blocks;
@@ -75,6 +97,13 @@ BlockGraph block_graph(const Discretisation& structure, const Elements& elements
         const ElementDofs touched = elements[i].dofs();
         blocks.clear();
         for (const NodeId node : touched.nodes) blocks.push_back(static_cast<std::int32_t>(node.index));
+        if (!leaders.empty()) {
+            for (const NodeId node : touched.nodes)
+                for (const NodeId leader : leaders[node.index])
+                    blocks.push_back(static_cast<std::int32_t>(leader.index));
+            std::ranges::sort(blocks);
+            blocks.erase(std::unique(blocks.begin(), blocks.end()), blocks.end());
+        }
         if (touched.n_own > 0) {
             blocks.push_back(static_cast<std::int32_t>(graph.block_sizes.size()));
             graph.block_sizes.push_back(static_cast<std::int32_t>(touched.n_own));
@@ -102,7 +131,13 @@ void Equations::number_nodes(const Discretisation& structure)
     for (std::size_t node = 0; node < structure.positions.size(); ++node) {
         std::int32_t next = pattern_.first_equation(node);
         for (std::size_t i = 0; i < dofs.size(); ++i)
-            if (is_unknown(structure, NodeId(node), dofs[i])) of_node_[node * dofs.size() + i] = next++;
+            if (is_unknown(structure, NodeId(node), dofs[i]) &&
+                (structure.ties.empty() || !is_tied(structure, NodeId(node), dofs[i])))
+                of_node_[node * dofs.size() + i] = next++;
+    }
+    for (const Discretisation::Tie& tie : structure.ties) {
+        const auto i = static_cast<std::size_t>(std::ranges::find(dofs, tie.dof) - dofs.begin());
+        of_node_[tie.node.index * dofs.size() + i] = of_node_[tie.leader.index * dofs.size() + i];
     }
 }
 

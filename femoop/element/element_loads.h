@@ -13,6 +13,7 @@ struct ElementLoads {
     SpanLoading* room = nullptr;            ///< to sort them in: used again from member to member, if there is one
     std::span<const EdgeLoad> edge_loads{}; ///< of a continuum element, like body_loads
     std::span<const BodyLoad> body_loads{};
+    std::span<const ThermalLoad> thermal_loads{};
 };
 
 } // namespace femoop

@@ -19,8 +19,9 @@ ElementVector picked(const ElementDofs& dofs, std::span<const double> displaceme
 
 } // namespace
 
-ElementField::ElementField(const ContinuumElement& element, std::span<const double> displacements)
-    : element_(element), u_(picked(element.dofs(), displacements))
+ElementField::ElementField(const ContinuumElement& element, std::span<const double> displacements,
+                           ContinuumElement::Heat heat)
+    : element_(element), u_(picked(element.dofs(), displacements)), heat_(heat)
 {}
 
 Eigen::Vector2d ElementField::displacement(NaturalPoint p) const

@@ -22,12 +22,15 @@ class ElementField {
 public:
     /// \param displacements  of all nodes, those of each after one another in the order of the element's dofs.
     /// \pre the element outlives this
-    ElementField(const ContinuumElement& element, std::span<const double> displacements);
+    /// \param heat  that the element is warmed by; it lives as long as this
+    ElementField(const ContinuumElement& element, std::span<const double> displacements,
+                 ContinuumElement::Heat heat = {});
 
     Eigen::Vector2d place(NaturalPoint p) const { return element_.place(p); }
     Eigen::Vector2d displacement(NaturalPoint p) const;
-    StrainVector strain(NaturalPoint p) const { return element_.strain(u_, p); }
-    StressVector stress(NaturalPoint p) const { return element_.stress(u_, p); }
+    StrainVector strain(NaturalPoint p) const { return element_.total_strain(u_, p, heat_); } ///< that of heat too
+    StrainVector mechanical_strain(NaturalPoint p) const { return element_.mechanical_strain(u_, p, heat_); }
+    StressVector stress(NaturalPoint p) const { return element_.stress(u_, p, heat_); }
 
     const ContinuumElement& element() const { return element_; }
     const ElementVector& node_displacements() const { return u_; } ///< in the order of the element's dofs
@@ -35,6 +38,7 @@ public:
 private:
     const ContinuumElement& element_;
     ElementVector u_;
+    ContinuumElement::Heat heat_;
 };
 
 } // namespace femoop

@@ -29,15 +29,19 @@ public:
     void stiffness(ElementMatrix& K) const override
     {
         const Positions X = node_positions();
-        const ConstitutiveModel& material = formulation().material();
-        const MaterialPoint unstrained{.strain = StrainVector::Zero(n_strains)};
+        const Tangent D = formulation().material().tangent({.strain = StrainVector::Zero(n_strains)});
+        const Dilatation dilatation = mean_dilatation(X);
         DofMatrix sum = DofMatrix::Zero();
         for (const ShapeAtPoint& point : formulation().points()) {
             const Mapped mapped(point.N, point.dN, X);
-            const StrainMatrix B = strain_matrix(point.N, mapped);
-            const Eigen::Matrix<double, n_strains, n_strains> D = material.tangent(unstrained);
+            const StrainMatrix B = strain_matrix(point.N, mapped, dilatation);
             sum.noalias() += B.transpose() * (point.weight * mapped.area * depth(mapped.at.x()) * D) * B;
         }
+        if constexpr (can_have_modes)
+            if (has_modes()) {
+                const Modes modes = mode_stiffness(X);
+                sum.noalias() -= modes.to_nodes.transpose() * modes.own_inverse * modes.to_nodes;
+            }
         K = sum;
     }
 
@@ -47,15 +51,17 @@ public:
         DofVector sum = DofVector::Zero();
         for (const EdgeLoad& load : loads.edge_loads) add_edge_load(load, X, sum);
         for (const BodyLoad& load : loads.body_loads) add_body_load(load, X, sum);
+        if (!loads.thermal_loads.empty()) add_heat(loads.thermal_loads, X, sum);
         f = sum;
     }
 
     Eigen::MatrixXd strains() const override
     {
         const Positions X = node_positions();
+        const Dilatation dilatation = mean_dilatation(X);
         Eigen::MatrixXd all(n_strains * formulation().points().size(), n_dofs);
         for (Eigen::Index row = 0; const ShapeAtPoint& point : formulation().points()) {
-            all.middleRows<n_strains>(row) = strain_matrix(point.N, Mapped(point.N, point.dN, X));
+            all.middleRows<n_strains>(row) = strain_matrix(point.N, Mapped(point.N, point.dN, X), dilatation);
             row += n_strains;
         }
         return all;
@@ -66,11 +72,27 @@ public:
         return node_positions().transpose() * formulation().shape().values(p);
     }
 
-    StrainVector strain(const ElementVector& u, NaturalPoint p) const override
+    double volume(NaturalPoint p) const override
     {
         const Shape& shape = formulation().shape();
+        const Mapped mapped(shape.values(p), shape.derivatives(p), node_positions());
+        return mapped.area * depth(mapped.at.x());
+    }
+
+    StrainVector total_strain(const ElementVector& u, NaturalPoint p, Heat heat) const override
+    {
+        const Positions X = node_positions();
+        const Shape& shape = formulation().shape();
         const Shape::Values N = shape.values(p);
-        return strain_matrix(N, Mapped(N, shape.derivatives(p), node_positions())) * u;
+        const Mapped mapped(N, shape.derivatives(p), X);
+        StrainVector strain = strain_matrix(N, mapped, mean_dilatation(X)) * u;
+        if constexpr (can_have_modes)
+            if (has_modes()) {
+                const Modes modes = mode_stiffness(X);
+                const Eigen::Vector4d f = heat_on_modes(heat, X) - modes.to_nodes * u;
+                strain += mode_matrix(p, mapped, X) * (modes.own_inverse * f);
+            }
+        return strain;
     }
 
 private:
@@ -81,6 +103,18 @@ private:
     using DofMatrix = Eigen::Matrix<double, n_dofs, n_dofs>;
     using DofVector = Eigen::Matrix<double, n_dofs, 1>;
     using StrainMatrix = Eigen::Matrix<double, n_strains, n_dofs>;
+    using Tangent = Eigen::Matrix<double, n_strains, n_strains>;
+    static constexpr bool can_have_modes = n == 4 && state != StressState::Axisymmetric;
+    static constexpr bool can_have_mean = n == 4 && n_strains == 4;
+
+    /// ex + ey + ez of the node displacements: the mean of the element, where the formulation asks for it.
+    using Dilatation = Eigen::Matrix<double, 1, n_dofs>;
+    using ModeMatrix = Eigen::Matrix<double, n_strains, 4>;
+    /// Stiffness of the four amplitudes a of the modes: own a + to_nodes u = forces on them.
+    struct Modes {
+        Eigen::Matrix4d own_inverse;
+        Eigen::Matrix<double, 4, n_dofs> to_nodes;
+    };
 
     /// A natural point in the drawing.
     struct Mapped {
@@ -111,6 +145,9 @@ private:
 
     double depth(double r) const { return Model::depth(formulation().thickness(), r); }
 
+    bool has_mean() const { return can_have_mean && formulation().variant() == ElementVariant::MeanDilatation; }
+    bool has_modes() const { return can_have_modes && formulation().variant() == ElementVariant::IncompatibleModes; }
+
     static StrainMatrix strain_matrix(const Shape::Values& N, const Mapped& mapped)
     {
         StrainMatrix B;
@@ -118,6 +155,99 @@ private:
             B.template middleCols<2>(2 * i) = Model::B(N[i], mapped.gradients(i, 0), mapped.gradients(i, 1),
                                                        mapped.radius);
         return B;
+    }
+
+    /// With the mean dilatation in place of that of the point, a third in each direction.
+    StrainMatrix strain_matrix(const Shape::Values& N, const Mapped& mapped, const Dilatation& mean) const
+    {
+        StrainMatrix B = strain_matrix(N, mapped);
+        if constexpr (can_have_mean)
+            if (has_mean()) {
+                const Dilatation third = (mean - B.template topRows<3>().colwise().sum()) / 3.0;
+                B.template topRows<3>().rowwise() += third;
+            }
+        return B;
+    }
+
+    Dilatation mean_dilatation(const Positions& X) const
+    {
+        Dilatation sum = Dilatation::Zero();
+        if (!has_mean()) return sum;
+        double volume = 0.0;
+        for (const ShapeAtPoint& point : formulation().points()) {
+            const Mapped mapped(point.N, point.dN, X);
+            const double part = point.weight * mapped.area * depth(mapped.at.x());
+            if constexpr (can_have_mean)
+                sum += part * strain_matrix(point.N, mapped).template topRows<3>().colwise().sum();
+            volume += part;
+        }
+        return sum / volume;
+    }
+
+    /// Strains of the modes 1 - xi^2 and 1 - eta^2, each along x and y.
+    static ModeMatrix mode_matrix(NaturalPoint p, const Mapped& mapped, const Positions& X)
+    {
+        const Shape::Derivatives dN = shape_of(ShapeKind::Q4).derivatives({});
+        const Eigen::Matrix2d J = Eigen::Matrix<double, n, 2>(dN).transpose() * (X.rowwise() - X.row(0));
+        Eigen::Matrix2d natural; // rows: modes, columns: d/dxi, d/deta
+        natural << -2.0 * p.xi, 0.0, 0.0, -2.0 * p.eta;
+        const Eigen::Matrix2d gradients = (J.determinant() / mapped.area) * natural * J.inverse().transpose();
+        ModeMatrix G;
+        for (int i = 0; i < 2; ++i)
+            G.template middleCols<2>(2 * i) = Model::B(0.0, gradients(i, 0), gradients(i, 1), 0.0);
+        return G;
+    }
+
+    Modes mode_stiffness(const Positions& X) const
+    {
+        const Tangent D = formulation().material().tangent({.strain = StrainVector::Zero(n_strains)});
+        Eigen::Matrix4d own = Eigen::Matrix4d::Zero();
+        Modes modes{.own_inverse = own, .to_nodes = Eigen::Matrix<double, 4, n_dofs>::Zero()};
+        for (const ShapeAtPoint& point : formulation().points()) {
+            const Mapped mapped(point.N, point.dN, X);
+            const ModeMatrix G = mode_matrix(point.at, mapped, X);
+            const Eigen::Matrix<double, 4, n_strains> GD = point.weight * mapped.area * depth(mapped.at.x()) *
+                                                           G.transpose() * D;
+            own += GD * G;
+            modes.to_nodes += GD * strain_matrix(point.N, mapped);
+        }
+        modes.own_inverse = own.inverse();
+        return modes;
+    }
+
+    /// D times the strain of heat at a point, over its volume.
+    StressVector heat_stress(const ShapeAtPoint& point, const Mapped& mapped, Heat heat) const
+    {
+        const ConstitutiveModel& material = formulation().material();
+        double rise = 0.0;
+        for (const ThermalLoad& load : heat) rise += load.rise(mapped.at);
+        return point.weight * mapped.area * depth(mapped.at.x()) *
+               material.stress({.strain = material.thermal_strain(rise)});
+    }
+
+    Eigen::Vector4d heat_on_modes(Heat heat, const Positions& X) const
+    {
+        Eigen::Vector4d f = Eigen::Vector4d::Zero();
+        if (heat.empty()) return f;
+        for (const ShapeAtPoint& point : formulation().load_points()) {
+            const Mapped mapped(point.N, point.dN, X);
+            f += mode_matrix(point.at, mapped, X).transpose() * heat_stress(point, mapped, heat);
+        }
+        return f;
+    }
+
+    void add_heat(Heat heat, const Positions& X, DofVector& f) const
+    {
+        const Dilatation dilatation = mean_dilatation(X);
+        for (const ShapeAtPoint& point : formulation().load_points()) {
+            const Mapped mapped(point.N, point.dN, X);
+            f += strain_matrix(point.N, mapped, dilatation).transpose() * heat_stress(point, mapped, heat);
+        }
+        if constexpr (can_have_modes)
+            if (has_modes()) {
+                const Modes modes = mode_stiffness(X);
+                f -= modes.to_nodes.transpose() * (modes.own_inverse * heat_on_modes(heat, X));
+            }
     }
 
     void add_edge_load(const EdgeLoad& load, const Positions& X, DofVector& f) const
@@ -132,7 +262,7 @@ private:
             const double length = tangent.norm();
             const Eigen::Vector2d along = tangent / length;
             const Eigen::Vector2d traction = load.traction(
-                {.at = at, .along = along, .outward = {along.y(), -along.x()}});
+                {.at = at, .along = along, .outward = {along.y(), -along.x()}, .xi = point.at.xi});
             for (std::size_t i = 0; i < edge.size(); ++i)
                 f.template segment<2>(2 * edge[i]) += point.weight * length * depth(at.x()) *
                                                       point.N[static_cast<int>(i)] * traction;
@@ -184,6 +314,13 @@ template <class Use> auto with_node_count(int n, Use&& use)
 }
 
 } // namespace
+
+StrainVector ContinuumElement::mechanical_strain(const ElementVector& u, NaturalPoint p, Heat heat) const
+{
+    StrainVector strain = total_strain(u, p, heat);
+    for (const ThermalLoad& load : heat) strain -= formulation_.material().thermal_strain(load.rise(place(p)));
+    return strain;
+}
 
 std::unique_ptr<ContinuumElement> make_continuum_element(const ContinuumFormulation& formulation,
                                                          std::span<const NodeId> nodes,

@@ -5,6 +5,7 @@
 #include <span>
 
 #include "femoop/element/continuum/continuum_formulation.h"
+#include "femoop/element/continuum/continuum_load.h"
 #include "femoop/element/element.h"
 #include "femoop/shape/natural_point.h"
 
@@ -28,13 +29,21 @@ namespace femoop {
 /// Source   [MarthaParente2002]; [ZienkiewiczTaylor2000, ch. 8-9]; errors [Hughes2000]
 class ContinuumElement : public Element {
 public:
+    using Heat = std::span<const ThermalLoad>;
+
     virtual Eigen::Vector2d place(NaturalPoint p) const = 0;
+    /// The volume that a natural area of 1 has at a place: det J x depth.
+    virtual double volume(NaturalPoint p) const = 0;
 
     /// From the element's displacements, in the order of its degrees of freedom.
-    virtual StrainVector strain(const ElementVector& u, NaturalPoint p) const = 0;
-    StressVector stress(const ElementVector& u, NaturalPoint p) const
+    StrainVector strain(const ElementVector& u, NaturalPoint p) const { return total_strain(u, p, {}); }
+    /// The same where it is warmed too: heat moves the modes of IncompatibleModes.
+    virtual StrainVector total_strain(const ElementVector& u, NaturalPoint p, Heat heat) const = 0;
+    /// What stresses follow from: the total strain without that of heat.
+    StrainVector mechanical_strain(const ElementVector& u, NaturalPoint p, Heat heat) const;
+    StressVector stress(const ElementVector& u, NaturalPoint p, Heat heat = {}) const
     {
-        return formulation_.material().stress({.strain = strain(u, p)});
+        return formulation_.material().stress({.strain = mechanical_strain(u, p, heat)});
     }
 
     const ContinuumFormulation& formulation() const { return formulation_; }

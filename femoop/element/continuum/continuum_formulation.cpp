@@ -22,7 +22,7 @@ std::vector<ShapeAtPoint> tabulated(const Shape& shape, const IntegrationRule& r
 {
     std::vector<ShapeAtPoint> table;
     for (const auto& [at, weight] : rule.points)
-        table.push_back({.N = shape.values(at), .dN = shape.derivatives(at), .weight = weight});
+        table.push_back({.at = at, .N = shape.values(at), .dN = shape.derivatives(at), .weight = weight});
     return table;
 }
 
@@ -37,13 +37,17 @@ IntegrationRule standard_rule(ShapeKind kind, StressState state)
 }
 
 ContinuumFormulation::ContinuumFormulation(const Shape& shape, IntegrationRule rule, const ConstitutiveModel& material,
-                                           double thickness)
-    : shape_(shape), material_(material), rule_(std::move(rule)), thickness_(thickness)
+                                           double thickness, ElementVariant variant)
+    : shape_(shape), material_(material), rule_(std::move(rule)), thickness_(thickness), variant_(variant)
 {
     require(shape.edge_kind().has_value(), "the shape is a line, which has no area");
     require(rule_.domain == shape.domain(), "the integration rule is of another domain than the shape");
     require(material.state() != StressState::Solid, "a plane shape cannot have the stresses of a solid");
     require(thickness > 0.0, "the thickness is not positive");
+    const StressState without = variant == ElementVariant::MeanDilatation ? StressState::PlaneStress
+                                                                          : StressState::Axisymmetric;
+    require(variant == ElementVariant::Standard || (shape.kind() == ShapeKind::Q4 && material.state() != without),
+            "no such variant of this shape in this stress state");
     points_ = tabulated(shape, rule_);
     load_points_ = tabulated(shape, rule_of_degree(shape.domain(), load_degree));
     edge_points_ = tabulated(shape_of(*shape.edge_kind()), rule_of_degree(Domain::Line, load_degree));

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <vector>
 
 #include "femoop/material/constitutive_model.h"
@@ -10,6 +11,7 @@ namespace femoop {
 
 /// A shape's functions at a point of a rule, with the point's weight.
 struct ShapeAtPoint {
+    NaturalPoint at;
     Shape::Values N;
     Shape::Derivatives dN;
     double weight = 0.0;
@@ -21,20 +23,33 @@ std::vector<ShapeAtPoint> tabulated(const Shape& shape, const IntegrationRule& r
 /// because of the radius in every integral.
 IntegrationRule standard_rule(ShapeKind shape, StressState state);
 
+/// What an element does about the modes that its shape lacks.
+enum class ElementVariant : std::uint8_t {
+    Standard,
+    /// Q4 whose dilatation is the mean one of the element, a third of it in each of ex, ey, ez: it does not lock where
+    /// the material keeps its volume. Not in plane stress. Source [Hughes2000, ch. 4]: B-bar
+    MeanDilatation,
+    /// Q4 with the modes 1 - xi^2 and 1 - eta^2 of its own, their derivatives by the Jacobian J0 of its centre times
+    /// det J0 / det J: it bends without locking, and passes the patch test. Not axisymmetric.
+    /// Source [ZienkiewiczTaylor2000, ch. 11]
+    IncompatibleModes
+};
+
 /// What the continuum elements of one region have in common: the factors that they are composed of. The analysis model
 /// is that of the material's stress state (ContinuumModel).
 class ContinuumFormulation {
 public:
     /// \pre shape and material outlive this; the rule is one of the shape's domain; thickness > 0 (axisymmetric: not
-    /// used).  \throws std::invalid_argument otherwise, or for a solid's stress state
+    /// used).  \throws std::invalid_argument otherwise, or for a solid's stress state or a variant that there is not
     ContinuumFormulation(const Shape& shape, IntegrationRule rule, const ConstitutiveModel& material,
-                         double thickness = 1.0);
+                         double thickness = 1.0, ElementVariant variant = ElementVariant::Standard);
 
     const Shape& shape() const { return shape_; }
     const IntegrationRule& rule() const { return rule_; }
     const ConstitutiveModel& material() const { return material_; }
     StressState state() const { return material_.state(); }
     double thickness() const { return thickness_; }
+    ElementVariant variant() const { return variant_; }
 
     const std::vector<ShapeAtPoint>& points() const { return points_; } ///< of the rule, for stiffness
     /// Of rules that integrate loads of degree 4 on straight-sided elements exactly: inside, and of its shape on an
@@ -47,6 +62,7 @@ private:
     const ConstitutiveModel& material_;
     IntegrationRule rule_;
     double thickness_;
+    ElementVariant variant_;
     std::vector<ShapeAtPoint> points_, load_points_, edge_points_;
 };
 

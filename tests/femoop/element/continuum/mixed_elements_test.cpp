@@ -59,15 +59,14 @@ Model two_bars()
 
 TEST_CASE("Bars along a sheet and the sheet itself share a traction as their stiffnesses do, on inclined supports")
 {
-    const Discretisation structure = discretise(two_bars());
+    Discretisation structure = discretise(two_bars());
     std::vector<Eigen::Vector2d> positions;
     for (const Eigen::Vector3d& p : structure.positions) positions.emplace_back(p.head<2>());
     const LinearElastic material({.E = E, .nu = nu}, StressState::PlaneStress);
     const ContinuumFormulation formulation(shape_of(ShapeKind::Q4), gauss_quadrilateral(2), material, thickness);
     const std::array corners{NodeId(0), NodeId(1), NodeId(2), NodeId(3)};
-    std::vector<std::unique_ptr<const Element>> sheet;
-    sheet.push_back(make_continuum_element(formulation, corners, positions));
-    const Elements elements(structure, std::move(sheet));
+    structure.bodies.push_back(make_continuum_element(formulation, corners, positions));
+    const Elements elements(structure);
     const std::size_t at_sheet = elements.size() - 1;
 
     CaseLoads loads;

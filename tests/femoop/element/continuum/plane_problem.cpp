@@ -17,22 +17,16 @@ namespace femoop_test {
 
 namespace {
 
-/// Nodes with ux and uy, as those of a truss, and no members.
-Discretisation nodes_of(const PlaneMesh& mesh)
+/// Nodes with ux and uy, as those of a truss, and bodies in place of members.
+Discretisation nodes_of(const PlaneMesh& mesh, const ContinuumFormulation& formulation)
 {
     Discretisation nodes{.kind = AnalysisKind::Truss2d};
     for (const Eigen::Vector2d& p : mesh.positions) nodes.positions.emplace_back(p.x(), p.y(), 0.0);
     nodes.support_of_node.assign(mesh.positions.size(), -1);
     nodes.is_attached.assign(mesh.positions.size(), true);
+    for (const std::vector<NodeId>& of_element : mesh.elements)
+        nodes.bodies.push_back(make_continuum_element(formulation, of_element, mesh.positions));
     return nodes;
-}
-
-std::vector<std::unique_ptr<const Element>> elements_of(const PlaneMesh& mesh, const ContinuumFormulation& formulation)
-{
-    std::vector<std::unique_ptr<const Element>> elements;
-    for (const std::vector<NodeId>& nodes : mesh.elements)
-        elements.push_back(make_continuum_element(formulation, nodes, mesh.positions));
-    return elements;
 }
 
 } // namespace
@@ -45,8 +39,8 @@ Vector traction(const StressVector& s, const EdgePoint& edge)
 
 PlaneProblem::PlaneProblem(const PlaneMesh& mesh, const ContinuumFormulation& formulation)
     : mesh_(mesh),
-      structure_(nodes_of(mesh)),
-      elements_(structure_, elements_of(mesh, formulation)),
+      structure_(nodes_of(mesh, formulation)),
+      elements_(structure_),
       u_(Eigen::VectorXd::Zero(2 * Eigen::Index(mesh.positions.size())))
 {}
 
