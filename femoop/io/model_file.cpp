@@ -9,6 +9,7 @@
 #include "femoop/files/whole_file.h"
 #include "femoop/io/file_text.h"
 #include "femoop/io/json/json_document.h"
+#include "femoop/io/plane/plane_file.h"
 #include "femoop/io/reader/model_reader.h"
 #include "femoop/model/check/check_parts.h"
 #include "femoop/model/fault/errors_among.h"
@@ -25,6 +26,13 @@ Model sound_model(ModelReading reading)
     throw ModelError(errors_among(std::move(reading.faults)));
 }
 
+Fault plane_elsewhere(JsonValue file)
+{
+    for (const JsonValue value : file)
+        if (value.key() == "analysis") return {FaultKind::PlaneModelElsewhere, {"analysis", std::string(value.text())}};
+    return {FaultKind::PlaneModelElsewhere, {"analysis", ""}};
+}
+
 std::string contents(std::istream& input)
 {
     return {std::istreambuf_iterator<char>(input), std::istreambuf_iterator<char>()};
@@ -34,10 +42,12 @@ std::string contents(std::istream& input)
 
 bool ModelReading::is_sound() const { return std::none_of(faults.begin(), faults.end(), is_error); }
 
-ModelReading examine_model(std::string_view text)
+ModelReading examine_model(std::string_view text) { return examine_model(parse_json(text)); }
+
+ModelReading examine_model(JsonReading json)
 {
-    JsonReading json = parse_json(text);
     if (!json.document) return {{}, std::move(json.faults)};
+    if (plane::is_plane_model(json.document->root())) return {{}, {plane_elsewhere(json.document->root())}};
     ModelReader reader(json.document->root(), std::move(json.faults));
     ModelReading reading{std::move(reader.model), reader.faults()};
     std::vector<Fault> found = check_readable(reading.model, reader.unreadable());

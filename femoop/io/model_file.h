@@ -11,6 +11,8 @@
 
 namespace femoop {
 
+struct JsonReading;
+
 /// The model file, format 1: one UTF-8 JSON object. The contract is courseware/reference/model-file.md, and
 /// courseware/reference/model.schema.json says the same to editors.
 ///
@@ -30,6 +32,7 @@ struct ModelReading {
     bool is_sound() const;
 };
 ModelReading examine_model(std::string_view text);
+ModelReading examine_model(JsonReading json); ///< of a text that was parsed
 ModelReading examine_model_file(const std::filesystem::path& path);
 
 /// The model as a file's text: one node, member and load a line, keys in a fixed order, quantities as they were typed.

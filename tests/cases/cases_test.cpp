@@ -7,8 +7,11 @@
 #include <doctest/doctest.h>
 
 #include "femoop/analysis/linear_static.h"
+#include "femoop/io/any_model.h"
 #include "femoop/io/model_file.h"
+#include "femoop/io/plane/plane_verify.h"
 #include "femoop/io/verify.h"
+#include "femoop/plane/analysis/plane_analysis.h"
 #include "tests/source_folder.h"
 
 using namespace femoop;
@@ -64,6 +67,28 @@ void check_folder(const std::string& folder, int n_passed, int n_skipped)
 }
 
 } // namespace
+
+TEST_CASE("Patch tests are passed to rounding, and a slender beam of few elements is as wrong as it must be")
+{
+    int n_passed = 0;
+    for (const auto& file : cases_in("plane")) {
+        CAPTURE(file.filename().string());
+        const plane::PlaneReading reading = std::get<plane::PlaneReading>(examine_any_file(file));
+        REQUIRE(reading.is_sound());
+        for (const SolverKind solver : available_solvers()) {
+            CAPTURE(name(solver));
+            const auto outcomes = plane::verify(reading.model, plane::analyse(reading.model, {.solver = solver}));
+            for (const CheckOutcome& outcome : outcomes) {
+                CAPTURE(outcome.what);
+                CAPTURE(outcome.expected);
+                CAPTURE(outcome.result.value_or(0.0));
+                CHECK(outcome.verdict == Verdict::Passed);
+            }
+            if (solver == SolverKind::Automatic) n_passed += count(outcomes).passed;
+        }
+    }
+    CHECK(n_passed == 66);
+}
 
 // Skipped are 10 checks of P-delta, 5 of buckling and 12 of modes, which no analysis gives yet.
 TEST_CASE("Published beams, frames, trusses and grillages come out as published") { check_folder("members", 90, 27); }

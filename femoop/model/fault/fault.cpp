@@ -87,6 +87,11 @@ bool is_computed(FaultKind kind, std::size_t argument)
     case FaultKind::CrossSkewLoads: return argument == 1 || argument == 3 || argument == 4;
     case FaultKind::MemoryInsufficient: return argument == 1 || argument == 2;
     case FaultKind::PositionOffPath: return argument == 2;
+    case FaultKind::ElementDistorted: return argument == 1;
+    case FaultKind::SettlementConflict: return argument == 2 || argument == 3;
+    case FaultKind::CheckOutside:
+    case FaultKind::RegionMoves:
+    case FaultKind::RegionTurns: return argument == 1;
     case FaultKind::MechanismMoveOblique:
     case FaultKind::MechanismTurn:
     case FaultKind::HugeDisplacement: return argument == 1;

@@ -6,7 +6,7 @@ namespace femoop {
 
 /// Every kind of fault that a file or a model can have. Its sentence stands in fault_pattern.cpp, which says what the
 /// arguments are; the first one is the place: members[2] "BC".
-enum class FaultKind : std::uint8_t {
+enum class FaultKind : std::uint16_t {
     // the structure, found by the analysis
     NoSupport,
     PartWithoutSupport,     ///< {0} nodes
@@ -244,6 +244,64 @@ enum class FaultKind : std::uint8_t {
     RedundantsNone,       ///< the structure is determinate
     RedundantsUnstrained, ///< {0} redundants
     PrimaryMoves,         ///< {0} redundants
+
+    // plane models
+    PlaneModelElsewhere, ///< {0} place, {1} analysis
+    PlaneDrawingNotBuilt,
+    NoSuchPoint,
+    NoSuchPointNear,
+    NoSuchCurve,
+    NoSuchCurveNear,
+    NoSuchRegion,
+    NoSuchRegionNear,
+    CurveKindWithElements,  ///< {0} place, {1} kind
+    ElementPointCount,      ///< {0} place, {1} points, {2} how many there should be, {3} kind
+    ElementNoArea,          ///< {0} place
+    ElementClockwise,       ///< {0} place
+    ElementDistorted,       ///< {0} place, {1} Jacobian, {2} where
+    PointLeftOfAxis,        ///< {0} place, {1} x
+    FormulationLacking,     ///< {0} place, {1} formulation, {2} kind of element, {3} analysis
+    RegionWithoutThickness, ///< {0} place
+    ThicknessOfRevolution,  ///< {0} place
+    ShearModulusInPlane,    ///< {0} place
+    IncompressibleInPlane,  ///< {0} place, {1} nu, {2} analysis
+    CurveTooShort,          ///< {0} place, {1} points
+    CurveWithoutEdge,       ///< {0} place, {1} point, {2} point
+    PressureInside,         ///< {0} place, {1} curve
+    PointWithoutElements,   ///< {0} place, {1} point
+    LonePoint,              ///< {0} place
+    RegionWithoutElements,  ///< {0} place
+    NoElements,
+    AxesAndAngle,           ///< {0} place
+    CurveAxesOfPoint,       ///< {0} place, {1} what was found
+    SettlementPlace,        ///< {0} place
+    SettlementOfFreeCurve,  ///< {0} place, {1} direction, {2} curve
+    SettlementConflict,     ///< {0} place, {1} point, {2} and {3} displacements
+    RegionWithoutDensity,   ///< {0} place, {1} material, {2} region
+    RegionWithoutExpansion, ///< {0} place, {1} material, {2} region
+    LineLoadOfRevolution,   ///< {0} place
+    AboutOfRevolution,      ///< {0} place
+    FieldNeedsCurve,        ///< {0} place
+    FieldEndsSize,          ///< {0} place, {1} how many
+    PolynomialTerm,         ///< {0} place
+    TableRow,               ///< {0} place
+    TableNotAscending,      ///< {0} place
+    EmptyField,             ///< {0} place
+    TooManyElements,        ///< {0} elements, {1} most
+    NearlyIncompressible,   ///< {0} place, {1} nu
+    CheckPlace,             ///< {0} place, {1} quantity
+    CheckOutside,           ///< {0} place, {1} place in the plane
+    CheckRegionNeeded,      ///< {0} place, {1} regions
+    CheckRegionElsewhere,   ///< {0} place, {1} region
+    CheckGaussPlace,        ///< {0} place
+    CheckNotSupported,      ///< {0} place
+    CheckPlaceSize,         ///< {0} place
+    CutSize,                ///< {0} place
+    CutOutside,             ///< {0} place
+    CutOfRevolution,        ///< {0} place
+    RegionMoves,            ///< {0} regions, {1} direction
+    RegionTurns,            ///< {0} regions, {1} the point that it turns about
+    RegionDeforms,          ///< {0} regions, {1} points
 
     // how well the analysis could solve it
     InaccurateCase,     ///< {0} case, {1} how many digits hold

@@ -418,6 +418,93 @@ std::string_view pattern(FaultKind kind)
         return "{0} strain nothing in the primary structure, so that no equation gives them; release other forces, or "
                "give inextensible and rigid members a stiffness";
     case FaultKind::PrimaryMoves: return "without {0} the structure can move; release other forces";
+
+    case FaultKind::PlaneModelElsewhere:
+        return "{0}: {1} is a plane model, for which this is not built yet; check, solve, verify and convert read it";
+    case FaultKind::PlaneDrawingNotBuilt:
+        return "a plane model drawn by curves and regions, of which a mesh is to be made, is not built yet; give the mesh: \"elements\", with curves of kind edges";
+    case FaultKind::NoSuchPoint: return "{0}: no point \"{1}\"; add the point or name another";
+    case FaultKind::NoSuchPointNear: return "{0}: no point \"{1}\"; did you mean \"{2}\"?";
+    case FaultKind::NoSuchCurve: return "{0}: no curve \"{1}\"; add the curve or name another";
+    case FaultKind::NoSuchCurveNear: return "{0}: no curve \"{1}\"; did you mean \"{2}\"?";
+    case FaultKind::NoSuchRegion: return "{0}: no region \"{1}\"; add the region or name another";
+    case FaultKind::NoSuchRegionNear: return "{0}: no region \"{1}\"; did you mean \"{2}\"?";
+    case FaultKind::CurveKindWithElements:
+        return "{0}: found the kind {1} beside \"elements\", wanted edges; name the corners of consecutive element edges";
+    case FaultKind::ElementPointCount:
+        return "{0}: found a list of {1}, wanted the names of {2} points of a {3}; name its corners counter-clockwise, then middle nodes, then the centre";
+    case FaultKind::ElementNoArea:
+        return "{0}: its points lie in one line, so that it has no area; move a point or delete the element";
+    case FaultKind::ElementClockwise: return "{0}: its corners run clockwise; list them counter-clockwise";
+    case FaultKind::ElementDistorted:
+        return "{0}: too distorted: its Jacobian is {1} at {2}, wanted a positive one; keep its corners convex and middle nodes near mid-side";
+    case FaultKind::PointLeftOfAxis:
+        return "{0}: x is {1}, wanted 0 or more in an axisymmetric model, where it is the radius; move the point";
+    case FaultKind::FormulationLacking:
+        return "{0}: the formulation {1} is not made for a {2} in {3}; choose standard or other elements";
+    case FaultKind::RegionWithoutThickness: return "{0}: has no thickness, which a plane stress needs; add \"thickness\"";
+    case FaultKind::ThicknessOfRevolution:
+        return "{0}: has a thickness, which an axisymmetric body lacks; take it away";
+    case FaultKind::ShearModulusInPlane: return "{0}: gives G, which a plane model takes from E and nu; take it away";
+    case FaultKind::IncompressibleInPlane:
+        return "{0}: nu is {1}, wanted less than 0.5 in {2}, where the mean stress would be unknown; give 0.4999 for example";
+    case FaultKind::CurveTooShort:
+        return "{0}: found a list of {1}, wanted 2 points or more; a curve without length has no edge: name its nodes";
+    case FaultKind::CurveWithoutEdge:
+        return "{0}: no element has an edge from point \"{1}\" to point \"{2}\"; name the corners of consecutive element edges";
+    case FaultKind::PressureInside:
+        return "{0}: curve \"{1}\" has material on both sides, wanted one, into which a pressure pushes; give a traction";
+    case FaultKind::PointWithoutElements:
+        return "{0}: no element meets point \"{1}\", so that nothing takes it; join an element or take it away";
+    case FaultKind::LonePoint: return "{0}: no element meets this point; use it or delete it";
+    case FaultKind::RegionWithoutElements: return "{0}: no element is in this region; give it elements or delete it";
+    case FaultKind::NoElements: return "the model has no elements: there is nothing to analyse; add some";
+    case FaultKind::AxesAndAngle: return "{0}: has local axes and an angle; keep one";
+    case FaultKind::CurveAxesOfPoint:
+        return "{0}: {1} follows a curve, and a point has none; give \"fixed\" and \"angle\"";
+    case FaultKind::SettlementPlace: return "{0}: settles a point or a curve, one of them; give \"point\" or \"curve\"";
+    case FaultKind::SettlementOfFreeCurve:
+        return "{0}: {1} of curve \"{2}\" is free, so it cannot be made to settle; fix it, give it a spring, or use a load";
+    case FaultKind::SettlementConflict:
+        return "{0}: point \"{1}\" would settle by {2} and by {3} in one direction; give one of them";
+    case FaultKind::RegionWithoutDensity:
+        return "{0}: needs the density of material \"{1}\" (region \"{2}\"); add \"density\"";
+    case FaultKind::RegionWithoutExpansion:
+        return "{0}: needs the coefficient of thermal expansion of material \"{1}\" (region \"{2}\"); add \"alpha\"";
+    case FaultKind::LineLoadOfRevolution:
+        return "{0}: a force per length of the curve does not say how far it reaches around the axis; give a traction";
+    case FaultKind::AboutOfRevolution: return "{0}: an axisymmetric body turns about its axis; take \"about\" away";
+    case FaultKind::FieldNeedsCurve:
+        return "{0}: varies along a curve, and there is none here; give a number, a polynomial or a table along x, y or r";
+    case FaultKind::FieldEndsSize:
+        return "{0}: found a list of {1}, wanted 2 values; give that at the start of the curve and that at its end";
+    case FaultKind::PolynomialTerm:
+        return "{0}: is no term of a polynomial; write [factor, power of x, power of y] with whole powers from 0 to 12, like [2.5, 1, 0]";
+    case FaultKind::TableRow: return "{0}: is no row of a table; write [place, value], like [0, 2.5]";
+    case FaultKind::TableNotAscending:
+        return "{0}: its place is not beyond that of the row before; let the places ascend";
+    case FaultKind::EmptyField: return "{0}: is empty, so it has no value; give an entry or leave it out";
+    case FaultKind::TooManyElements: return "found {0} elements, wanted {1} at most; make the mesh coarser";
+    case FaultKind::NearlyIncompressible:
+        return "{0}: nu is {1}, so near to 0.5 that standard elements lock; choose b_bar for Q4, reduced for Q8, or Q9";
+    case FaultKind::CheckPlace: return "{0}: a check of a {1} needs one place; give \"point\" or \"at\"";
+    case FaultKind::CheckOutside: return "{0}: no element is at {1}; give a place in the material";
+    case FaultKind::CheckRegionNeeded: return "{0}: regions {1} meet here and their stresses differ; add \"region\"";
+    case FaultKind::CheckRegionElsewhere: return "{0}: region \"{1}\" has no element here; name another";
+    case FaultKind::CheckGaussPlace:
+        return "{0}: \"gauss\" goes with an extreme, over all integration points; read a place smoothed or by element";
+    case FaultKind::CheckNotSupported:
+        return "{0}: nothing holds it, so it has no reaction; name a point or a curve with a support";
+    case FaultKind::CheckPlaceSize: return "{0}: is no place; write [x, y], like [2.5, 0]";
+    case FaultKind::CutSize: return "{0}: is no cut; write its two ends [[x1, y1], [x2, y2]], apart from one another";
+    case FaultKind::CutOutside: return "{0}: the cut meets no material; move it";
+    case FaultKind::CutOfRevolution: return "{0}: a cut through an axisymmetric body has no N, V and M; read stresses";
+    case FaultKind::RegionMoves:
+        return "structure can move without strain: the part in {0} moves along {1}; add a support against it";
+    case FaultKind::RegionTurns:
+        return "structure can move without strain: the part in {0} turns about {1}; add a support against it";
+    case FaultKind::RegionDeforms:
+        return "structure can move without strain: elements in {0} deform so that no integration point feels it, most at {1}; choose standard elements or add supports";
     }
     return "";
 }
@@ -440,6 +527,9 @@ Severity severity(FaultKind kind)
     case FaultKind::MembersOverlap:
     case FaultKind::MemberPassesNode:
     case FaultKind::MoreCrossings:
+    case FaultKind::LonePoint:
+    case FaultKind::RegionWithoutElements:
+    case FaultKind::NearlyIncompressible:
     case FaultKind::EmptyLoad: return Severity::Warning;
     default: return Severity::Error;
     }

@@ -285,6 +285,10 @@ TEST_CASE("Every kind of fault has a file that shows it")
     for (auto kind = static_cast<int>(FaultKind::RedundantNoForce); kind <= static_cast<int>(FaultKind::PrimaryMoves);
          ++kind)
         shown.insert(static_cast<FaultKind>(kind));
+    // And what plane models have of their own, by tests/femoop/plane.
+    for (auto kind = static_cast<int>(FaultKind::PlaneModelElsewhere);
+         kind <= static_cast<int>(FaultKind::RegionDeforms); ++kind)
+        shown.insert(static_cast<FaultKind>(kind));
     // The kinds before these are the analysis's.
     for (auto kind = static_cast<int>(FaultKind::FileUnreadable); !pattern(static_cast<FaultKind>(kind)).empty();
          ++kind) {

@@ -1,0 +1,34 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "femoop/model/fault/translator.h"
+#include "femoop/plane/analysis/plane_results.h"
+
+namespace femoop::plane {
+
+/// What is printed of a plane model beside what is printed always.
+struct PlaneSelection {
+    std::vector<CaseId> cases;
+    std::vector<Eigen::Vector2d> probes; ///< \pre each lies in material
+    std::vector<Cut> cuts;               ///< \pre each meets material
+    bool is_full = false;                ///< the mesh too
+};
+
+/// The results as JSON, the shape that `cremona solve --json` prints:
+///
+///   {"cremona": 1, "units", "analysis", "mesh": {"nodes", "elements", "min_angle", "max_angle", "min_jacobian"},
+///    "regions": {ID: {"area", "elements"}},
+///    "cases": {ID: {"points": {ID: {"u", "reaction", "stress": {REGION: {"sx", ..}}}}, "curves": {ID: {"reaction"}},
+///              "regions": {ID: {"extremes": {"sx": {"max": {"at", "value"}, "min"}}}}, "probes", "cuts", "energy",
+///              "error_estimate", "equilibrium": {"residual", "sum_loads", "sum_reactions"}}}}
+///
+/// Units  the model's base units; angles in degrees, `angle` from x to s1
+std::string plane_results_json(const PlaneResults& results, const PlaneSelection& selection);
+
+/// The same for people: tables of reactions, displacements and extremes of stresses.
+std::string plane_results_text(const PlaneResults& results, const PlaneSelection& selection,
+                               const Translator& tr = english);
+
+} // namespace femoop::plane

@@ -1,0 +1,91 @@
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "femoop/io/json/json_document.h"
+#include "femoop/io/reader/file_reader.h"
+#include "femoop/plane/check/plane_check.h"
+#include "femoop/plane/model/plane_model.h"
+
+namespace femoop::plane {
+
+/// Reads a plane model in the order in which its parts refer to each other, as `ModelReader` does one of members: what
+/// cannot be understood is noted and reading goes on. \pre the file is an object
+class PlaneReader : private FileReader {
+public:
+    PlaneReader(JsonValue file, std::vector<Fault> faults);
+
+    PlaneModel model;
+    std::vector<Fault> faults() { return reader_.collect_faults(); }
+    const Unreadable& unreadable() const { return unreadable_; }
+
+private:
+    template <class Part>
+    void read_parts(JsonValue list, const Place& place, std::vector<Part>& parts, std::vector<bool>& unreadable,
+                    Part (PlaneReader::*read)(JsonValue, const Place&));
+
+    // plane_reader.cpp
+    void read_header(JsonValue cremona, JsonValue analysis, JsonValue units);
+    Material own_material(JsonValue value, const Place& place) { return material(value, place); }
+    Combination own_combination(JsonValue value, const Place& place);
+    PlanePoint point(JsonValue value, const Place& place);
+    PlaneCurve curve(JsonValue value, const Place& place);
+    PlaneRegion region(JsonValue value, const Place& place);
+    PlaneElement element(JsonValue value, const Place& place);
+    MeshOptions mesh_options(JsonValue value, const Place& place);
+    enum class Holder : std::uint8_t { Point, Curve };
+    std::optional<PlaneSupport> support(JsonValue value, Holder holder, const Place& place);
+    std::vector<Quantity> location(JsonValue value, const Place& place); ///< x and y; empty when absent
+    template <class Id> std::vector<Id> references(JsonValue value, NameTable& names, const Place& place);
+
+    // plane_load_reader.cpp
+    PlaneLoadCase load_case(JsonValue value, const Place& place);
+    NodeLoad point_load(JsonValue value, const Place& place);
+    CurveLoad curve_load(JsonValue value, const Place& place);
+    RegionLoad region_load(JsonValue value, const Place& place);
+    PlaneSettlement settlement(JsonValue value, const Place& place);
+    std::optional<Field> field_value(JsonValue value, Dimension dimension, const Place& place);
+    Field::Ends ends(JsonValue value, Dimension dimension, const Place& place);
+    Field::Polynomial polynomial(JsonValue value, Dimension dimension, const Place& place);
+    std::optional<Field::Term> term(JsonValue value, Dimension dimension, const Place& place);
+    Field::Table table(JsonValue object, JsonValue along, JsonValue rows, Dimension dimension, const Place& place);
+
+    // plane_expected_reader.cpp
+    PlaneExpected expected(JsonValue value, const Place& place);
+    void read_component(PlaneExpected& check, JsonValue component, const Place& place);
+    void read_which(PlaneExpected& check, JsonValue which, const Place& place);
+    std::vector<Quantity> cut(JsonValue value, const Place& place);
+
+    Unreadable unreadable_;
+    NameTable points_{FaultKind::NoSuchPoint, FaultKind::NoSuchPointNear};
+    NameTable curves_{FaultKind::NoSuchCurve, FaultKind::NoSuchCurveNear};
+    NameTable regions_{FaultKind::NoSuchRegion, FaultKind::NoSuchRegionNear};
+};
+
+template <class Part>
+void PlaneReader::read_parts(JsonValue list, const Place& place, std::vector<Part>& parts,
+                             std::vector<bool>& unreadable, Part (PlaneReader::*read)(JsonValue, const Place&))
+{
+    for_each(list, place, [&](JsonValue value, const Place& own_place) {
+        const std::size_t before = reader_.n_troubles();
+        parts.push_back((this->*read)(value, own_place));
+        unreadable.push_back(reader_.n_troubles() != before);
+    });
+}
+
+template <class Id> std::vector<Id> PlaneReader::references(JsonValue value, NameTable& names, const Place& place)
+{
+    std::vector<Id> found;
+    if (!value.is_present()) return found;
+    if (!value.is(JsonKind::Array)) return {Id(reference(value, names, place))};
+    const Place here = place.key(value.key());
+    for (std::size_t i = 0; const JsonValue entry : value)
+        found.push_back(Id(reference(entry, names, here.entry(i++))));
+    return found;
+}
+
+} // namespace femoop::plane

@@ -1,0 +1,271 @@
+#include "femoop/plane/analysis/patch_recovery.h"
+
+#include <Eigen/Dense>
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numeric>
+#include <set>
+#include <utility>
+
+#include "femoop/plane/mesh/mesh_geometry.h"
+
+namespace femoop::plane {
+
+namespace {
+
+constexpr double rank_tolerance = 1e-6; // of the largest pivot: a term that the points hardly tell from others
+
+/// The terms 1, x, y, x y, x^2, y^2, x^2 y, x y^2 of a point.
+Eigen::Matrix<double, 1, 8> all_terms(const Eigen::Vector2d& p)
+{
+    const double x = p.x(), y = p.y();
+    Eigen::Matrix<double, 1, 8> terms;
+    terms << 1.0, x, y, x * y, x * x, y * y, x * x * y, x * y * y;
+    return terms;
+}
+
+/// A polynomial that is fitted to values at points, of as many terms as the points can tell.
+class PatchFit {
+public:
+    PatchFit(const Eigen::Vector2d& middle, double size, const ValueTable& places, const ValueTable& values,
+             std::vector<int> wanted)
+        : middle_(middle), size_(size)
+    {
+        Eigen::MatrixXd A(places.rows(), 8);
+        for (Eigen::Index i = 0; i < places.rows(); ++i) A.row(i) = terms(places.row(i).transpose());
+        for (const int n : wanted) {
+            if (n > A.rows()) continue;
+            Eigen::ColPivHouseholderQR<Eigen::MatrixXd> qr(A.leftCols(n));
+            qr.setThreshold(rank_tolerance);
+            if (qr.rank() < n) continue;
+            coefficients_ = qr.solve(values);
+            return;
+        }
+        coefficients_ = values.colwise().mean();
+    }
+
+    Eigen::RowVectorXd at(const Eigen::Vector2d& place) const
+    {
+        return terms(place).head(coefficients_.rows()) * coefficients_;
+    }
+
+private:
+    Eigen::Matrix<double, 1, 8> terms(const Eigen::Vector2d& place) const
+    {
+        return all_terms((place - middle_) / size_);
+    }
+
+    Eigen::Vector2d middle_;
+    double size_;
+    Eigen::MatrixXd coefficients_;
+};
+
+/// How many terms a patch of such elements is fitted by, and by how many if the points are too few.
+std::vector<int> wanted_terms(ShapeKind kind)
+{
+    switch (kind) {
+    case ShapeKind::T3: return {3};
+    case ShapeKind::Q4: return {4, 3};
+    case ShapeKind::T6: return {6, 4, 3};
+    default: return {8, 6, 4, 3};
+    }
+}
+
+} // namespace
+
+const IntegrationRule& recovery_rule(ShapeKind kind)
+{
+    static const IntegrationRule one = symmetric_triangle(1), three = symmetric_triangle(3),
+                                 four = gauss_quadrilateral(2);
+    if (kind == ShapeKind::T3) return one;
+    return kind == ShapeKind::T6 ? three : four;
+}
+
+Eigen::VectorXd extrapolation(ShapeKind kind, NaturalPoint at)
+{
+    if (kind == ShapeKind::T3) return Eigen::VectorXd::Ones(1);
+    const std::vector<IntegrationPoint>& points = recovery_rule(kind).points;
+    if (kind == ShapeKind::T6) {
+        Eigen::Matrix3d A;
+        for (int i = 0; i < 3; ++i)
+            A.row(i) << 1.0, points[static_cast<std::size_t>(i)].at.xi, points[static_cast<std::size_t>(i)].at.eta;
+        return (Eigen::RowVector3d(1.0, at.xi, at.eta) * A.inverse()).transpose();
+    }
+    Eigen::VectorXd weights(4);
+    for (int i = 0; i < 4; ++i) {
+        const auto [xi, eta] = points[static_cast<std::size_t>(i)].at; // of +- 1 / sqrt 3
+        weights[i] = 0.25 * (1.0 + at.xi / xi) * (1.0 + at.eta / eta);
+    }
+    return weights;
+}
+
+PatchRecovery::PatchRecovery(const PlaneModel& model) : model_(model), first_sample_{0}, first_slot_{0}
+{
+    for (const PlaneElement& element : model.elements) {
+        first_sample_.push_back(first_sample_.back() + recovery_rule(element.kind).points.size());
+        first_slot_.push_back(first_slot_.back() + element.points.size());
+    }
+    number_slots();
+    find_borders();
+    list_elements();
+}
+
+void PatchRecovery::number_slots()
+{
+    std::vector<std::vector<std::pair<RegionId, std::uint32_t>>> of_node(model_.points.size());
+    slots_.reserve(first_slot_.back());
+    for (const PlaneElement& element : model_.elements) {
+        const auto n_corners = static_cast<std::size_t>(shape_of(element.kind).n_corners());
+        for (std::size_t i = 0; i < element.points.size(); ++i) {
+            auto& known = of_node[element.points[i].index];
+            auto found = std::ranges::find(known, element.region, [](const auto& entry) { return entry.first; });
+            if (found == known.end()) {
+                known.emplace_back(element.region, static_cast<std::uint32_t>(slot_nodes_.size()));
+                found = known.end() - 1;
+                slot_nodes_.push_back(element.points[i]);
+                slot_regions_.push_back(element.region);
+                is_corner_.push_back(false);
+            }
+            slots_.push_back(found->second);
+            if (i < n_corners) is_corner_[found->second] = true;
+        }
+    }
+}
+
+/// An edge that one element of the region alone has lies on its border.
+void PatchRecovery::find_borders()
+{
+    struct Side {
+        std::uint32_t a, b;
+        std::size_t element;
+        int edge;
+    };
+    std::vector<Side> sides;
+    for (std::size_t e = 0; e < model_.elements.size(); ++e)
+        for (int i = 0; const Shape::Edge edge : shape_of(model_.elements[e].kind).edges()) {
+            const auto a = static_cast<std::uint32_t>(slot(ElementId(e), static_cast<std::size_t>(edge[0])));
+            const auto b = static_cast<std::uint32_t>(slot(ElementId(e), static_cast<std::size_t>(edge[1])));
+            sides.push_back({std::min(a, b), std::max(a, b), e, i++});
+        }
+    std::ranges::sort(sides, {}, [](const Side& side) { return std::pair(side.a, side.b); });
+    is_on_border_.assign(slot_nodes_.size(), false);
+    const auto same = [&](std::size_t i, std::size_t j) {
+        return j < sides.size() && sides[i].a == sides[j].a && sides[i].b == sides[j].b;
+    };
+    for (std::size_t i = 0; i < sides.size(); ++i) {
+        if (same(i, i + 1) || (i > 0 && same(i, i - 1))) continue;
+        const PlaneElement& element = model_.elements[sides[i].element];
+        for (const int node : shape_of(element.kind).edges()[static_cast<std::size_t>(sides[i].edge)])
+            is_on_border_[slot(ElementId(sides[i].element), static_cast<std::size_t>(node))] = true;
+    }
+}
+
+void PatchRecovery::list_elements()
+{
+    elements_start_.assign(slot_nodes_.size() + 1, 0);
+    for (const std::uint32_t slot : slots_) ++elements_start_[slot + 1];
+    std::partial_sum(elements_start_.begin(), elements_start_.end(), elements_start_.begin());
+    elements_of_.resize(slots_.size());
+    std::vector<std::uint32_t> next(elements_start_.begin(), elements_start_.end() - 1);
+    for (std::size_t e = 0; e < model_.elements.size(); ++e)
+        for (std::size_t i = 0; i < model_.elements[e].points.size(); ++i)
+            elements_of_[next[slot(ElementId(e), i)]++] = static_cast<std::uint32_t>(e);
+}
+
+/// Goes from patch to patch and adds up what they say of nodes.
+class PatchSweep {
+public:
+    PatchSweep(const PlaneModel& model, const PatchRecovery& recovery, const ValueTable& samples,
+               const ValueTable& places)
+        : model_(model),
+          recovery_(recovery),
+          samples_(samples),
+          places_(places),
+          sums_(ValueTable::Zero(static_cast<Eigen::Index>(recovery.n_values()), samples.cols())),
+          counts_(recovery.n_values(), 0)
+    {}
+
+    PatchFit fit(const std::vector<std::uint32_t>& elements, NodeId around) const
+    {
+        Eigen::Index n = 0;
+        for (const std::uint32_t e : elements) n += n_samples(e);
+        ValueTable places(n, 2), values(n, samples_.cols());
+        ShapeKind kind = model_.elements[elements.front()].kind;
+        for (Eigen::Index row = 0; const std::uint32_t e : elements) {
+            const auto first = static_cast<Eigen::Index>(recovery_.first_sample(ElementId(e)));
+            places.middleRows(row, n_samples(e)) = places_.middleRows(first, n_samples(e));
+            values.middleRows(row, n_samples(e)) = samples_.middleRows(first, n_samples(e));
+            row += n_samples(e);
+            kind = std::min(kind, model_.elements[e].kind);
+        }
+        const Eigen::Vector2d middle = position(model_[around]);
+        const double size = (places.rowwise() - middle.transpose()).rowwise().norm().maxCoeff();
+        return {middle, size, places, values, wanted_terms(kind)};
+    }
+
+    void add(std::size_t slot, const PatchFit& patch)
+    {
+        sums_.row(static_cast<Eigen::Index>(slot)) += patch.at(position(model_[recovery_.node_of(slot)]));
+        ++counts_[slot];
+    }
+    bool has(std::size_t slot) const { return counts_[slot] > 0; }
+
+    ValueTable means() const
+    {
+        ValueTable means = sums_;
+        for (std::size_t i = 0; i < counts_.size(); ++i)
+            if (counts_[i] > 0) means.row(static_cast<Eigen::Index>(i)) /= counts_[i];
+        return means;
+    }
+
+private:
+    Eigen::Index n_samples(std::uint32_t e) const
+    {
+        return static_cast<Eigen::Index>(recovery_rule(model_.elements[e].kind).points.size());
+    }
+
+    const PlaneModel& model_;
+    const PatchRecovery& recovery_;
+    const ValueTable &samples_, &places_;
+    ValueTable sums_;
+    std::vector<int> counts_;
+};
+
+ValueTable PatchRecovery::nodal_values(const ValueTable& samples, const ValueTable& places) const
+{
+    PatchSweep sweep(model_, *this, samples, places);
+    const auto around = [&](std::size_t slot) {
+        std::vector<std::uint32_t> elements(elements_of_.begin() + elements_start_[slot],
+                                            elements_of_.begin() + elements_start_[slot + 1]);
+        return elements;
+    };
+    const auto others_of = [&](const std::vector<std::uint32_t>& elements, auto&& wanted) {
+        std::set<std::size_t> slots;
+        for (const std::uint32_t e : elements)
+            for (std::size_t i = 0; i < model_.elements[e].points.size(); ++i)
+                if (const std::size_t other = slot(ElementId(e), i); wanted(other)) slots.insert(other);
+        return slots;
+    };
+    for (std::size_t i = 0; i < n_values(); ++i) { // patches inside
+        if (!is_corner_[i] || is_on_border_[i]) continue;
+        const std::vector<std::uint32_t> elements = around(i);
+        const PatchFit patch = sweep.fit(elements, node_of(i));
+        sweep.add(i, patch);
+        for (const std::size_t other :
+             others_of(elements, [&](std::size_t j) { return !is_corner_[j] || is_on_border_[j]; }))
+            sweep.add(other, patch);
+    }
+    std::vector<std::pair<std::size_t, std::set<std::size_t>>> own; // patches of corners of the border
+    for (std::size_t i = 0; i < n_values(); ++i)
+        if (is_corner_[i] && !sweep.has(i))
+            own.emplace_back(i, others_of(around(i), [&](std::size_t j) { return !is_corner_[j] && !sweep.has(j); }));
+    for (const auto& [corner, middles] : own) {
+        const PatchFit patch = sweep.fit(around(corner), node_of(corner));
+        sweep.add(corner, patch);
+        for (const std::size_t middle : middles) sweep.add(middle, patch);
+    }
+    return sweep.means();
+}
+
+} // namespace femoop::plane

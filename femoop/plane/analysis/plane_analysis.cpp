@@ -1,0 +1,124 @@
+#include "femoop/plane/analysis/plane_analysis.h"
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "femoop/analysis/accuracy.h"
+#include "femoop/analysis/equilibrium.h"
+#include "femoop/analysis/memory_fault.h"
+#include "femoop/analysis/overflow_check.h"
+#include "femoop/analysis/static_system.h"
+#include "femoop/load/case_terms.h"
+#include "femoop/plane/analysis/plate_mechanism.h"
+#include "femoop/plane/check/plane_check.h"
+#include "femoop/solver/available_memory.h"
+
+namespace femoop::plane {
+
+namespace {
+
+constexpr double no_pivot = 1e-13; // of the diagonal: nothing is left of a stiffness
+
+std::vector<CaseTerms> cases_of(const PlaneModel& model)
+{
+    std::vector<std::string_view> names;
+    for (const PlaneLoadCase& load_case : model.load_cases) names.push_back(load_case.id);
+    return femoop::cases_of(names, model.combinations);
+}
+
+void refuse_rigid_motions(const PlaneStructure& structure)
+{
+    constexpr std::size_t most_described = 12;
+    std::vector<Mechanism> mechanisms = rigid_motions(structure);
+    if (mechanisms.empty()) return;
+    const std::size_t n_more = mechanisms.size() - std::min(mechanisms.size(), most_described);
+    mechanisms.resize(mechanisms.size() - n_more);
+    throw MechanismError(std::move(mechanisms), n_more);
+}
+
+/// Modes of elements that no integration point feels: told by the nodes that move the most.
+[[noreturn]] void refuse_soft_motion(const PlaneStructure& structure, const StaticSystem& system)
+{
+    const PlaneModel& model = structure.model();
+    const std::vector<double> u = system.motion(system.reduced().softest_motion().x).displacements;
+    double largest = 0.0;
+    for (const double value : u) largest = std::max(largest, std::abs(value));
+    constexpr std::size_t most_named = 6;
+    std::vector<std::string> points, regions;
+    std::vector<bool> moves(model.regions.size());
+    for (const PlaneElement& element : model.elements)
+        for (const NodeId node : element.points)
+            if (std::abs(u[2 * node.index]) + std::abs(u[2 * node.index + 1]) > 0.5 * largest)
+                moves[element.region.index] = true;
+    for (std::size_t i = 0; i < model.regions.size(); ++i)
+        if (moves[i]) regions.push_back(model.regions[i].id);
+    Mechanism mechanism{.fault = {.kind = FaultKind::RegionDeforms, .arguments = {}}, .motion = {}, .member_ends = {}};
+    for (std::size_t i = 0; i < model.points.size(); ++i) {
+        mechanism.motion.push_back({u[2 * i] / largest, u[2 * i + 1] / largest});
+        if (std::abs(u[2 * i]) + std::abs(u[2 * i + 1]) > 0.9 * largest && points.size() < most_named)
+            points.push_back(model.points[i].id);
+    }
+    mechanism.fault.arguments = {listed(regions), listed(points)};
+    throw MechanismError({std::move(mechanism)});
+}
+
+void require_finite(const PlaneModel& model, const Eigen::MatrixXd& values)
+{
+    if (values.rows() == 0) return;
+    for (Eigen::Index c = 0; c < values.cols(); ++c)
+        if (!(values.col(c).cwiseAbs().maxCoeff<Eigen::PropagateNaN>() < largest_number))
+            throw ModelError({{FaultKind::ResultsBeyondRange, {model.load_cases[static_cast<std::size_t>(c)].id}}});
+}
+
+/// Around an axis radial forces balance one another, and no moment is left.
+void keep_axial_sums(detail::Solution& solution)
+{
+    for (detail::CaseSolution& each : solution.solutions)
+        for (NodeVector* sum : {&each.equilibrium.sum_loads, &each.equilibrium.sum_reactions})
+            *sum = {0.0, (*sum)[1], 0.0, 0.0, 0.0, 0.0};
+}
+
+std::vector<detail::CaseSolution> solved(const PlaneStructure& structure, const std::vector<CaseLoads>& loads,
+                                         const AnalysisOptions& options)
+{
+    StaticSystem system(structure.discretisation(), options.solver.kind);
+    system.assemble();
+    try {
+        system.analyse(options);
+    } catch (const InsufficientMemory& refusal) {
+        throw ModelError({insufficient_memory(refusal, system.reduced().matrix().rows())});
+    }
+    const Pivots pivots = system.factorize();
+    if (!pivots.is_complete || pivots.smallest_ratio <= no_pivot || system.has_unrestrained_unknown())
+        refuse_soft_motion(structure, system);
+    const Eigen::MatrixXd F = system.load_vectors(loads);
+    require_finite(structure.model(), F);
+    const ReducedSystem::Displacements u = system.solve(F, {});
+    require_finite(structure.model(), u.all);
+    return system.solutions(loads, F, u);
+}
+
+} // namespace
+
+PlaneResults analyse(const PlaneModel& model, const AnalysisOptions& options)
+{
+    require_sound(model);
+    auto structure = std::make_shared<const PlaneStructure>(model);
+    refuse_rigid_motions(*structure);
+    auto solution = std::make_shared<detail::Solution>();
+    solution->structure = structure->discretisation();
+    solution->loads = structure->loads();
+    solution->cases = cases_of(structure->model());
+    solution->solutions = solved(*structure, solution->loads, options);
+    add_reactions(*solution);
+    if (model.analysis == StressState::Axisymmetric) keep_axial_sums(*solution);
+    if (auto faults = ill_conditioned_cases(*solution); !faults.empty()) throw ModelError(std::move(faults));
+    solution->warnings = inaccurate_cases(*solution);
+    return PlaneResults(std::move(structure), std::move(solution));
+}
+
+} // namespace femoop::plane

@@ -1,0 +1,333 @@
+#include "femoop/plane/analysis/plane_results.h"
+
+#include <Eigen/LU>
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "femoop/plane/analysis/patch_recovery.h"
+#include "femoop/plane/mesh/mesh_geometry.h"
+
+namespace femoop::plane {
+
+namespace {
+
+using Values = Eigen::Matrix<double, 8, 1>; ///< sx sy sz txy ex ey ez gxy
+
+PlaneStress stress_of(const StressVector& s)
+{
+    if (s.size() == 3) return {.sx = s[0], .sy = s[1], .sz = 0.0, .txy = s[2]};
+    return {.sx = s[0], .sy = s[1], .sz = s[2], .txy = s[3]};
+}
+
+PlaneStress stress_in(const Values& values) { return {values[0], values[1], values[2], values[3]}; }
+PlaneStrain strain_in(const Values& values) { return {values[4], values[5], values[6], values[7]}; }
+
+StressVector vector_of(const PlaneStress& s, StressState state)
+{
+    StressVector v(n_components(state));
+    if (state == StressState::PlaneStress) v << s.sx, s.sy, s.txy;
+    else v << s.sx, s.sy, s.sz, s.txy;
+    return v;
+}
+
+constexpr int points_of_piece = 8; // of Gauss's rule along a part of a cut
+
+} // namespace
+
+struct PlaneCase::Samples {
+    ValueTable values; ///< [recovery points x 8]
+    ValueTable places; ///< [recovery points x 2]
+    PatchRecovery recovery;
+};
+
+struct PlaneCase::Recovered {
+    ValueTable values; ///< [nodal values x 8]
+};
+
+PlaneResults::PlaneResults(std::shared_ptr<const PlaneStructure> structure,
+                           std::shared_ptr<const detail::Solution> solution)
+    : structure_(std::move(structure)),
+      solution_(std::move(solution)),
+      locator_(std::make_shared<const Locator>(structure_->model()))
+{}
+
+PlaneCase PlaneResults::operator[](CaseId id) const { return {structure_, solution_, locator_, id.index}; }
+
+PlaneCase::PlaneCase(std::shared_ptr<const PlaneStructure> structure, std::shared_ptr<const detail::Solution> solution,
+                     std::shared_ptr<const Locator> locator, std::size_t index)
+    : structure_(std::move(structure)),
+      solution_(std::move(solution)),
+      locator_(std::move(locator)),
+      terms_(solution_->cases[index]),
+      displacements_(2 * structure_->positions().size(), 0.0),
+      reactions_(solution_->structure->supports.size())
+{
+    for (const auto& [load_case, factor] : terms_.terms) {
+        const detail::CaseSolution& each = solution_->solutions[load_case];
+        for (std::size_t i = 0; i < displacements_.size(); ++i) displacements_[i] += factor * each.displacements[i];
+        for (std::size_t s = 0; s < reactions_.size(); ++s)
+            for (std::size_t i = 0; i < n_dofs; ++i) reactions_[s][i] += factor * each.reactions[s][i];
+        for (const CaseLoads::OnElement& on : solution_->loads[load_case].elements)
+            for (const ThermalLoad& load : on.thermal_loads) {
+                const double times = factor; // clang 14 captures no bindings
+                const auto* const rise = &load.rise;
+                heat_[on.element].push_back({[rise, times](const Eigen::Vector2d& at) { return times * (*rise)(at); }});
+            }
+    }
+}
+
+Eigen::Vector2d PlaneCase::displacement(NodeId node) const
+{
+    return {displacements_[2 * node.index], displacements_[2 * node.index + 1]};
+}
+
+ElementField PlaneCase::field(ElementId element) const
+{
+    const auto heat = heat_.find(element.index);
+    return {structure_->element(element), displacements_,
+            heat == heat_.end() ? ContinuumElement::Heat() : ContinuumElement::Heat(heat->second)};
+}
+
+Eigen::Vector2d PlaneCase::displacement(const Location& place) const
+{
+    return field(place.element).displacement(place.at);
+}
+
+bool PlaneCase::is_supported(NodeId node) const { return structure_->supports()[node].is_held(); }
+
+/// An axis holds its nodes by itself, which is no reaction.
+Eigen::Vector2d PlaneCase::reaction(NodeId node) const
+{
+    const NodeSupport& support = structure_->supports()[node];
+    const std::int32_t row = solution_->structure->support_of_node[node.index];
+    if (row < 0 || !support.is_held()) return Eigen::Vector2d::Zero();
+    const NodeVector& force = reactions_[static_cast<std::size_t>(row)];
+    DofSet held = support.blocked();
+    for (const Dof dof : all_dofs)
+        if (support.sprung().contains(dof)) held.insert(dof);
+    const bool is_on_axis = structure_->model().analysis == StressState::Axisymmetric &&
+                            structure_->positions()[node.index].x() == 0.0;
+    return {is_on_axis && !held.contains(Dof::ux) ? 0.0 : force[0], force[1]};
+}
+
+Eigen::Vector2d PlaneCase::reaction(const std::vector<NodeId>& nodes) const
+{
+    Eigen::Vector2d sum = Eigen::Vector2d::Zero();
+    for (const NodeId node : nodes) sum += reaction(node);
+    return sum;
+}
+
+double PlaneCase::reaction_moment(const std::vector<NodeId>& nodes, const Eigen::Vector2d& about) const
+{
+    double sum = 0.0;
+    for (const NodeId node : nodes) {
+        const Eigen::Vector2d arm = structure_->positions()[node.index] - about, force = reaction(node);
+        sum += arm.x() * force.y() - arm.y() * force.x();
+    }
+    return sum;
+}
+
+Equilibrium PlaneCase::equilibrium() const
+{
+    Equilibrium sum;
+    for (const auto& [load_case, factor] : terms_.terms) {
+        const Equilibrium& each = solution_->solutions[load_case].equilibrium;
+        sum.residual = std::max(sum.residual, each.residual);
+        for (std::size_t i = 0; i < n_dofs; ++i) {
+            sum.sum_loads[i] += factor * each.sum_loads[i];
+            sum.sum_reactions[i] += factor * each.sum_reactions[i];
+        }
+    }
+    return sum;
+}
+
+const PlaneCase::Samples& PlaneCase::samples() const
+{
+    if (samples_) return *samples_;
+    const PlaneModel& model = structure_->model();
+    auto made = std::make_shared<Samples>(Samples{{}, {}, PatchRecovery(model)});
+    made->values.resize(static_cast<Eigen::Index>(made->recovery.n_samples()), 8);
+    made->places.resize(static_cast<Eigen::Index>(made->recovery.n_samples()), 2);
+    for (std::size_t e = 0; e < model.elements.size(); ++e) {
+        const PlaneElement& element = model.elements[e];
+        const ElementField inside = field(ElementId(e));
+        auto row = static_cast<Eigen::Index>(made->recovery.first_sample(ElementId(e)));
+        for (const IntegrationPoint& point : recovery_rule(element.kind).points) {
+            const StrainVector mechanical = inside.mechanical_strain(point.at), total = inside.strain(point.at);
+            const PlaneStress s = stress_of(structure_->material(element.region).stress({.strain = mechanical}));
+            Values values;
+            values << s.sx, s.sy, s.sz, s.txy, total[0], total[1], 0.0, total[total.size() - 1];
+            if (total.size() == 4) values[6] = total[2];
+            else { // a sheet contracts across: nu / E times its stresses, and what heat adds
+                const Material& material = model[model[element.region].material];
+                values[6] = -material.poisson() / material.E * (s.sx + s.sy) + (total[0] - mechanical[0]);
+            }
+            made->values.row(row) = values;
+            made->places.row(row++) = inside.place(point.at);
+        }
+    }
+    samples_ = std::move(made);
+    return *samples_;
+}
+
+const PlaneCase::Recovered& PlaneCase::recovered() const
+{
+    if (recovered_) return *recovered_;
+    const Samples& from = samples();
+    auto made = std::make_shared<Recovered>();
+    made->values = from.recovery.nodal_values(from.values, from.places);
+    recovered_ = std::move(made);
+    return *recovered_;
+}
+
+Values PlaneCase::element_values(const Location& place) const
+{
+    const Samples& from = samples();
+    const ShapeKind kind = structure_->model()[place.element].kind;
+    const Eigen::VectorXd weights = extrapolation(kind, place.at);
+    const auto first = static_cast<Eigen::Index>(from.recovery.first_sample(place.element));
+    return from.values.middleRows(first, weights.size()).transpose() * weights;
+}
+
+Values PlaneCase::recovered_values(const Location& place) const
+{
+    const PlaneElement& element = structure_->model()[place.element];
+    const Shape::Values N = shape_of(element.kind).values(place.at);
+    Values sum = Values::Zero();
+    for (std::size_t i = 0; i < element.points.size(); ++i)
+        sum += N[static_cast<Eigen::Index>(i)] *
+               recovered().values.row(static_cast<Eigen::Index>(samples().recovery.slot(place.element, i))).transpose();
+    return sum;
+}
+
+PlaneStress PlaneCase::element_stress(const Location& place) const { return stress_in(element_values(place)); }
+
+PlaneStress PlaneCase::element_stress(const std::vector<Location>& places, RegionId region) const
+{
+    Values sum = Values::Zero();
+    int n = 0;
+    for (const Location& place : places)
+        if (structure_->model()[place.element].region == region) {
+            sum += element_values(place);
+            ++n;
+        }
+    return stress_in(n > 0 ? Values(sum / n) : sum);
+}
+
+PlaneStress PlaneCase::smoothed_stress(const Location& place) const { return stress_in(recovered_values(place)); }
+PlaneStrain PlaneCase::smoothed_strain(const Location& place) const { return strain_in(recovered_values(place)); }
+
+PlaneStress PlaneCase::smoothed_stress(NodeId node, RegionId region) const
+{
+    return smoothed_stress(structure_->locations(node, region).front());
+}
+PlaneStrain PlaneCase::smoothed_strain(NodeId node, RegionId region) const
+{
+    return smoothed_strain(structure_->locations(node, region).front());
+}
+PlaneStress PlaneCase::element_stress(NodeId node, RegionId region) const
+{
+    return element_stress(structure_->locations(node, region), region);
+}
+
+void PlaneCase::at_integration_points(
+    ElementId element, const std::function<void(const Eigen::Vector2d&, const PlaneStress&)>& visit) const
+{
+    const ElementField inside = field(element);
+    for (const IntegrationPoint& point : structure_->element(element).formulation().rule().points)
+        visit(inside.place(point.at), stress_of(inside.stress(point.at)));
+}
+
+double PlaneCase::energy() const
+{
+    double twice = 0.0;
+    for (std::size_t e = 0; e < structure_->model().elements.size(); ++e) {
+        const ContinuumElement& element = structure_->element(ElementId(e));
+        const ElementField inside = field(ElementId(e));
+        for (const IntegrationPoint& point : element.formulation().rule().points) {
+            const StrainVector strain = inside.mechanical_strain(point.at);
+            twice += point.weight * element.volume(point.at) *
+                     strain.dot(element.formulation().material().stress({.strain = strain}));
+        }
+    }
+    return 0.5 * twice;
+}
+
+double PlaneCase::error_estimate() const
+{
+    const StressState state = structure_->model().analysis;
+    double of_error = 0.0, of_whole = 0.0;
+    for (std::size_t e = 0; e < structure_->model().elements.size(); ++e) {
+        const ContinuumElement& element = structure_->element(ElementId(e));
+        const ElementField inside = field(ElementId(e));
+        const TangentMatrix D = element.formulation().material().tangent(
+            {.strain = StrainVector::Zero(n_components(state))});
+        const Eigen::PartialPivLU<Eigen::MatrixXd> compliance(D);
+        for (const IntegrationPoint& point : element.formulation().rule().points) {
+            const StressVector smooth = vector_of(smoothed_stress({.element = ElementId(e), .at = point.at}), state);
+            const Eigen::VectorXd error = smooth - inside.stress(point.at), whole = smooth;
+            const double volume = point.weight * element.volume(point.at);
+            of_error += volume * error.dot(compliance.solve(error));
+            of_whole += volume * whole.dot(compliance.solve(whole));
+        }
+    }
+    return of_whole > 0.0 ? std::sqrt(std::max(of_error, 0.0) / of_whole) : 0.0;
+}
+
+/// sx', sy', txy' of the mean of the elements that hold a place of a cut, times no thickness.
+Eigen::Vector3d PlaneCase::stress_on(const Cut& cut, const CutPiece& piece, double s) const
+{
+    const Eigen::Vector2d at = cut.at(s), n = cut.normal(), t = cut.along();
+    Values sum = Values::Zero();
+    for (const ElementId element : piece.elements) {
+        const PlaneElement& e = structure_->model()[element];
+        const NaturalPlace place = natural_place(shape_of(e.kind), positions_of(structure_->model(), e), at);
+        sum += element_values({.element = element, .at = place.at});
+    }
+    const PlaneStress mean = stress_in(sum / static_cast<double>(piece.elements.size()));
+    Eigen::Matrix2d S;
+    S << mean.sx, mean.txy, mean.txy, mean.sy;
+    return {n.dot(S * n), t.dot(S * t), t.dot(S * n)};
+}
+
+CutForces PlaneCase::forces(const Cut& cut) const
+{
+    static const IntegrationRule rule = gauss_line(points_of_piece);
+    const PlaneModel& model = structure_->model();
+    const std::vector<CutPiece> pieces = pieces_along(model, *locator_, cut);
+    double length = 0.0, first_moment = 0.0;
+    for (const CutPiece& piece : pieces) {
+        length += piece.to - piece.from;
+        first_moment += 0.5 * (piece.to + piece.from) * (piece.to - piece.from);
+    }
+    const double middle = length > 0.0 ? first_moment / length : 0.0;
+    CutForces sum;
+    for (const CutPiece& piece : pieces) {
+        double thickness = 0.0;
+        for (const ElementId element : piece.elements) thickness += model.thickness(model[element].region);
+        thickness /= static_cast<double>(piece.elements.size());
+        for (const IntegrationPoint& point : rule.points) {
+            const double half = 0.5 * (piece.to - piece.from), s = piece.from + half * (1.0 + point.at.xi);
+            const Eigen::Vector3d stress = stress_on(cut, piece, s);
+            const double area = point.weight * half * thickness;
+            sum.N += area * stress[0];
+            sum.V -= area * stress[2];
+            sum.M -= area * stress[0] * (s - middle);
+        }
+    }
+    return sum;
+}
+
+std::vector<CutStation> PlaneCase::stations(const Cut& cut) const
+{
+    std::vector<CutStation> stations;
+    for (const CutPiece& piece : pieces_along(structure_->model(), *locator_, cut))
+        for (const double s : {piece.from, 0.5 * (piece.from + piece.to), piece.to}) {
+            const Eigen::Vector3d stress = stress_on(cut, piece, s);
+            stations.push_back({.s = s, .at = cut.at(s), .sx = stress[0], .sy = stress[1], .txy = stress[2]});
+        }
+    return stations;
+}
+
+} // namespace femoop::plane

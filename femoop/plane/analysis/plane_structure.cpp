@@ -1,0 +1,235 @@
+#include "femoop/plane/analysis/plane_structure.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <numbers>
+#include <numeric>
+#include <utility>
+
+#include "femoop/element/continuum/foundation_element.h"
+#include "femoop/material/linear_elastic.h"
+
+namespace femoop::plane {
+
+namespace {
+
+constexpr int foundation_degree = 4; // of two quadratic functions
+
+IntegrationRule rule_of(ShapeKind kind, Formulation formulation, StressState analysis)
+{
+    return formulation == Formulation::Reduced ? gauss_quadrilateral(2) : standard_rule(kind, analysis);
+}
+
+ElementVariant variant_of(Formulation formulation)
+{
+    if (formulation == Formulation::BBar) return ElementVariant::MeanDilatation;
+    return formulation == Formulation::Incompatible ? ElementVariant::IncompatibleModes : ElementVariant::Standard;
+}
+
+/// Nodes of a line's shape, in its order.
+std::vector<NodeId> nodes_of(const CurveEdge& edge)
+{
+    std::vector<NodeId> nodes{edge.start, edge.end};
+    if (edge.middle) nodes.push_back(*edge.middle);
+    return nodes;
+}
+
+/// Nodes that have one displacement, by union and find.
+class Groups {
+public:
+    explicit Groups(std::size_t n) : root_(n) { std::iota(root_.begin(), root_.end(), std::size_t{0}); }
+    std::size_t find(std::size_t i)
+    {
+        while (root_[i] != i) i = root_[i] = root_[root_[i]];
+        return i;
+    }
+    void join(std::size_t a, std::size_t b) { root_[std::max(find(a), find(b))] = std::min(find(a), find(b)); }
+
+private:
+    std::vector<std::size_t> root_;
+};
+
+} // namespace
+
+Eigen::Matrix2d spring_matrix(const std::vector<HeldDirection>& held)
+{
+    Eigen::Matrix2d k = Eigen::Matrix2d::Zero();
+    for (const HeldDirection& each : held) k += each.stiffness * each.direction * each.direction.transpose();
+    return k;
+}
+
+PlaneStructure::PlaneStructure(const PlaneModel& model)
+    : model_(model),
+      positions_(plane::positions(model_)),
+      edges_(model_),
+      curves_(model_, edges_),
+      supports_(model_, curves_)
+{
+    list_elements_of_nodes();
+    add_materials();
+    add_elements();
+    Discretisation structure{.kind = AnalysisKind::Truss2d}; // its nodes have ux and uy
+    const std::size_t n = positions_.size();
+    for (const Eigen::Vector2d& at : positions_) structure.positions.emplace_back(at.x(), at.y(), 0.0);
+    structure.support_of_node.assign(n, -1);
+    structure.is_attached.assign(n, false);
+    for (const PlaneElement& element : model_.elements)
+        for (const NodeId node : element.points) structure.is_attached[node.index] = true;
+    structure.bodies.assign(elements_.begin(), elements_.end());
+    add_supports(structure);
+    add_ties(structure);
+    add_foundations(structure);
+    discretisation_ = std::make_shared<const Discretisation>(std::move(structure));
+}
+
+void PlaneStructure::list_elements_of_nodes()
+{
+    elements_start_.assign(positions_.size() + 1, 0);
+    for (const PlaneElement& element : model_.elements)
+        for (const NodeId node : element.points) ++elements_start_[node.index + 1];
+    std::partial_sum(elements_start_.begin(), elements_start_.end(), elements_start_.begin());
+    elements_of_.resize(elements_start_.back());
+    std::vector<std::uint32_t> next(elements_start_.begin(), elements_start_.end() - 1);
+    for (std::size_t e = 0; e < model_.elements.size(); ++e)
+        for (const NodeId node : model_.elements[e].points)
+            elements_of_[next[node.index]++] = static_cast<std::uint32_t>(e);
+}
+
+std::vector<Location> PlaneStructure::locations(NodeId node, RegionId region) const
+{
+    std::vector<Location> found;
+    for (std::uint32_t k = elements_start_[node.index]; k < elements_start_[node.index + 1]; ++k) {
+        const PlaneElement& element = model_.elements[elements_of_[k]];
+        if (element.region != region) continue;
+        const auto i = std::ranges::find(element.points, node) - element.points.begin();
+        found.push_back(
+            {.element = ElementId(elements_of_[k]), .at = shape_of(element.kind).nodes()[static_cast<std::size_t>(i)]});
+    }
+    return found;
+}
+
+void PlaneStructure::add_materials()
+{
+    for (const PlaneRegion& region : model_.regions) {
+        const Material& material = model_[region.material];
+        materials_.push_back(std::make_unique<LinearElastic>(
+            ElasticConstants{
+                .E = material.E, .nu = material.poisson(), .alpha = material.alpha ? material.alpha->value() : 0.0},
+            model_.analysis));
+    }
+}
+
+void PlaneStructure::add_elements()
+{
+    std::map<std::pair<std::uint32_t, ShapeKind>, const ContinuumFormulation*> known;
+    elements_.reserve(model_.elements.size());
+    for (const PlaneElement& element : model_.elements) {
+        const ContinuumFormulation*& formulation = known[{element.region.index, element.kind}];
+        if (formulation == nullptr) {
+            const Formulation chosen = model_.formulation(element.region);
+            formulations_.push_back(std::make_unique<ContinuumFormulation>(
+                shape_of(element.kind), rule_of(element.kind, chosen, model_.analysis),
+                *materials_[element.region.index], model_.thickness(element.region), variant_of(chosen)));
+            formulation = formulations_.back().get();
+        }
+        elements_.push_back(make_continuum_element(*formulation, element.points, positions_));
+    }
+}
+
+void PlaneStructure::add_supports(Discretisation& structure) const
+{
+    for (std::size_t i = 0; i < positions_.size(); ++i) {
+        NodeSupport support = supports_[NodeId(i)];
+        const bool is_on_axis = model_.analysis == StressState::Axisymmetric && positions_[i].x() == 0.0;
+        if (is_on_axis) support.add({.direction = Eigen::Vector2d::UnitX(), .dof = Dof::ux, .is_blocked = true});
+        if (!support.is_held()) continue;
+        structure.support_of_node[i] = static_cast<std::int32_t>(structure.supports.size());
+        structure.supports.push_back({.node = NodeId(i),
+                                      .blocked = support.blocked(),
+                                      .angle = support.angle(),
+                                      .on_foundations = support.sprung()});
+    }
+}
+
+/// One displacement for all nodes of tied curves; where one of them is blocked, all are.
+void PlaneStructure::add_ties(Discretisation& structure) const
+{
+    for (const Dof dof : {Dof::ux, Dof::uy}) {
+        Groups groups(positions_.size());
+        bool has_ties = false;
+        for (std::size_t c = 0; c < model_.curves.size(); ++c) {
+            if (!model_.curves[c].tie.contains(dof)) continue;
+            has_ties = true;
+            for (const CurveNode& node : curves_.geometry[c].nodes())
+                groups.join(node.node.index, curves_.geometry[c].nodes().front().node.index);
+        }
+        if (!has_ties) continue;
+        std::vector<std::size_t> leader(positions_.size());
+        std::iota(leader.begin(), leader.end(), std::size_t{0});
+        for (const Discretisation::SupportRow& support : structure.supports)
+            if (support.blocked.contains(dof)) leader[groups.find(support.node.index)] = support.node.index;
+        for (std::size_t i = 0; i < positions_.size(); ++i)
+            if (const std::size_t other = leader[groups.find(i)]; other != i)
+                structure.ties.push_back({.node = NodeId(i), .dof = dof, .leader = NodeId(other)});
+    }
+}
+
+void PlaneStructure::add_foundations(Discretisation& structure)
+{
+    for (std::size_t c = 0; c < model_.curves.size(); ++c) {
+        const PlaneCurve& curve = model_.curves[c];
+        if (!curve.support || curve.support->springs.empty()) continue;
+        for (std::size_t e = 0; e < curves_.edges[c].size(); ++e) {
+            sprung_edges_.push_back({CurveId(c), e});
+            structure.foundations.push_back(edge_foundation(CurveId(c), e));
+        }
+    }
+    for (std::size_t i = 0; i < model_.points.size(); ++i) {
+        if (!model_.points[i].support || model_.points[i].support->springs.empty()) continue;
+        std::vector<HeldDirection> own; // springs of curves have no stiffness here
+        for (const HeldDirection& held : supports_[NodeId(i)].springs())
+            if (held.stiffness > 0.0) own.push_back(held);
+        FoundationElement::Point point{.N = Shape::Values::Ones(1), .area = 1.0, .k = spring_matrix(own), .place = {}};
+        point.place.at = positions_[i];
+        sprung_points_.emplace_back(i);
+        structure.foundations.push_back(
+            std::make_shared<FoundationElement>(std::vector{NodeId(i)}, std::vector{point}));
+    }
+}
+
+/// Springs per area of the face: the axes of a curve follow its edge.
+std::shared_ptr<const Element> PlaneStructure::edge_foundation(CurveId curve, std::size_t edge) const
+{
+    const CurveEdge& along = curves_.edges[curve.index][edge];
+    const PlaneSupport& support = *model_[curve].support;
+    const std::vector<NodeId> nodes = nodes_of(along);
+    const Shape& line = shape_of(nodes.size() == 2 ? ShapeKind::Line2 : ShapeKind::Line3);
+    const RegionId region = model_[(along.left ? along.left : along.right)->element].region;
+    std::vector<FoundationElement::Point> points;
+    for (const ShapeAtPoint& at : tabulated(line, rule_of_degree(Domain::Line, 2 * foundation_degree))) {
+        Eigen::Vector2d place = Eigen::Vector2d::Zero(), tangent = Eigen::Vector2d::Zero();
+        for (std::size_t i = 0; i < nodes.size(); ++i) {
+            place += at.N[static_cast<Eigen::Index>(i)] * positions_[nodes[i].index];
+            tangent += at.dN(static_cast<Eigen::Index>(i), 0) * positions_[nodes[i].index];
+        }
+        const double depth = model_.analysis == StressState::Axisymmetric ? 2.0 * std::numbers::pi * place.x()
+                                                                          : model_.thickness(region);
+        const Eigen::Vector2d direction = tangent.normalized();
+        const double angle = support.angle * std::numbers::pi / 180.0;
+        const Eigen::Vector2d x = support.has_curve_axes() ? direction
+                                                           : Eigen::Vector2d(std::cos(angle), std::sin(angle));
+        std::vector<HeldDirection> held;
+        for (const Spring& spring : support.springs)
+            held.push_back({.direction = spring.dof == Dof::ux ? x : Eigen::Vector2d(-x.y(), x.x()),
+                            .dof = spring.dof,
+                            .stiffness = spring.stiffness});
+        points.push_back({.N = at.N,
+                          .area = at.weight * tangent.norm() * depth,
+                          .k = spring_matrix(held),
+                          .place = {.at = place, .along = x, .outward = {}, .xi = at.at.xi}});
+    }
+    return std::make_shared<FoundationElement>(nodes, std::move(points));
+}
+
+} // namespace femoop::plane

@@ -1,0 +1,79 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "femoop/model/check/entry_checker.h"
+#include "femoop/plane/check/plane_check.h"
+#include "femoop/plane/mesh/locator.h"
+#include "femoop/plane/mesh/node_supports.h"
+
+namespace femoop::plane {
+
+/// Goes through a plane model part by part and writes down what is wrong with it.
+class PlaneChecker : private EntryChecker {
+public:
+    PlaneChecker(const PlaneModel& model, const Unreadable& unreadable);
+    std::vector<Fault> run();
+
+private:
+    // plane_checker.cpp
+    bool has_errors() const;
+    std::string analysis() const { return std::string(name(model_.analysis)); }
+    bool is_readable(MaterialId id) const
+    {
+        return id.index < model_.materials.size() && !flag(unreadable_.materials, id.index);
+    }
+    void check_ids();
+    void check_materials();
+    void check_points();
+    void check_support(const PlaneSupport& support, bool is_on_curve, const Entry& place);
+    void check_regions();
+    void check_elements();
+    void check_element(const PlaneElement& element, const Entry& place);
+    void check_curves();
+    void check_use();
+    void warn_of_locking();
+
+    // plane_load_check.cpp
+    void check_load_cases();
+    void check_self_weight(const PlaneLoadCase& load_case, const Entry& place);
+    void check_load(const NodeLoad& load, const Entry& place);
+    void check_load(const CurveLoad& load, const Entry& place);
+    void check_load(const RegionLoad& load, const Entry& place);
+    void check_load(const PlaneSettlement& settlement, const Entry& place);
+    void check_field(const std::optional<Field>& field, std::string_view key, bool is_on_curve, const Entry& place);
+    void check_pressure(CurveId curve, const Entry& place);
+    /// Calls use(region, its material) for those that a load is on.
+    template <class Use> void for_regions(const std::vector<RegionId>& regions, Use use) const;
+    void require_density(const std::vector<RegionId>& regions, const Entry& place);
+    void require_expansion(const std::vector<RegionId>& regions, const Entry& place);
+    void check_combinations();
+    void check_settlements(); ///< that agree at every node. \pre the mesh is sound
+
+    // plane_expected_check.cpp
+    void check_expected();
+    void check_expected(const PlaneExpected& check, const Entry& place);
+    std::vector<std::string_view> missing_keys(const PlaneExpected& check) const;
+    void check_asked(const PlaneExpected& check, const Entry& place);
+    void check_place(const PlaneExpected& check, const Entry& place); ///< \pre the mesh is sound
+    void check_cut(const PlaneExpected& check, const Entry& place);   ///< likewise
+    void check_reaction(const PlaneExpected& check, const Entry& place);
+    const Locator& locator();
+    std::vector<RegionId> regions_at(const PlaneExpected& check);
+
+    const PlaneModel& model_;
+    const Unreadable& unreadable_;
+    EdgeTable edges_;
+    std::vector<std::vector<RegionId>> regions_of_point_; ///< of which elements meet it
+    std::optional<CurveTable> curves_;                    ///< once the mesh is known to be sound
+    std::optional<NodeSupports> supports_;
+    std::optional<Locator> locator_; ///< made when it is first asked for
+};
+
+inline constexpr std::size_t most_elements = 5'000'000;
+
+} // namespace femoop::plane

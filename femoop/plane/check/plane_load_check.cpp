@@ -1,0 +1,193 @@
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <utility>
+
+#include "femoop/model/quantity/number_text.h"
+#include "femoop/plane/check/plane_checker.h"
+
+namespace femoop::plane {
+
+void PlaneChecker::check_load_cases()
+{
+    for (std::size_t i = 0; i < model_.load_cases.size(); ++i) {
+        const PlaneLoadCase& load_case = model_.load_cases[i];
+        const std::string path = Entry{"load_cases", i, {}}.text();
+        check_self_weight(load_case, {"load_cases", i, load_case.id});
+        const auto check_each = [&](const auto& loads, const char* key, const auto& unreadable) {
+            const std::string list = path + key;
+            for (std::size_t j = 0; j < loads.size(); ++j) {
+                is_partial_ = flag(unreadable, i, j);
+                check_load(loads[j], {list, j, {}});
+            }
+            is_partial_ = false;
+        };
+        check_each(load_case.points, ".points", unreadable_.point_loads);
+        check_each(load_case.curves, ".curves", unreadable_.curve_loads);
+        check_each(load_case.regions, ".regions", unreadable_.region_loads);
+        check_each(load_case.settlements, ".settlements", unreadable_.settlements);
+    }
+    if (supports_ && !has_errors()) check_settlements();
+}
+
+template <class Use> void PlaneChecker::for_regions(const std::vector<RegionId>& regions, Use use) const
+{
+    std::vector<RegionId> wanted = regions;
+    if (wanted.empty())
+        for (std::size_t i = 0; i < model_.regions.size(); ++i) wanted.emplace_back(i);
+    for (const RegionId region : wanted)
+        if (region.index < model_.regions.size() && is_readable(model_[region].material))
+            use(model_[region], model_[model_[region].material]);
+}
+
+void PlaneChecker::require_density(const std::vector<RegionId>& regions, const Entry& place)
+{
+    for_regions(regions, [&](const PlaneRegion& region, const Material& material) {
+        if (!material.density) add(FaultKind::RegionWithoutDensity, place, {material.id, region.id});
+    });
+}
+
+void PlaneChecker::require_expansion(const std::vector<RegionId>& regions, const Entry& place)
+{
+    for_regions(regions, [&](const PlaneRegion& region, const Material& material) {
+        if (!material.alpha) add(FaultKind::RegionWithoutExpansion, place, {material.id, region.id});
+    });
+}
+
+void PlaneChecker::check_self_weight(const PlaneLoadCase& load_case, const Entry& place)
+{
+    if (require_finite(place, "self_weight", load_case.self_weight) && load_case.self_weight != 0.0)
+        require_density({}, place);
+}
+
+void PlaneChecker::check_load(const NodeLoad& load, const Entry& place)
+{
+    const bool has_point = require_entry(place, "points", load.node.index, model_.points.size());
+    require_distinct(place, load.components);
+    if (load.components.empty()) add(FaultKind::EmptyLoad, place, {});
+    bool is_loaded = false;
+    for (const Component& part : load.components) {
+        require_finite(place, force_name(part.dof), part.value);
+        is_loaded = is_loaded || part.value.value() != 0.0;
+    }
+    if (is_loaded && has_point && regions_of_point_[load.node.index].empty() && !unreadable_.is_incomplete)
+        add(FaultKind::PointWithoutElements, place, {model_[load.node].id});
+}
+
+void PlaneChecker::check_load(const CurveLoad& load, const Entry& place)
+{
+    for (const CurveId curve : load.curves) require_entry(place, "curves", curve.index, model_.curves.size());
+    if (load.kind == CurveLoadKind::Pressure) {
+        check_field(load.value, "value", true, place);
+        for (const CurveId curve : load.curves) check_pressure(curve, place);
+        return;
+    }
+    if (!load.qx && !load.qy) add(FaultKind::EmptyLoad, place, {});
+    check_field(load.qx, "qx", true, place);
+    check_field(load.qy, "qy", true, place);
+    if (load.kind == CurveLoadKind::Line && model_.analysis == StressState::Axisymmetric)
+        add(FaultKind::LineLoadOfRevolution, place, {});
+}
+
+void PlaneChecker::check_pressure(CurveId curve, const Entry& place)
+{
+    if (curve.index >= model_.curves.size() || unreadable_.is_incomplete) return;
+    for (const CurveEdge& edge : edges_along(model_, edges_, model_[curve]).edges)
+        if (edge.left && edge.right) {
+            add(FaultKind::PressureInside, place, {model_[curve].id});
+            return;
+        }
+}
+
+void PlaneChecker::check_load(const RegionLoad& load, const Entry& place)
+{
+    for (const RegionId region : load.regions) require_entry(place, "regions", region.index, model_.regions.size());
+    if (const auto* body = std::get_if<BodyForce>(&load.load)) {
+        if (!body->bx && !body->by) add(FaultKind::EmptyLoad, place, {});
+        check_field(body->bx, "bx", false, place);
+        check_field(body->by, "by", false, place);
+    } else if (const auto* heat = std::get_if<TemperatureRise>(&load.load)) {
+        check_field(heat->rise, "rise", false, place);
+        require_expansion(load.regions, place);
+    } else {
+        const auto& rotation = std::get<SteadyRotation>(load.load);
+        require_finite(place, "omega", rotation.omega);
+        if (!rotation.about.empty() && model_.analysis == StressState::Axisymmetric)
+            add(FaultKind::AboutOfRevolution, place, {});
+        require_density(load.regions, place);
+    }
+}
+
+void PlaneChecker::check_field(const std::optional<Field>& field, std::string_view key, bool is_on_curve,
+                               const Entry& place)
+{
+    if (!field) return;
+    const auto require = [&](const Quantity& number) { require_finite(place, key, number); };
+    if (const auto* constant = std::get_if<Quantity>(&field->form)) require(*constant);
+    if (const auto* ends = std::get_if<Field::Ends>(&field->form)) require(ends->start), require(ends->end);
+    if (const auto* terms = std::get_if<Field::Polynomial>(&field->form))
+        for (const Field::Term& term : *terms) require(term.factor);
+    if (const auto* table = std::get_if<Field::Table>(&field->form))
+        for (const auto& [at, number] : table->rows) require(at), require(number);
+    if (!is_on_curve && needs_curve(*field)) {
+        const std::string path = place.text() + "." + std::string(key);
+        add(FaultKind::FieldNeedsCurve, {path, {}, {}}, {});
+    }
+}
+
+void PlaneChecker::check_load(const PlaneSettlement& settlement, const Entry& place)
+{
+    const bool is_on_curve = !settlement.curves.empty();
+    if (!settlement.ux && !settlement.uy) add(FaultKind::EmptyLoad, place, {});
+    check_field(settlement.ux, "ux", is_on_curve, place);
+    check_field(settlement.uy, "uy", is_on_curve, place);
+    const auto is_held = [](const std::optional<PlaneSupport>& support, Dof dof) {
+        return support && (support->blocked().contains(dof) ||
+                           std::ranges::any_of(support->springs, [&](const Spring& s) { return s.dof == dof; }));
+    };
+    for (const Dof dof : {Dof::ux, Dof::uy}) {
+        if (!(dof == Dof::ux ? settlement.ux : settlement.uy)) continue;
+        for (const CurveId curve : settlement.curves)
+            if (curve.index < model_.curves.size() && !flag(unreadable_.curves, curve.index) &&
+                !is_held(model_[curve].support, dof))
+                add(FaultKind::SettlementOfFreeCurve, place, {std::string(name(dof)), model_[curve].id});
+        if (!settlement.point || !supports_ || settlement.point->index >= model_.points.size()) continue;
+        PlaneSettlement alone = settlement;
+        (dof == Dof::ux ? alone.uy : alone.ux).reset();
+        alone.curves.clear();
+        if (supports_->motions(alone).empty())
+            add(FaultKind::SettlementOfFreeDof, place, {std::string(name(dof)), model_[*settlement.point].id});
+    }
+}
+
+void PlaneChecker::check_settlements()
+{
+    for (std::size_t i = 0; i < model_.load_cases.size(); ++i) {
+        std::map<NodeId, std::vector<ImposedMotion>> of_node;
+        for (const PlaneSettlement& settlement : model_.load_cases[i].settlements)
+            for (const ImposedMotion& motion : supports_->motions(settlement)) of_node[motion.node].push_back(motion);
+        for (const auto& [node, motions] : of_node)
+            if (const auto conflict = displacement((*supports_)[node], motions).conflict) {
+                const Quantity a((*conflict)[0]), b((*conflict)[1]);
+                add(FaultKind::SettlementConflict, {"load_cases", i, model_.load_cases[i].id},
+                    {model_[node].id, shown(a, dimension::length), shown(b, dimension::length)});
+                break;
+            }
+    }
+}
+
+void PlaneChecker::check_combinations()
+{
+    for (std::size_t i = 0; i < model_.combinations.size(); ++i) {
+        is_partial_ = flag(unreadable_.combinations, i);
+        const Combination& combination = model_.combinations[i];
+        const Entry place{"combinations", i, combination.id};
+        for (const Combination::Term& term : combination.terms)
+            if (require_entry(place, "cases", term.of.index, model_.n_cases()))
+                require_finite(place, model_.case_name(term.of), term.factor);
+    }
+    is_partial_ = false;
+    check_circles(model_.combinations, model_.load_cases.size());
+}
+
+} // namespace femoop::plane

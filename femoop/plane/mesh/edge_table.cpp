@@ -1,0 +1,96 @@
+#include "femoop/plane/mesh/edge_table.h"
+
+#include <algorithm>
+
+namespace femoop::plane {
+
+namespace {
+
+std::uint64_t key(NodeId start, NodeId end) { return (std::uint64_t{start.index} << 32U) | end.index; }
+
+NodeId node_at(const PlaneElement& element, const Shape::Edge& edge, std::size_t i)
+{
+    return element.points[static_cast<std::size_t>(edge[i])];
+}
+
+std::optional<NodeId> middle_of(const PlaneModel& model, const ElementEdge& at)
+{
+    const PlaneElement& element = model[at.element];
+    const Shape::Edge edge = shape_of(element.kind).edges()[static_cast<std::size_t>(at.edge)];
+    if (edge.size() < 3) return std::nullopt;
+    return node_at(element, edge, 2);
+}
+
+std::optional<CurveEdge> edge_between(const PlaneModel& model, const EdgeTable& table, NodeId start, NodeId end)
+{
+    CurveEdge found{
+        .start = start, .end = end, .middle = {}, .left = table.find(start, end), .right = table.find(end, start)};
+    if (!found.left && !found.right) return std::nullopt;
+    found.middle = middle_of(model, found.left ? *found.left : *found.right);
+    return found;
+}
+
+} // namespace
+
+bool has_points(const PlaneModel& model, const PlaneElement& element)
+{
+    const auto n = static_cast<std::size_t>(shape_of(element.kind).n_nodes());
+    return element.points.size() == n && std::all_of(element.points.begin(), element.points.end(),
+                                                     [&](NodeId point) { return point.index < model.points.size(); });
+}
+
+EdgeTable::EdgeTable(const PlaneModel& model)
+{
+    entries_.reserve(4 * model.elements.size());
+    for (std::size_t e = 0; e < model.elements.size(); ++e) {
+        const PlaneElement& element = model.elements[e];
+        if (!has_points(model, element)) continue;
+        for (int i = 0; const Shape::Edge edge : shape_of(element.kind).edges())
+            entries_.push_back(
+                {key(node_at(element, edge, 0), node_at(element, edge, 1)), {.element = ElementId(e), .edge = i++}});
+    }
+    std::ranges::stable_sort(entries_, {}, &Entry::ends);
+}
+
+std::optional<ElementEdge> EdgeTable::find(NodeId start, NodeId end) const
+{
+    const std::uint64_t wanted = key(start, end);
+    const auto found = std::ranges::lower_bound(entries_, wanted, {}, &Entry::ends);
+    if (found == entries_.end() || found->ends != wanted) return std::nullopt;
+    return found->edge;
+}
+
+CurveEdges edges_along(const PlaneModel& model, const EdgeTable& table, const PlaneCurve& curve)
+{
+    CurveEdges found;
+    const std::vector<NodeId>& points = curve.points;
+    for (std::size_t i = 0; i + 1 < points.size();) {
+        std::optional<CurveEdge> edge = edge_between(model, table, points[i], points[i + 1]);
+        std::size_t next = i + 1;
+        if (!edge && i + 2 < points.size()) { // the point between may be the middle node
+            edge = edge_between(model, table, points[i], points[i + 2]);
+            if (edge && edge->middle != points[i + 1]) edge.reset();
+            next = i + 2;
+        }
+        if (!edge) {
+            found.gap = i;
+            return found;
+        }
+        found.edges.push_back(*edge);
+        i = next;
+    }
+    return found;
+}
+
+std::vector<NodeId> nodes_along(const std::vector<CurveEdge>& edges)
+{
+    std::vector<NodeId> nodes;
+    for (const CurveEdge& edge : edges) {
+        nodes.push_back(edge.start);
+        if (edge.middle) nodes.push_back(*edge.middle);
+    }
+    if (!edges.empty() && edges.back().end != edges.front().start) nodes.push_back(edges.back().end);
+    return nodes;
+}
+
+} // namespace femoop::plane

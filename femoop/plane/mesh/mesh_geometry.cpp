@@ -1,0 +1,90 @@
+#include "femoop/plane/mesh/mesh_geometry.h"
+
+#include <cstddef>
+
+#include "femoop/rule/integration_rule.h"
+
+namespace femoop::plane {
+
+namespace {
+
+constexpr double cosine_of_corner = 0.5; // of 60 degrees
+constexpr int points_of_length = 8;
+
+const Shape& line_of(Eigen::Index n_nodes) { return shape_of(n_nodes == 2 ? ShapeKind::Line2 : ShapeKind::Line3); }
+
+/// One direction where two are nearly the same.
+std::vector<Eigen::Vector2d> joined(const Eigen::Vector2d& before, const Eigen::Vector2d& behind)
+{
+    if (before.dot(behind) <= cosine_of_corner) return {before, behind};
+    return {(before + behind).normalized()};
+}
+
+} // namespace
+
+Eigen::Vector2d position(const PlanePoint& point) { return {point.at[0], point.at[1]}; }
+
+std::vector<Eigen::Vector2d> positions(const PlaneModel& model)
+{
+    std::vector<Eigen::Vector2d> all;
+    all.reserve(model.points.size());
+    for (const PlanePoint& point : model.points) all.push_back(position(point));
+    return all;
+}
+
+NodePositions positions_of(const PlaneModel& model, const PlaneElement& element)
+{
+    NodePositions X(static_cast<Eigen::Index>(element.points.size()), 2);
+    for (std::size_t i = 0; i < element.points.size(); ++i)
+        X.row(static_cast<Eigen::Index>(i)) = position(model[element.points[i]]);
+    return X;
+}
+
+CurveGeometry::CurveGeometry(const PlaneModel& model, const std::vector<CurveEdge>& edges)
+{
+    for (const CurveEdge& edge : edges) {
+        EdgePositions X(edge.middle ? 3 : 2, 2);
+        X.row(0) = position(model[edge.start]);
+        X.row(1) = position(model[edge.end]);
+        if (edge.middle) X.row(2) = position(model[*edge.middle]);
+        edges_.push_back(X);
+        starts_.push_back(starts_.back());
+        starts_.back() = s(edges_.size() - 1, 1.0);
+    }
+    if (!edges.empty()) add_nodes(edges);
+}
+
+Eigen::Vector2d CurveGeometry::tangent(std::size_t edge, double xi) const
+{
+    const EdgePositions& X = edges_[edge];
+    return X.transpose() * line_of(X.rows()).derivatives({.xi = xi}).col(0);
+}
+
+double CurveGeometry::s(std::size_t edge, double xi) const
+{
+    static const IntegrationRule rule = gauss_line(points_of_length);
+    const double half = 0.5 * (xi + 1.0);
+    double length = starts_[edge];
+    if (edges_[edge].rows() == 2) return length + half * (edges_[edge].row(1) - edges_[edge].row(0)).norm();
+    for (const IntegrationPoint& point : rule.points)
+        length += point.weight * half * tangent(edge, half * (point.at.xi + 1.0) - 1.0).norm();
+    return length;
+}
+
+void CurveGeometry::add_nodes(const std::vector<CurveEdge>& edges)
+{
+    const bool is_closed = edges.back().end == edges.front().start;
+    const std::size_t last = edges.size() - 1;
+    for (std::size_t i = 0; i < edges.size(); ++i) {
+        const Eigen::Vector2d behind = tangent(i, -1.0).normalized();
+        CurveNode node{.node = edges[i].start, .s = starts_[i], .directions = {behind}};
+        if (i > 0 || is_closed) node.directions = joined(tangent(i > 0 ? i - 1 : last, 1.0).normalized(), behind);
+        nodes_.push_back(node);
+        if (edges[i].middle)
+            nodes_.push_back({.node = *edges[i].middle, .s = s(i, 0.0), .directions = {tangent(i, 0.0).normalized()}});
+    }
+    if (!is_closed)
+        nodes_.push_back({.node = edges[last].end, .s = length(), .directions = {tangent(last, 1.0).normalized()}});
+}
+
+} // namespace femoop::plane

@@ -1,0 +1,141 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "femoop/material/stress_state.h"
+#include "femoop/model/load.h"
+#include "femoop/model/node.h"
+#include "femoop/model/property.h"
+#include "femoop/model/quantity/units.h"
+#include "femoop/plane/model/plane_expected.h"
+#include "femoop/plane/model/plane_load.h"
+#include "femoop/shape/shape.h"
+
+namespace femoop::plane {
+
+/// How a support was written: by a keyword, or as the object form.
+enum class PlaneSupportKind : std::uint8_t {
+    Custom,
+    Fixed,   ///< ux uy
+    Pin,     ///< the same
+    Roller,  ///< uy
+    Symmetry ///< square to the curve
+};
+
+/// What holds a point, or every node of a curve. Directions are those of the support's own axes.
+struct PlaneSupport {
+    PlaneSupportKind kind = PlaneSupportKind::Custom;
+    DofSet fixed;                ///< of a Custom support; for a keyword see blocked()
+    Quantity angle;              ///< [degrees], its axes turned counter-clockwise
+    bool is_local = false;       ///< on a curve: ux along it, uy to its left, at each node
+    std::vector<Spring> springs; ///< on a point [force/length], on a curve [force/length^3]
+
+    DofSet blocked() const;
+    bool has_curve_axes() const { return is_local || kind == PlaneSupportKind::Symmetry; }
+    friend bool operator==(const PlaneSupport&, const PlaneSupport&) = default;
+};
+
+/// A point of the file: a node of the mesh.
+struct PlanePoint {
+    std::string id;
+    std::array<Quantity, 2> at;
+    std::optional<PlaneSupport> support;
+    std::optional<Quantity> size; ///< of elements near it, where a mesh is to be made
+
+    friend bool operator==(const PlanePoint&, const PlanePoint&) = default;
+};
+
+/// A curve of kind `edges`: edges of elements one after the other, corner by corner.
+struct PlaneCurve {
+    std::string id;
+    std::vector<NodeId> points; ///< in its direction; middle nodes may be left out
+    std::optional<PlaneSupport> support;
+    DofSet tie; ///< all its nodes have one displacement
+
+    friend bool operator==(const PlaneCurve&, const PlaneCurve&) = default;
+};
+
+/// How an element's stiffness is made of its shape.
+enum class Formulation : std::uint8_t { Standard, Reduced, BBar, Incompatible };
+
+/// How a mesh is made. Of a mesh in the file only the formulation matters; the rest is kept.
+struct MeshOptions {
+    std::string method; ///< empty when absent, as the texts below
+    std::optional<ShapeKind> element;
+    std::optional<Formulation> formulation;
+    std::optional<Quantity> size;
+    std::optional<Quantity> min_angle; ///< [degrees]
+    std::string diagonal;
+
+    friend bool operator==(const MeshOptions&, const MeshOptions&) = default;
+};
+
+/// A part of the body with one material and thickness.
+struct PlaneRegion {
+    std::string id;
+    MaterialId material;
+    std::optional<Quantity> thickness;
+    MeshOptions mesh; ///< over the model's, key by key
+
+    friend bool operator==(const PlaneRegion&, const PlaneRegion&) = default;
+};
+
+struct PlaneElement {
+    std::string id;
+    ShapeKind kind = ShapeKind::T3;
+    std::vector<NodeId> points; ///< corners counter-clockwise, then middle nodes, then the centre
+    RegionId region;
+
+    friend bool operator==(const PlaneElement&, const PlaneElement&) = default;
+};
+
+/// A plate, a slice of a long body or a body of revolution with its mesh, its loads and what is expected of it: a plain
+/// value, as `Model` is for members. `check` (femoop/plane/check/plane_check.h) says what is wrong with it, `analyse`
+/// (femoop/plane/analysis/plane_analysis.h) solves it.
+///
+/// Signs  x right, y up, tension positive. Axisymmetric: x is the radius, y the axis
+/// Units  every Quantity is in `units`
+struct PlaneModel {
+    std::string title;
+    std::string notes;
+    StressState analysis = StressState::PlaneStress;
+    Units units;
+    std::optional<Quantity> snap;
+    MeshOptions mesh;
+    std::vector<Material> materials;
+    std::vector<PlanePoint> points;
+    std::vector<PlaneCurve> curves;
+    std::vector<PlaneRegion> regions;
+    std::vector<PlaneElement> elements;
+    std::vector<PlaneLoadCase> load_cases;
+    std::vector<Combination> combinations;
+    std::vector<PlaneExpected> expected;
+
+    const PlanePoint& operator[](NodeId id) const { return points[id.index]; }
+    const PlaneCurve& operator[](CurveId id) const { return curves[id.index]; }
+    const PlaneRegion& operator[](RegionId id) const { return regions[id.index]; }
+    const PlaneElement& operator[](ElementId id) const { return elements[id.index]; }
+    const Material& operator[](MaterialId id) const { return materials[id.index]; }
+
+    std::size_t n_cases() const { return load_cases.size() + combinations.size(); }
+    const std::string& case_name(CaseId id) const; ///< load cases first, then combinations
+    std::optional<CaseId> find_case(std::string_view id) const;
+
+    Formulation formulation(RegionId region) const; ///< the region's own, else the model's, else standard
+    double thickness(RegionId region) const;        ///< 1 where there is none
+
+    friend bool operator==(const PlaneModel&, const PlaneModel&) = default;
+};
+
+std::string_view name(StressState analysis);    ///< "plane_stress"
+std::string_view name(Formulation formulation); ///< "b_bar"
+
+/// Which shapes have a formulation, in which analyses.
+bool has_formulation(ShapeKind shape, Formulation formulation, StressState analysis);
+
+} // namespace femoop::plane
