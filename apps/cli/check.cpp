@@ -2,8 +2,10 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <optional>
 #include <string>
 #include <utility>
+#include <variant>
 #include <vector>
 
 #include "apps/cli/argument.h"
@@ -27,14 +29,14 @@ std::size_t number_of(const std::vector<femoop::Fault>& faults, Severity severit
 }
 
 /// What a file holds and everything wrong with it: with a view file as it stands beside its model, else with a model.
-femoop::ModelReading read(const std::string& file, const ui::Catalogue& tr)
+femoop::AnyReading read(const std::string& file, const ui::Catalogue& tr)
 {
     const auto beside = frame::model_of_companion(file);
-    if (!beside) return examine(file, tr);
+    if (!beside) return examine_any(file, tr);
     femoop::FileText model = femoop::file_text(*beside);
-    if (model.fault) return {{}, {*std::move(model.fault)}};
+    if (model.fault) return femoop::ModelReading{{}, {*std::move(model.fault)}};
     femoop::FileText views = femoop::file_text(file);
-    if (views.fault) return {{}, {*std::move(views.fault)}};
+    if (views.fault) return femoop::ModelReading{{}, {*std::move(views.fault)}};
     femoop::ModelReading reading = femoop::examine_model(model.text);
     reading.faults = frame::read_companion(views.text, reading.model).faults;
     return reading;
@@ -43,8 +45,17 @@ femoop::ModelReading read(const std::string& file, const ui::Catalogue& tr)
 /// What `check` says of a file that can be used.
 struct SoundFile {
     std::string file;
-    femoop::ModelReading reading;
+    std::vector<femoop::Fault> warnings;
+    std::optional<femoop::Model> model; ///< nothing of a plane model
 };
+
+/// A reading of either kind.
+SoundFile contents_of(const std::string& file, femoop::AnyReading reading)
+{
+    if (auto* plane = std::get_if<femoop::plane::PlaneReading>(&reading)) return {file, std::move(plane->faults), {}};
+    auto& members = std::get<femoop::ModelReading>(reading);
+    return {file, std::move(members.faults), std::move(members.model)};
+}
 
 class Check : public Subcommand {
 public:
@@ -90,10 +101,10 @@ void Check::print_json(const std::vector<SoundFile>& files, Console& console) co
     json.begin_object().member("cremona", 1).key("files").begin_array(femoop::JsonWriter::Layout::Block);
     for (const SoundFile& file : files) {
         json.begin_object().member("file", file.file).key("warnings").begin_array();
-        for (const femoop::Fault& warning : file.reading.faults) json.value(console.sentence(warning));
+        for (const femoop::Fault& warning : file.warnings) json.value(console.sentence(warning));
         json.end();
-        const femoop::Model& model = file.reading.model;
-        if (is_counted_) femoop::counting::write_counting(json.key("counting"), femoop::counting::count(model), model);
+        if (is_counted_ && file.model)
+            femoop::counting::write_counting(json.key("counting"), femoop::counting::count(*file.model), *file.model);
         json.end();
     }
     json.end().end();
@@ -104,10 +115,11 @@ void Check::print(const SoundFile& file, Console& console) const
 {
     const ui::Catalogue& tr = console.tr();
     console.print(file.file + ": " +
-                  tr("no errors, warnings: {warnings}", {{"warnings", std::to_string(file.reading.faults.size())}}) +
-                  "\n");
-    const femoop::Model& model = file.reading.model;
-    if (is_counted_) console.print(femoop::counting::counting_text(femoop::counting::count(model), model, tr));
+                  tr("no errors, warnings: {warnings}", {{"warnings", std::to_string(file.warnings.size())}}) + "\n");
+    if (!is_counted_) return;
+    if (file.model)
+        console.print(femoop::counting::counting_text(femoop::counting::count(*file.model), *file.model, tr));
+    else console.print("  " + tr("a plane model has no degree of static indeterminacy to count") + "\n");
 }
 
 ExitStatus Check::run(Console& console)
@@ -117,19 +129,19 @@ ExitStatus Check::run(Console& console)
     ExitStatus status = ExitStatus::Done;
     std::vector<SoundFile> sound;
     for (const std::string& file : files_) {
-        femoop::ModelReading reading = read(file, tr);
         const std::string shown = display_name(file, tr);
-        console.report(shown, reading.faults);
-        const std::size_t errors = number_of(reading.faults, Severity::Error);
+        SoundFile contents = contents_of(shown, read(file, tr));
+        console.report(shown, contents.warnings);
+        const std::size_t errors = number_of(contents.warnings, Severity::Error);
         if (errors > 0) {
-            const std::size_t warnings = number_of(reading.faults, Severity::Warning);
+            const std::size_t warnings = number_of(contents.warnings, Severity::Warning);
             status = ExitStatus::BadInput;
             console.message(shown + ": " +
                             tr("errors: {errors}, warnings: {warnings}",
                                {{"errors", std::to_string(errors)}, {"warnings", std::to_string(warnings)}}));
             continue;
         }
-        sound.push_back({shown, std::move(reading)});
+        sound.push_back(std::move(contents));
         if (!is_json_) print(sound.back(), console);
     }
     if (is_json_ && status == ExitStatus::Done) print_json(sound, console);

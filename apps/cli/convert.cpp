@@ -30,6 +30,7 @@ public:
 
 private:
     ExitStatus to_json(const femoop::Model& model, Console& console) const;
+    ExitStatus to_json(const femoop::plane::PlaneReading& reading, const std::string& kind, Console& console) const;
     ExitStatus to_csv(const femoop::Model& model, Console& console) const;
     ExitStatus solids(Console& console) const;
     void deliver(const std::string& text, Console& console) const;
@@ -127,6 +128,18 @@ ExitStatus Convert::to_json(const femoop::Model& model, Console& console) const
     return ExitStatus::Done;
 }
 
+/// A plane model is tidied; its other forms are not built yet.
+ExitStatus Convert::to_json(const femoop::plane::PlaneReading& reading, const std::string& kind, Console& console) const
+{
+    const ui::Catalogue& tr = console.tr();
+    console.report(display_name(in_, tr), reading.faults);
+    if (!reading.is_sound()) return ExitStatus::BadInput;
+    if (kind != ".json" || units_ || combinations_)
+        throw UsageError(tr("a plane model is written as .json in its own units; other forms are not built yet"));
+    deliver(femoop::plane::write_plane_model(reading.model), console);
+    return ExitStatus::Done;
+}
+
 ExitStatus Convert::to_csv(const femoop::Model& model, Console& console) const
 {
     const std::string file = display_name(in_, console.tr());
@@ -167,8 +180,12 @@ ExitStatus Convert::run(Console& console)
         throw UsageError(tr("{file}: cannot write the kind {kind}; choose from: .json, .csv, .svg, .pdf, .png",
                             {{"file", out_}, {"kind", "\"" + kind + "\""}}));
     if (out_ != "-") require_writable(out_, tr);
-    std::optional<femoop::Model> model = load_model(in_, console);
-    if (!model) return ExitStatus::BadInput;
+    femoop::AnyReading reading = examine_any(in_, tr);
+    if (const auto* plane = std::get_if<femoop::plane::PlaneReading>(&reading)) return to_json(*plane, kind, console);
+    auto& members = std::get<femoop::ModelReading>(reading);
+    console.report(display_name(in_, tr), members.faults);
+    if (!members.is_sound()) return ExitStatus::BadInput;
+    femoop::Model* const model = &members.model;
     if (combinations_) add_design_combinations(*model, {*combinations_, actions_}, console);
     if (units_ && kind != ".json") throw UsageError(tr("--units: only a .json file is written in other units"));
     if (kind == ".json") return to_json(*model, console);

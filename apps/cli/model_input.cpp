@@ -18,9 +18,24 @@ std::string standard_input(const ui::Catalogue& tr)
     return text;
 }
 
-femoop::ModelReading examine(const std::string& file, const ui::Catalogue& tr)
+namespace {
+
+void require_name(const std::string& file, const ui::Catalogue& tr)
 {
     if (file.empty()) throw UsageError(tr("the name of the file is empty"));
+}
+
+} // namespace
+
+femoop::AnyReading examine_any(const std::string& file, const ui::Catalogue& tr)
+{
+    require_name(file, tr);
+    return file != "-" ? femoop::examine_any_file(file) : femoop::examine_any(standard_input(tr));
+}
+
+femoop::ModelReading examine(const std::string& file, const ui::Catalogue& tr)
+{
+    require_name(file, tr);
     if (file != "-") return femoop::examine_model_file(file);
     return femoop::examine_model(standard_input(tr));
 }

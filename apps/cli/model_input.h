@@ -4,6 +4,7 @@
 #include <string>
 
 #include "apps/cli/console.h"
+#include "femoop/io/any_model.h"
 #include "femoop/io/model_file.h"
 #include "femoop/model/model.h"
 
@@ -11,6 +12,9 @@ namespace cli {
 
 /// The model in a file and everything wrong with it; the file "-" is standard input.
 femoop::ModelReading examine(const std::string& file, const ui::Catalogue& tr);
+
+/// The same of a file of any kind of model.
+femoop::AnyReading examine_any(const std::string& file, const ui::Catalogue& tr);
 
 /// A sound model; warnings and errors go to stderr. Nothing if there was an error.
 std::optional<femoop::Model> load_model(const std::string& file, const Console& console);

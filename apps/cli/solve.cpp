@@ -17,6 +17,7 @@
 #include "apps/cli/asked_redundants.h"
 #include "apps/cli/model_input.h"
 #include "apps/cli/output_file.h"
+#include "apps/cli/plane_solve.h"
 #include "apps/cli/solver_trace.h"
 #include "femoop/analysis/stopwatch.h"
 #include "femoop/analysis/trace.h"
@@ -63,6 +64,8 @@ private:
                             const ui::Catalogue& tr) const;
     void require_one_output(const ui::Catalogue& tr) const;
     std::string trace(const Model& model, const ui::Catalogue& tr) const;
+    ExitStatus solve_plane(const femoop::plane::PlaneReading& reading, const femoop::AnalysisOptions& options,
+                           Console& console) const;
     CaseId followed_case(const Model& model, const ui::Catalogue& tr) const;
     std::string derivation(const Model& model, const Results& results, const ui::Catalogue& tr) const;
     std::string virtual_work(const Model& model, const Results& results, const ui::Catalogue& tr) const;
@@ -75,6 +78,7 @@ private:
     SolverTraceOptions solver_trace_;
     AskedBody body_;
     AskedFunicular funicular_;
+    PlaneSolve plane_;
     AskedRedundants redundants_;
 };
 
@@ -156,6 +160,7 @@ void Solve::declare(CLI::App& app, const ui::Catalogue& tr)
     redundants_.declare(app, tr);
     body_.declare(app, tr);
     funicular_.declare(app, tr);
+    plane_.declare(app, tr);
     solver_trace_.declare(app, tr);
     app.add_flag("--describe", is_described_,
                  tr("print sentences instead of tables: for a screen reader, or beside a picture"));
@@ -355,6 +360,21 @@ void report_time(const Phases& phases, const femoop::AnalysisStatistics& statist
           statistics.backward_error);
 }
 
+ExitStatus Solve::solve_plane(const femoop::plane::PlaneReading& reading, const femoop::AnalysisOptions& options,
+                              Console& console) const
+{
+    const ui::Catalogue& tr = console.tr();
+    const bool is_asked_otherwise = traced_member_ || asked_number_ || worked_displacement_ || csv_folder_ ||
+                                    is_described_ || is_timed_ || redundants_.are_asked() || body_.is_asked() ||
+                                    solver_trace_.are_given() || case_ == "envelope";
+    if (is_asked_otherwise)
+        throw UsageError(
+            tr("a plane model is solved with --case, --at, --cut, --full, --json and --solver; what else was "
+               "asked for is not built yet"));
+    return plane_.solve({.reading = reading, .file = display_name(file_, tr), .case_name = case_, .is_json = is_json_},
+                        options, console);
+}
+
 ExitStatus Solve::run(Console& console)
 {
     const ui::Catalogue& tr = console.tr();
@@ -366,8 +386,14 @@ ExitStatus Solve::run(Console& console)
     const femoop::AnalysisOptions options{.solver = solver_named(solver_, tr), .is_refined = is_refined_};
     Phases phases;
     femoop::Stopwatch watch;
-    const std::optional<Model> model = load_model(file_, console);
-    if (!model) return ExitStatus::BadInput;
+    femoop::AnyReading reading = examine_any(file_, tr);
+    if (const auto* plane = std::get_if<femoop::plane::PlaneReading>(&reading))
+        return solve_plane(*plane, options, console);
+    plane_.require_none(tr);
+    auto& members = std::get<femoop::ModelReading>(reading);
+    console.report(display_name(file_, tr), members.faults);
+    if (!members.is_sound()) return ExitStatus::BadInput;
+    const Model* const model = &members.model;
     const Selection selected = selection(*model, tr);
     phases.read = watch.lap();
 

@@ -13,8 +13,10 @@
 #include "apps/cli/model_input.h"
 #include "apps/frame/document/companion/companion_file.h"
 #include "femoop/io/json/json_writer.h"
+#include "femoop/io/plane/plane_verify.h"
 #include "femoop/io/verify.h"
 #include "femoop/model/quantity/number_text.h"
+#include "femoop/plane/analysis/plane_analysis.h"
 
 namespace cli {
 
@@ -66,6 +68,7 @@ public:
 
 private:
     FileOutcome verify_file(const std::string& file, const Console& console) const;
+    void verify_plane(const femoop::plane::PlaneReading& reading, FileOutcome& outcome, const Console& console) const;
     void print_lines(const std::vector<FileOutcome>& files, Console& console) const;
     void print_json(const std::vector<FileOutcome>& files, Console& console) const;
 
@@ -96,11 +99,18 @@ void Verify::declare(CLI::App& app, const ui::Catalogue& tr)
 FileOutcome Verify::verify_file(const std::string& file, const Console& console) const
 {
     FileOutcome outcome{display_name(file, console.tr()), ExitStatus::Done, {}};
-    const std::optional<femoop::Model> model = load_model(file, console);
-    if (!model) {
+    femoop::AnyReading reading = examine_any(file, console.tr());
+    if (const auto* plane = std::get_if<femoop::plane::PlaneReading>(&reading)) {
+        verify_plane(*plane, outcome, console);
+        return outcome;
+    }
+    auto& members = std::get<femoop::ModelReading>(reading);
+    console.report(outcome.file, members.faults);
+    if (!members.is_sound()) {
         outcome.status = ExitStatus::BadInput;
         return outcome;
     }
+    const femoop::Model* const model = &members.model;
     std::optional<femoop::Results> results;
     if (femoop::needs_linear_analysis(*model)) {
         auto solved = solve_model(*model, outcome.file, {}, console);
@@ -118,6 +128,31 @@ FileOutcome Verify::verify_file(const std::string& file, const Console& console)
     }
     if (femoop::count(outcome.checks).failed > 0) outcome.status = ExitStatus::No;
     return outcome;
+}
+
+/// A drawing to be meshed is not built yet: its checks are named and skipped.
+void Verify::verify_plane(const femoop::plane::PlaneReading& reading, FileOutcome& outcome,
+                          const Console& console) const
+{
+    const femoop::Translator tr = is_json_ ? femoop::english : femoop::Translator(console.tr());
+    if (reading.is_drawn) {
+        outcome.checks = femoop::plane::skipped_checks(reading);
+        return;
+    }
+    console.report(outcome.file, reading.faults);
+    outcome.status = ExitStatus::BadInput;
+    if (!reading.is_sound()) return;
+    try {
+        std::optional<femoop::plane::PlaneResults> results;
+        if (femoop::plane::needs_linear_analysis(reading.model)) {
+            results = femoop::plane::analyse(reading.model);
+            console.report(outcome.file, results->warnings());
+        }
+        outcome.checks = femoop::plane::verify(reading.model, results, tr);
+        outcome.status = femoop::count(outcome.checks).failed > 0 ? ExitStatus::No : ExitStatus::Done;
+    } catch (const femoop::ModelError& error) {
+        outcome.status = report_unsolved(error, outcome.file, console);
+    }
 }
 
 void Verify::print_lines(const std::vector<FileOutcome>& files, Console& console) const

@@ -1,0 +1,105 @@
+#include "apps/cli/plane_solve.h"
+
+#include <CLI/CLI.hpp>
+#include <charconv>
+#include <cmath>
+#include <cstddef>
+#include <optional>
+
+#include "apps/cli/analysis_run.h"
+#include "apps/cli/argument.h"
+#include "femoop/io/plane/plane_output.h"
+#include "femoop/plane/analysis/plane_analysis.h"
+
+namespace cli {
+
+namespace {
+
+namespace fp = femoop::plane;
+
+/// Numbers with commas between them, as many as wanted.
+std::vector<double> numbers_of(const std::string& option, const std::string& text, std::size_t n,
+                               const ui::Catalogue& tr)
+{
+    std::vector<double> numbers;
+    for (const std::string& part : comma_list(text)) {
+        double number = 0.0;
+        const auto [end, error] = std::from_chars(part.data(), part.data() + part.size(), number);
+        if (error == std::errc() && end == part.data() + part.size() && std::isfinite(number))
+            numbers.push_back(number);
+    }
+    if (numbers.size() == n && comma_list(text).size() == n) return numbers;
+    throw UsageError(tr("{option}: found {found}; wanted {n} numbers with commas between them",
+                        {{"option", option}, {"found", text}, {"n", std::to_string(n)}}));
+}
+
+std::vector<femoop::CaseId> cases_named(const fp::PlaneModel& model, const std::string& name, const ui::Catalogue& tr)
+{
+    std::vector<femoop::CaseId> cases;
+    if (const auto found = model.find_case(name)) return {*found};
+    std::vector<std::string> names;
+    for (std::size_t i = 0; i < model.n_cases(); ++i) {
+        cases.emplace_back(i);
+        names.push_back(model.case_name(femoop::CaseId(i)));
+    }
+    if (name == "all") return cases;
+    throw unknown_choice("--case", name, names, tr);
+}
+
+} // namespace
+
+void PlaneSolve::declare(CLI::App& app, const ui::Catalogue& tr)
+{
+    app.add_option("--at", places_,
+                   tr("of a plane model: print displacement and stresses at this place too; may be given again"))
+        ->option_text("X,Y")
+        ->allow_extra_args(false);
+    app.add_option("--cut", cuts_,
+                   tr("of a plane model: print N, V and M on the cut from one place to another; may be given again"))
+        ->option_text("X1,Y1,X2,Y2")
+        ->allow_extra_args(false);
+    app.add_flag("--full", is_full_, tr("of a plane model: write the mesh into the JSON too"));
+}
+
+void PlaneSolve::require_none(const ui::Catalogue& tr) const
+{
+    if (!places_.empty() || !cuts_.empty() || is_full_)
+        throw UsageError(tr("--at, --cut and --full are for plane models; this is a structure of members"));
+}
+
+ExitStatus PlaneSolve::solve(const Question& question, const femoop::AnalysisOptions& options, Console& console) const
+{
+    const ui::Catalogue& tr = console.tr();
+    const auto& [reading, file, case_name, is_json] = question;
+    console.report(file, reading.faults);
+    if (!reading.is_sound()) return ExitStatus::BadInput;
+    fp::PlaneSelection selection{
+        .cases = cases_named(reading.model, case_name, tr), .probes = {}, .cuts = {}, .is_full = is_full_};
+    const fp::Locator locator(reading.model);
+    for (const std::string& place : places_) {
+        const std::vector<double> at = numbers_of("--at", place, 2, tr);
+        selection.probes.emplace_back(at[0], at[1]);
+        if (locator.find(selection.probes.back()).empty())
+            throw UsageError(tr("--at: no element is at {place}; give a place in the material", {{"place", place}}));
+    }
+    for (const std::string& ends : cuts_) {
+        const std::vector<double> at = numbers_of("--cut", ends, 4, tr);
+        const fp::Cut cut{{at[0], at[1]}, {at[2], at[3]}};
+        if (cut.length() == 0.0 || fp::pieces_along(reading.model, locator, cut).empty())
+            throw UsageError(tr("--cut: {cut} meets no material; move it", {{"cut", ends}}));
+        selection.cuts.push_back(cut);
+    }
+    if (!selection.cuts.empty() && reading.model.analysis == femoop::StressState::Axisymmetric)
+        throw UsageError(tr("--cut: a cut through an axisymmetric body has no N, V and M; read stresses with --at"));
+    try {
+        const fp::PlaneResults results = fp::analyse(reading.model, options);
+        console.report(file, results.warnings());
+        console.print(is_json ? fp::plane_results_json(results, selection)
+                              : fp::plane_results_text(results, selection, tr));
+    } catch (const femoop::ModelError& error) {
+        return report_unsolved(error, file, console);
+    }
+    return ExitStatus::Done;
+}
+
+} // namespace cli

@@ -1,0 +1,36 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "apps/cli/console.h"
+#include "apps/cli/exit_status.h"
+#include "femoop/analysis/analysis_options.h"
+#include "femoop/io/plane/plane_file.h"
+
+namespace CLI {
+class App;
+}
+
+namespace cli {
+
+/// What `cremona solve` does with a plane model, and the options that only such a model has.
+class PlaneSolve {
+public:
+    struct Question {
+        const femoop::plane::PlaneReading& reading;
+        std::string file;      ///< as messages call it
+        std::string case_name; ///< of --case
+        bool is_json = false;
+    };
+
+    void declare(CLI::App& app, const ui::Catalogue& tr);
+    void require_none(const ui::Catalogue& tr) const; ///< \throws UsageError if an option is given: no plane model
+    ExitStatus solve(const Question& question, const femoop::AnalysisOptions& options, Console& console) const;
+
+private:
+    std::vector<std::string> places_, cuts_;
+    bool is_full_ = false;
+};
+
+} // namespace cli
