@@ -18,7 +18,7 @@ constexpr Keys<4> point_keys{{"id", "at", "support", "size"}, 2};
 constexpr Keys<5> curve_keys{{"id", "kind", "points", "support", "tie"}, 3};
 constexpr Keys<4> region_keys{{"id", "material", "thickness", "mesh"}, 2};
 constexpr Keys<4> element_keys{{"id", "kind", "points", "region"}, 4};
-constexpr Keys<6> mesh_keys{{"method", "element", "formulation", "size", "min_angle", "diagonal"}, 0};
+constexpr Keys<7> mesh_keys{{"method", "element", "formulation", "size", "min_angle", "diagonal", "corners"}, 0};
 constexpr Keys<4> support_keys{{"fixed", "angle", "springs", "axes"}, 0};
 
 constexpr Dimension spring_of_point(Dof dof) { return spring_dimension(dof); }
@@ -51,7 +51,6 @@ PlaneReader::PlaneReader(JsonValue file, std::vector<Fault> faults)
     model.notes = reader_.text(notes, top).value_or("");
     read_header(cremona, analysis, units);
     model.snap = reader_.quantity(snap, dimension::length, top);
-    model.mesh = mesh_options(mesh, top);
     materials_.add(materials);
     points_.add(points);
     curves_.add(curves);
@@ -60,6 +59,7 @@ PlaneReader::PlaneReader(JsonValue file, std::vector<Fault> faults)
     cases_.add(combinations, load_cases.size());
     points_.is_lost = !points.is(JsonKind::Array); // without these lists a file has that fault already
     regions_.is_lost = !regions.is(JsonKind::Array);
+    model.mesh = mesh_options(mesh, top);
     read_parts(materials, {}, model.materials, unreadable_.materials, &PlaneReader::own_material);
     read_parts(points, {}, model.points, unreadable_.points, &PlaneReader::point);
     read_parts(regions, {}, model.regions, unreadable_.regions, &PlaneReader::region);
@@ -159,7 +159,8 @@ MeshOptions PlaneReader::mesh_options(JsonValue value, const Place& place)
     MeshOptions options;
     if (!value.is_present()) return options;
     const Place here = place.key(value.key());
-    const auto [method, element_kind, formulation, size, min_angle, diagonal] = reader_.fields(value, mesh_keys, here);
+    const auto [method, element_kind, formulation, size, min_angle, diagonal,
+                corners] = reader_.fields(value, mesh_keys, here);
     if (const auto chosen = reader_.choice(method, names::methods, here)) options.method = names::methods[*chosen];
     if (const auto chosen = reader_.choice(element_kind, names::shapes, here))
         options.element = static_cast<ShapeKind>(*chosen + static_cast<std::size_t>(ShapeKind::T3));
@@ -169,6 +170,7 @@ MeshOptions PlaneReader::mesh_options(JsonValue value, const Place& place)
     options.min_angle = reader_.quantity(min_angle, dimension::angle, here, AngleUnit::Degrees);
     if (const auto chosen = reader_.choice(diagonal, names::diagonals, here))
         options.diagonal = names::diagonals[*chosen];
+    if (reader_.is_list(corners, here)) options.corners = references<NodeId>(corners, points_, here);
     return options;
 }
 

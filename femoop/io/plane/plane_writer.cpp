@@ -93,7 +93,7 @@ std::string text_of(const PlaneCurve& curve, const PlaneModel& model)
     return object.str();
 }
 
-void add_mesh(ObjectText& object, const MeshOptions& mesh)
+void add_mesh(ObjectText& object, const MeshOptions& mesh, const PlaneModel& model)
 {
     if (!mesh.method.empty()) object.add_text("method", mesh.method);
     if (mesh.element) object.add("element", word_of(*mesh.element));
@@ -101,6 +101,9 @@ void add_mesh(ObjectText& object, const MeshOptions& mesh)
     add_if(object, "size", mesh.size);
     add_if(object, "min_angle", mesh.min_angle);
     if (!mesh.diagonal.empty()) object.add_text("diagonal", mesh.diagonal);
+    Lines corners;
+    for (const NodeId corner : mesh.corners) corners.push_back(quoted_json(model.points.at(corner.index).id));
+    if (!corners.empty()) object.add("corners", json_list(corners));
 }
 
 std::string text_of(const PlaneRegion& region, const PlaneModel& model)
@@ -108,7 +111,7 @@ std::string text_of(const PlaneRegion& region, const PlaneModel& model)
     ObjectText object, mesh;
     object.add_text("id", region.id).add_text("material", model.materials.at(region.material.index).id);
     add_if(object, "thickness", region.thickness);
-    add_mesh(mesh, region.mesh);
+    add_mesh(mesh, region.mesh, model);
     if (!mesh.is_empty()) object.add("mesh", mesh.str());
     return object.str();
 }
@@ -218,7 +221,7 @@ std::string write_plane_model(const PlaneModel& model)
     const auto in_model = [&](const auto& part) { return text_of(part, model); };
     ModelText file;
     ObjectText mesh;
-    add_mesh(mesh, model.mesh);
+    add_mesh(mesh, model.mesh, model);
     file.add("cremona", "1");
     file.add_text("title", model.title);
     file.add_text("notes", model.notes);

@@ -274,6 +274,7 @@ enum class FaultKind : std::uint16_t {
     NoElements,
     AxesAndAngle,           ///< {0} place
     CurveAxesOfPoint,       ///< {0} place, {1} what was found
+    TieOfTurnedNode,        ///< {0} place, {1} point
     SettlementPlace,        ///< {0} place
     SettlementOfFreeCurve,  ///< {0} place, {1} direction, {2} curve
     SettlementConflict,     ///< {0} place, {1} point, {2} and {3} displacements

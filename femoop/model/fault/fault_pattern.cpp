@@ -442,7 +442,8 @@ std::string_view pattern(FaultKind kind)
         return "{0}: x is {1}, wanted 0 or more in an axisymmetric model, where it is the radius; move the point";
     case FaultKind::FormulationLacking:
         return "{0}: the formulation {1} is not made for a {2} in {3}; choose standard or other elements";
-    case FaultKind::RegionWithoutThickness: return "{0}: has no thickness, which a plane stress needs; add \"thickness\"";
+    case FaultKind::RegionWithoutThickness:
+        return "{0}: has no thickness, which a plane stress needs; add \"thickness\"";
     case FaultKind::ThicknessOfRevolution:
         return "{0}: has a thickness, which an axisymmetric body lacks; take it away";
     case FaultKind::ShearModulusInPlane: return "{0}: gives G, which a plane model takes from E and nu; take it away";
@@ -462,6 +463,8 @@ std::string_view pattern(FaultKind kind)
     case FaultKind::AxesAndAngle: return "{0}: has local axes and an angle; keep one";
     case FaultKind::CurveAxesOfPoint:
         return "{0}: {1} follows a curve, and a point has none; give \"fixed\" and \"angle\"";
+    case FaultKind::TieOfTurnedNode:
+        return "{0}: ties its nodes along x or y, but point \"{1}\" is held in turned axes; take the tie or the angle away";
     case FaultKind::SettlementPlace: return "{0}: settles a point or a curve, one of them; give \"point\" or \"curve\"";
     case FaultKind::SettlementOfFreeCurve:
         return "{0}: {1} of curve \"{2}\" is free, so it cannot be made to settle; fix it, give it a spring, or use a load";

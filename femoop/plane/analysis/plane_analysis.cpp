@@ -74,6 +74,34 @@ void require_finite(const PlaneModel& model, const Eigen::MatrixXd& values)
             throw ModelError({{FaultKind::ResultsBeyondRange, {model.load_cases[static_cast<std::size_t>(c)].id}}});
 }
 
+/// Elements so stiff, or so small, that their stiffness is no number. The sums of the others would not be any either.
+void require_finite_stiffness(const PlaneModel& model, const StaticSystem& system)
+{
+    const SparseMatrix& K = system.reduced().matrix();
+    for (Eigen::Index i = 0; i < K.nonZeros(); ++i)
+        if (!(std::abs(K.valuePtr()[i]) < largest_number)) {
+            std::vector<std::string> regions;
+            for (const PlaneRegion& region : model.regions) regions.push_back(region.id);
+            throw ModelError({{FaultKind::StiffnessBeyondRange, {listed(regions)}}});
+        }
+}
+
+/// Numbers may be in range and their products not.
+void require_finite_results(const PlaneResults& results, const detail::Solution& solution)
+{
+    constexpr double harmless_number = 1e40;
+    double largest = 0.0;
+    for (const detail::CaseSolution& each : solution.solutions)
+        for (const double u : each.displacements) largest = std::max(largest, std::abs(u));
+    for (const CaseTerms& terms : solution.cases)
+        for (const CaseTerms::Term& term : terms.terms) largest = std::max(largest, std::abs(term.factor));
+    for (const Material& material : results.model().materials) largest = std::max(largest, material.E.value());
+    if (largest < harmless_number) return;
+    for (std::size_t c = 0; c < solution.cases.size(); ++c)
+        if (!(results[CaseId(c)].energy() < largest_number))
+            throw ModelError({{FaultKind::ResultsBeyondRange, {solution.cases[c].name}}});
+}
+
 /// Around an axis radial forces balance one another, and no moment is left.
 void keep_axial_sums(detail::Solution& solution)
 {
@@ -87,6 +115,7 @@ std::vector<detail::CaseSolution> solved(const PlaneStructure& structure, const 
 {
     StaticSystem system(structure.discretisation(), options.solver.kind);
     system.assemble();
+    require_finite_stiffness(structure.model(), system);
     try {
         system.analyse(options);
     } catch (const InsufficientMemory& refusal) {
@@ -118,7 +147,9 @@ PlaneResults analyse(const PlaneModel& model, const AnalysisOptions& options)
     if (model.analysis == StressState::Axisymmetric) keep_axial_sums(*solution);
     if (auto faults = ill_conditioned_cases(*solution); !faults.empty()) throw ModelError(std::move(faults));
     solution->warnings = inaccurate_cases(*solution);
-    return PlaneResults(std::move(structure), std::move(solution));
+    PlaneResults results(std::move(structure), solution);
+    require_finite_results(results, *solution);
+    return results;
 }
 
 } // namespace femoop::plane

@@ -24,10 +24,11 @@ public:
     {
         std::iota(of_element_.begin(), of_element_.end(), std::size_t{0});
         join_by_edges();
-        std::vector<std::size_t> number(of_element_.size(), of_element_.size());
+        for (std::size_t& root : of_element_) root = of_element_[root]; // a root comes before what it holds together
+        std::vector<std::size_t> number(of_element_.size());
         for (std::size_t e = 0; e < of_element_.size(); ++e)
-            if (find(e) == e) number[e] = n_++;
-        for (std::size_t e = of_element_.size(); e-- > 0;) of_element_[e] = number[find(e)];
+            number[e] = of_element_[e] == e ? n_++ : number[of_element_[e]];
+        of_element_ = std::move(number);
     }
 
     std::size_t size() const { return n_; }
@@ -47,7 +48,7 @@ public:
 private:
     std::size_t find(std::size_t i)
     {
-        while (of_element_[i] != i && of_element_[i] < of_element_.size()) i = of_element_[i];
+        while (of_element_[i] != i) i = of_element_[i] = of_element_[of_element_[i]];
         return i;
     }
 
@@ -71,7 +72,6 @@ private:
     {
         const std::size_t p = find(a), q = find(b);
         of_element_[std::max(p, q)] = std::min(p, q);
-        for (const std::size_t e : {a, b}) of_element_[e] = std::min(p, q); // shortens the way
     }
 
     const PlaneModel& model_;

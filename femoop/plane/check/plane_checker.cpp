@@ -65,6 +65,7 @@ std::vector<Fault> PlaneChecker::run()
     if (is_mesh_sound) {
         curves_.emplace(model_, edges_);
         supports_.emplace(model_, *curves_);
+        check_ties();
     }
     check_load_cases();
     check_combinations();
@@ -224,6 +225,19 @@ void PlaneChecker::check_curves()
         if (curve.points.size() < 2) add(FaultKind::CurveTooShort, place, {std::to_string(curve.points.size())});
         if (const auto gap = edges_along(model_, edges_, curve).gap)
             add(FaultKind::CurveWithoutEdge, place, {model_[curve.points[*gap]].id, model_[curve.points[*gap + 1]].id});
+    }
+}
+
+void PlaneChecker::check_ties()
+{
+    is_partial_ = false;
+    for (std::size_t i = 0; i < model_.curves.size(); ++i) {
+        if (model_.curves[i].tie.is_empty()) continue;
+        for (const CurveNode& node : curves_->geometry[i].nodes())
+            if ((*supports_)[node.node].angle() != 0.0) {
+                add(FaultKind::TieOfTurnedNode, {"curves", i, model_.curves[i].id}, {model_[node.node].id});
+                break;
+            }
     }
 }
 

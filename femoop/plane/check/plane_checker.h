@@ -35,6 +35,7 @@ private:
     void check_elements();
     void check_element(const PlaneElement& element, const Entry& place);
     void check_curves();
+    void check_ties(); ///< \pre the mesh is sound
     void check_use();
     void warn_of_locking();
 

@@ -71,6 +71,7 @@ struct MeshOptions {
     std::optional<Quantity> size;
     std::optional<Quantity> min_angle; ///< [degrees]
     std::string diagonal;
+    std::vector<NodeId> corners; ///< of a mapped region
 
     friend bool operator==(const MeshOptions&, const MeshOptions&) = default;
 };

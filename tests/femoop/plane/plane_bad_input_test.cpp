@@ -143,6 +143,9 @@ std::vector<BadPlaneFile> files_with_bad_parts()
          "or Q9"},
         {with_curve_keys(R"("support": {"fixed": ["ux"], "axes": "local", "angle": 20})"),
          "curves[0].support: has local axes and an angle; keep one"},
+        {with_curve_keys(R"("support": {"fixed": ["uy"], "angle": 20}, "tie": ["uy"])"),
+         "curves[0] \"left\": ties its nodes along x or y, but point \"D\" is held in turned axes; take the tie or the angle "
+         "away"},
         {with_curve_keys(R"("support": {"fixed": ["rz"]})"),
          "curves[0] \"left\": fixes rz, which plane_stress does not have; take it away: there are ux uy"},
         {PlaneText{.points = R"([{"id": "A", "at": [0, 0], "support": "symmetry"}, {"id": "B", "at": [3, 0]},
