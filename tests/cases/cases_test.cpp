@@ -87,7 +87,7 @@ TEST_CASE("Patch tests are passed to rounding, and a slender beam of few element
             if (solver == SolverKind::Automatic) n_passed += count(outcomes).passed;
         }
     }
-    CHECK(n_passed == 66);
+    CHECK(n_passed == 78);
 }
 
 // Skipped are 10 checks of P-delta, 5 of buckling and 12 of modes, which no analysis gives yet.

@@ -31,7 +31,7 @@ enum class ElementVariant : std::uint8_t {
     MeanDilatation,
     /// Q4 with the modes 1 - xi^2 and 1 - eta^2 of its own, their derivatives by the Jacobian J0 of its centre times
     /// det J0 / det J: it bends without locking, and passes the patch test. Not axisymmetric.
-    /// Source [ZienkiewiczTaylor2000, ch. 11]
+    /// Source [ZienkiewiczTaylor2000, ch. 10]
     IncompatibleModes
 };
 

@@ -156,7 +156,10 @@ private:
                 if (!table.rows.empty() && table.rows.back().cells[0].number == at.x() &&
                     table.rows.back().cells[1].number == at.y() && table.rows.back().cells[2].shown == region)
                     continue;
-                table.add_row({at.x(), at.y(), region, u.x(), u.y(), s.sx, s.sy, s.txy});
+                const double size = std::abs(s.sx) + std::abs(s.sy) + std::abs(s.txy);
+                table.add_row({at.x(), at.y(), region, without_rounding(u.x(), most_moved_),
+                               without_rounding(u.y(), most_moved_), without_rounding(s.sx, size),
+                               without_rounding(s.sy, size), without_rounding(s.txy, size)});
             }
         return table;
     }
@@ -171,7 +174,9 @@ private:
                               of("M", dimension::moment)});
         for (const Cut& cut : all) {
             const CutForces forces = result_.forces(cut);
-            table.add_row({cut.start.x(), cut.start.y(), cut.end.x(), cut.end.y(), forces.N, forces.V, forces.M});
+            const double size = std::abs(forces.N) + std::abs(forces.V) + std::abs(forces.M) / cut.length();
+            table.add_row({cut.start.x(), cut.start.y(), cut.end.x(), cut.end.y(), without_rounding(forces.N, size),
+                           without_rounding(forces.V, size), without_rounding(forces.M, size * cut.length())});
         }
         return table;
     }
@@ -182,12 +187,15 @@ private:
         tabular::Table table({"", column("fx", dimension::force, model_.units),
                               column("fy", dimension::force, model_.units),
                               column("mz", dimension::moment, model_.units)});
+        double reach = 0.0; // turns moments into forces
+        for (const Eigen::Vector2d& at : result_.structure().positions()) reach = std::max(reach, at.norm());
+        double size = 0.0;
+        for (const NodeVector& of : {sums.sum_loads, sums.sum_reactions})
+            size += std::abs(of[0]) + std::abs(of[1]) + std::abs(of[5]) / reach;
         const auto add = [&](const std::string& of, auto&& value) {
             std::vector<tabular::Cell> row{of};
-            for (const Dof dof : {Dof::ux, Dof::uy, Dof::rz}) {
-                const double size = std::abs(sums.sum_loads[index(dof)]) + std::abs(sums.sum_reactions[index(dof)]);
-                row.emplace_back(without_rounding(value(index(dof)), size));
-            }
+            for (const Dof dof : {Dof::ux, Dof::uy, Dof::rz})
+                row.emplace_back(without_rounding(value(index(dof)), is_rotation(dof) ? size * reach : size));
             table.add_row(std::move(row));
         };
         add(tr_("loads"), [&](std::size_t i) { return sums.sum_loads[i]; });

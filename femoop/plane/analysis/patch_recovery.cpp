@@ -14,7 +14,7 @@ namespace femoop::plane {
 
 namespace {
 
-constexpr double rank_tolerance = 1e-6; // of the largest pivot: a term that the points hardly tell from others
+constexpr double told_apart = 1e-3; // of a term: what the terms before it leave of it
 
 /// The terms 1, x, y, x y, x^2, y^2, x^2 y, x y^2 of a point.
 Eigen::Matrix<double, 1, 8> all_terms(const Eigen::Vector2d& p)
@@ -25,29 +25,34 @@ Eigen::Matrix<double, 1, 8> all_terms(const Eigen::Vector2d& p)
     return terms;
 }
 
-/// A polynomial that is fitted to values at points, of as many terms as the points can tell.
+/// A polynomial that is fitted to values at points, of those terms that the points can tell apart, low ones first.
 class PatchFit {
 public:
     PatchFit(const Eigen::Vector2d& middle, double size, const ValueTable& places, const ValueTable& values,
-             std::vector<int> wanted)
+             const std::vector<int>& wanted)
         : middle_(middle), size_(size)
     {
-        Eigen::MatrixXd A(places.rows(), 8);
-        for (Eigen::Index i = 0; i < places.rows(); ++i) A.row(i) = terms(places.row(i).transpose());
-        for (const int n : wanted) {
-            if (n > A.rows()) continue;
-            Eigen::ColPivHouseholderQR<Eigen::MatrixXd> qr(A.leftCols(n));
-            qr.setThreshold(rank_tolerance);
-            if (qr.rank() < n) continue;
-            coefficients_ = qr.solve(values);
-            return;
+        Eigen::MatrixXd all(places.rows(), 8), basis(places.rows(), 0);
+        for (Eigen::Index i = 0; i < places.rows(); ++i) all.row(i) = terms(places.row(i).transpose());
+        for (const int term : wanted) {
+            if (basis.cols() == places.rows()) break;
+            Eigen::VectorXd rest = all.col(term);
+            for (int twice = 0; twice < 2; ++twice) rest -= basis * (basis.transpose() * rest);
+            if (rest.norm() <= told_apart * all.col(term).norm()) continue;
+            basis.conservativeResize(Eigen::NoChange, basis.cols() + 1);
+            basis.rightCols<1>() = rest.normalized();
+            kept_.push_back(term);
         }
-        coefficients_ = values.colwise().mean();
+        coefficients_ = all(Eigen::all, kept_).householderQr().solve(Eigen::MatrixXd(values));
     }
 
     Eigen::RowVectorXd at(const Eigen::Vector2d& place) const
     {
-        return terms(place).head(coefficients_.rows()) * coefficients_;
+        const Eigen::Matrix<double, 1, 8> here = terms(place);
+        Eigen::RowVectorXd sum = Eigen::RowVectorXd::Zero(coefficients_.cols());
+        for (std::size_t i = 0; i < kept_.size(); ++i)
+            sum += here[kept_[i]] * coefficients_.row(static_cast<Eigen::Index>(i));
+        return sum;
     }
 
 private:
@@ -58,17 +63,18 @@ private:
 
     Eigen::Vector2d middle_;
     double size_;
+    std::vector<int> kept_; ///< indices of all_terms
     Eigen::MatrixXd coefficients_;
 };
 
-/// How many terms a patch of such elements is fitted by, and by how many if the points are too few.
+/// The terms that a patch of such elements is fitted by, those first that come first.
 std::vector<int> wanted_terms(ShapeKind kind)
 {
     switch (kind) {
-    case ShapeKind::T3: return {3};
-    case ShapeKind::Q4: return {4, 3};
-    case ShapeKind::T6: return {6, 4, 3};
-    default: return {8, 6, 4, 3};
+    case ShapeKind::T3: return {0, 1, 2};
+    case ShapeKind::Q4: return {0, 1, 2, 3};
+    case ShapeKind::T6: return {0, 1, 2, 3, 4, 5};
+    default: return {0, 1, 2, 3, 4, 5, 6, 7};
     }
 }
 
@@ -247,6 +253,12 @@ ValueTable PatchRecovery::nodal_values(const ValueTable& samples, const ValueTab
                 if (const std::size_t other = slot(ElementId(e), i); wanted(other)) slots.insert(other);
         return slots;
     };
+    const auto with_neighbours = [&](std::uint32_t e) {
+        std::set<std::uint32_t> elements;
+        for (std::size_t i = 0; i < model_.elements[e].points.size(); ++i)
+            for (const std::uint32_t other : around(slot(ElementId(e), i))) elements.insert(other);
+        return std::vector<std::uint32_t>(elements.begin(), elements.end());
+    };
     for (std::size_t i = 0; i < n_values(); ++i) { // patches inside
         if (!is_corner_[i] || is_on_border_[i]) continue;
         const std::vector<std::uint32_t> elements = around(i);
@@ -261,7 +273,9 @@ ValueTable PatchRecovery::nodal_values(const ValueTable& samples, const ValueTab
         if (is_corner_[i] && !sweep.has(i))
             own.emplace_back(i, others_of(around(i), [&](std::size_t j) { return !is_corner_[j] && !sweep.has(j); }));
     for (const auto& [corner, middles] : own) {
-        const PatchFit patch = sweep.fit(around(corner), node_of(corner));
+        std::vector<std::uint32_t> elements = around(corner);
+        if (elements.size() == 1) elements = with_neighbours(elements.front());
+        const PatchFit patch = sweep.fit(elements, node_of(corner));
         sweep.add(corner, patch);
         for (const std::size_t middle : middles) sweep.add(middle, patch);
     }

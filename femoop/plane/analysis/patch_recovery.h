@@ -26,7 +26,7 @@ using ValueTable = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::
 /// Method  superconvergent patch recovery: around every corner inside a region a polynomial is fitted to the recovery
 ///         points of the elements there; it gives the values of the corner, of middle nodes and of nodes on the border,
 ///         where several patches do their mean. A corner of a border that no such patch reaches has one of its own.
-/// Source  [ZienkiewiczZhu1992]
+/// Source  [ZienkiewiczTaylor2000, ch. 14]
 class PatchRecovery {
 public:
     explicit PatchRecovery(const PlaneModel& model);
