@@ -62,6 +62,12 @@ femoop::Model portal_with_temperature()
     return model;
 }
 
+/// Which this app never reads: it hears that a file is a plane model, and no more.
+bool is_of_plane_models(FaultKind kind)
+{
+    return kind > FaultKind::PlaneModelElsewhere && kind <= FaultKind::RegionDeforms;
+}
+
 } // namespace
 
 TEST_SUITE("frame fault sentence")
@@ -137,6 +143,7 @@ TEST_SUITE("frame fault sentence")
         for (const ui::Language language : ui::all_languages) {
             const ui::Catalogue tr(language);
             for (int i = 0; !femoop::pattern(static_cast<FaultKind>(i)).empty(); ++i) {
+                if (is_of_plane_models(static_cast<FaultKind>(i))) continue;
                 const std::string words = tr(spoken_pattern(static_cast<FaultKind>(i)));
                 CAPTURE(words);
                 CHECK(!words.empty());
