@@ -11,9 +11,12 @@
 #include "apps/cli/argument.h"
 #include "apps/cli/model_input.h"
 #include "apps/frame/document/companion/companion_file.h"
+#include "femoop/analysis/linear_static.h"
 #include "femoop/io/counting/counting_text.h"
 #include "femoop/io/file_text.h"
 #include "femoop/io/json/json_writer.h"
+#include "femoop/io/truss/truss_json.h"
+#include "femoop/io/truss/truss_sentence.h"
 
 namespace cli {
 
@@ -42,6 +45,21 @@ femoop::AnyReading read(const std::string& file, const ui::Catalogue& tr)
     return reading;
 }
 
+constexpr femoop::CaseId truss_case(0);
+
+/// Under its first load case; nothing where it is no plane truss whose forces follow from equilibrium alone.
+std::optional<femoop::truss::Truss> solved_truss(const femoop::Model& model)
+{
+    if (model.analysis != femoop::AnalysisKind::Truss2d || model.n_cases() == 0) return std::nullopt;
+    try {
+        const femoop::Results results = femoop::analyse(model);
+        if (femoop::truss::why_no_truss(model, results)) return std::nullopt;
+        return femoop::truss::truss_of(model, results, truss_case);
+    } catch (const femoop::ModelError&) { // it can move: the count says so
+        return std::nullopt;
+    }
+}
+
 /// What `check` says of a file that can be used.
 struct SoundFile {
     std::string file;
@@ -66,6 +84,7 @@ public:
 
 private:
     void print(const SoundFile& file, Console& console) const;
+    void print_count(const femoop::Model& model, Console& console) const;
     void print_json(const std::vector<SoundFile>& files, Console& console) const;
 
     std::vector<std::string> files_;
@@ -91,7 +110,8 @@ void Check::declare(CLI::App& app, const ui::Catalogue& tr)
     app.add_option("FILE", files_, tr("model files and view files; - is standard input"))->option_text(" ");
     app.add_flag("--count", is_counted_,
                  tr("print what the degree of static indeterminacy of each sound file is made of; a structure that can "
-                    "move is counted too"));
+                    "move is counted too; of a determinate plane truss the bars that carry nothing under its first "
+                    "load case, each with its rule"));
     app.add_flag("--json", is_json_, tr("print the sound files and their warnings as JSON"));
 }
 
@@ -103,12 +123,28 @@ void Check::print_json(const std::vector<SoundFile>& files, Console& console) co
         json.begin_object().member("file", file.file).key("warnings").begin_array();
         for (const femoop::Fault& warning : file.warnings) json.value(console.sentence(warning));
         json.end();
-        if (is_counted_ && file.model)
-            femoop::counting::write_counting(json.key("counting"), femoop::counting::count(*file.model), *file.model);
+        if (is_counted_ && file.model) {
+            const femoop::Model& model = *file.model;
+            femoop::counting::write_counting(json.key("counting"), femoop::counting::count(model), model);
+            if (const auto truss = solved_truss(model))
+                write_zero_force_bars(json.key("zero_force_bars"), *truss, model, console.tr());
+        }
         json.end();
     }
     json.end().end();
     console.print(json.take());
+}
+
+void Check::print_count(const femoop::Model& model, Console& console) const
+{
+    const ui::Catalogue& tr = console.tr();
+    console.print(femoop::counting::counting_text(femoop::counting::count(model), model, tr));
+    const auto truss = solved_truss(model);
+    if (!truss) return;
+    console.print(tr("Load case {id}", {{"id", model.case_name(truss_case)}}) + ": " +
+                  zero_force_summary(*truss, model, tr) + "\n");
+    for (const femoop::truss::ZeroForceBar& bar : zero_force_bars(*truss))
+        console.print("  " + sentence(bar, model, tr) + "\n");
 }
 
 void Check::print(const SoundFile& file, Console& console) const
@@ -117,8 +153,7 @@ void Check::print(const SoundFile& file, Console& console) const
     console.print(file.file + ": " +
                   tr("no errors, warnings: {warnings}", {{"warnings", std::to_string(file.warnings.size())}}) + "\n");
     if (!is_counted_) return;
-    if (file.model)
-        console.print(femoop::counting::counting_text(femoop::counting::count(*file.model), *file.model, tr));
+    if (file.model) print_count(*file.model, console);
     else console.print("  " + tr("a plane model has no degree of static indeterminacy to count") + "\n");
 }
 

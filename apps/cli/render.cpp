@@ -185,8 +185,7 @@ ExitStatus Render::run(Console& console)
     if (file_.empty()) throw no_file("render", tr);
     moving_.require_sensible(tr);
     truss_.require_sensible(tr);
-    if (truss_.is_asked() && moving_.is_asked())
-        throw ask_for_different_things("--cremona", "--influence, --train", tr);
+    if (truss_.is_asked() && moving_.is_asked()) throw ask_for_different_things("--truss", "--influence, --train", tr);
     PictureOrder picture = order(tr);
     const std::optional<femoop::Model> model = load_model(file_, console);
     if (!model) return ExitStatus::BadInput;

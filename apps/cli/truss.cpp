@@ -1,7 +1,10 @@
 #include "apps/cli/truss.h"
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
+#include <array>
 #include <optional>
+#include <string_view>
 #include <variant>
 #include <vector>
 
@@ -43,7 +46,7 @@ private:
 HelpText Truss::help(const ui::Catalogue& tr) const
 {
     return {
-        tr("work out a plane truss by hand: joints, sections, Cremona diagram"),
+        tr("work out a plane truss by hand: zero-force bars, joints, sections, Cremona diagram"),
         tr("Takes a statically determinate plane truss apart as on paper. Joint by joint, in an order in which each "
            "joint has at most two unknown bars, with equations and force polygon; by a section, with the Ritter point "
            "and lever arm of each bar; or by the reciprocal diagram of Maxwell and Cremona, with Bow's notation. Bars "
@@ -53,6 +56,8 @@ HelpText Truss::help(const ui::Catalogue& tr) const
          {"cremona truss examples/pratt_truss.json --cut U2U3,U2L3,L2L3", tr("Three bars by one section.")},
          {"cremona truss examples/truss.json --method cremona",
           tr("The Cremona diagram: spaces, points, sides, and how they are read.")},
+         {"cremona truss examples/pratt_truss.json --method zero-force",
+          tr("The bars that carry nothing, with the rule of each.")},
          {"cremona truss examples/truss.json --latex", tr("The same sheet for a LaTeX document.")}}};
 }
 
@@ -60,7 +65,8 @@ void Truss::declare(CLI::App& app, const ui::Catalogue& tr)
 {
     app.add_option("FILE", file_, tr("the model file; - is standard input"))->option_text(" ");
     app.add_option("--case", case_, tr("the load case or combination (default the first)"))->option_text("ID");
-    app.add_option("--method", method_, tr("joints (default), sections (needs --cut) or cremona"))->option_text("NAME");
+    app.add_option("--method", method_, tr("joints (default), zero-force, sections (needs --cut) or cremona"))
+        ->option_text("NAME");
     app.add_option("--cut", cut_,
                    tr("the bars that a section cuts, separated by commas: each is found by itself if the "
                       "others meet in one point or are parallel"))
@@ -73,8 +79,9 @@ void Truss::require_sensible(const ui::Catalogue& tr) const
 {
     if (file_.empty()) throw no_file("truss", tr);
     if (is_json_ && is_latex_) throw print_different_things("--json", "--latex", tr);
-    if (method_ && *method_ != "joints" && *method_ != "sections" && *method_ != "cremona")
-        throw not_one_of("--method", *method_, "joints, sections, cremona", tr);
+    constexpr std::array<std::string_view, 4> methods{"zero-force", "joints", "sections", "cremona"};
+    if (method_ && std::ranges::find(methods, *method_) == methods.end())
+        throw not_one_of("--method", *method_, "zero-force, joints, sections, cremona", tr);
     if (cut_ && !is_by("sections")) throw contradiction("--cut", "--method " + *method_, tr);
     if (!cut_ && is_by("sections")) throw needs_too("--method sections", "--cut", tr);
 }
@@ -93,6 +100,9 @@ std::variant<std::string, Refusal> Truss::output(const Model& model, const femoo
         return is_json_ ? cut_json(model, truss, load_case, bars, tr)
                         : written(cut_sheet(model, truss, load_case, bars, tr));
     }
+    if (is_by("zero-force"))
+        return is_json_ ? zero_force_json(model, truss, load_case, tr)
+                        : written(zero_force_sheet(model, truss, load_case, tr));
     if (is_by("cremona")) {
         if (const auto refusal = why_no_reciprocal(truss)) return *refusal;
         return is_json_ ? diagram_json(model, truss, load_case, tr)

@@ -16,11 +16,11 @@
 namespace drawing {
 
 class DiagramOverlay;
-struct CremonaPicture;
 struct EnvelopePicture;
 struct FreeBodyPicture;
 struct FunicularPicture;
 struct InfluencePicture;
+struct TrussPicture;
 
 /// One of the motions of a structure that cannot be solved.
 struct MotionChoice {
@@ -60,7 +60,7 @@ struct DrawInput {
         nullptr; ///< of the model, drawn where Show::Counting is; none when null
     /// Of trains, drawn in place of that of the cases where the options ask for an envelope; none when null.
     const EnvelopePicture* envelope = nullptr;
-    const CremonaPicture* cremona = nullptr; ///< drawn where Show::Cremona is; none when null
+    const TrussPicture* truss = nullptr; ///< drawn where Show::Truss is, in place of the results; none when null
     /// Drawn where Show::ForcePolygon is, in place of the results; none when null. \pre of the case that is shown
     const FunicularPicture* funicular = nullptr;
 };

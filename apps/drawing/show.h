@@ -24,7 +24,7 @@ enum class Show : std::uint8_t {
     Deformed,
     Thrust,       ///< the line of thrust of a plane frame
     Influence,    ///< the influence line that the input has; no word of a list asks for it
-    Cremona,      ///< the truss and its Cremona diagram that the input has; no word asks for it either
+    Truss,        ///< the truss worked out by hand that the input has; no word asks for it either
     ForcePolygon, ///< the funicular and its force polygon that the input has, likewise
     NodeNumbers,  ///< those that the input has, likewise
     Values,       ///< numbers beside loads, reactions and diagrams

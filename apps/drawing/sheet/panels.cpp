@@ -22,14 +22,14 @@ std::vector<ShowSet> with_diagram(ShowSet structure, Show diagram)
 std::vector<ShowSet> truss_contents(ShowSet show)
 {
     show.erase(Show::Loads);
-    return with_diagram(show, Show::Cremona);
+    return with_diagram(show, Show::Truss);
 }
 
 } // namespace
 
 std::vector<ShowSet> panel_contents(const PanelRequest& request)
 {
-    if (request.show.contains(Show::Cremona)) return truss_contents(request.show);
+    if (request.show.contains(Show::Truss)) return truss_contents(request.show);
     if (request.show.contains(Show::ForcePolygon)) return with_diagram(request.show, Show::ForcePolygon);
     std::vector<Show> shown;
     for (const Show item : results)

@@ -24,13 +24,14 @@ struct PanelRequest {
     Layout layout = Layout::Automatic;
     bool has_results = false; ///< without them there is one panel
 };
-/// What each panel shows. A Cremona diagram and a force polygon have two: the structure, and the diagram.
+/// What each panel shows. A truss worked out by hand and a funicular have two: the
+/// structure, and the joint or the diagram.
 std::vector<ShowSet> panel_contents(const PanelRequest& request);
 
 /// It shows forces alone, to their own scale, and not the structure.
 inline bool is_diagram(const Panel& panel)
 {
-    return panel.show.contains(Show::Cremona) || panel.show.contains(Show::ForcePolygon);
+    return panel.show.contains(Show::Truss) || panel.show.contains(Show::ForcePolygon);
 }
 
 /// Panels of one size, row by row. \pre columns > 0

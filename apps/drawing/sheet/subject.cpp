@@ -20,7 +20,8 @@
 #include "apps/drawing/structure/members.h"
 #include "apps/drawing/structure/node_numbers.h"
 #include "apps/drawing/structure/supports.h"
-#include "apps/drawing/truss/cremona_picture.h"
+#include "apps/drawing/truss/beside_truss.h"
+#include "apps/drawing/truss/truss_drawing.h"
 #include "femoop/io/counting/counting_text.h"
 #include "ui/paint/wrapped_lines.h"
 
@@ -84,17 +85,17 @@ public:
         finish();
     }
 
-    void draw_cremona(const CremonaPicture& picture)
+    void draw_worked(const TrussPicture& picture)
     {
-        if (scene_.shows(Show::Cremona)) {
+        if (scene_.shows(Show::Truss)) {
             const ui::Box panel = ui::box_at(scene_.projection.shift(), size_);
-            draw_reciprocal(scene_, picture, panel);
-            heads_.push_back(reciprocal_head(scene_, picture, panel));
+            draw_beside_truss(scene_, picture, panel);
+            heads_.push_back(beside_truss_head(scene_, picture, panel));
             return;
         }
         draw_highlights(scene_);
         draw_truss(scene_, picture);
-        heads_.push_back(truss_head(scene_));
+        heads_.push_back(truss_head(scene_, picture));
         draw_structure();
         finish();
     }
@@ -385,7 +386,7 @@ Subject::Plan Subject::plan(ui::Size sheet, const ui::Fonts& fonts) const
     const std::vector<ShowSet> contents = this->contents();
     const ui::Box room = area(sheet, fonts);
     if (has_diagram()) { // beside one another, as a class compares them
-        std::vector<Panel> both = panels(contents, room, room.width() > room.height() ? 2 : 1);
+        std::vector<Panel> both = panels(contents, room, is_stacked(room) ? 1 : 2);
         Camera camera = state_.camera ? *state_.camera : fitted(both, fonts);
         return {std::move(both), std::move(camera)};
     }
@@ -401,6 +402,21 @@ Subject::Plan Subject::plan(ui::Size sheet, const ui::Fonts& fonts) const
         camera = std::move(other);
     }
     return {std::move(list), state_.camera ? *state_.camera : std::move(camera)};
+}
+
+// A flat truss over the joint that it is taken apart at has twice the room.
+bool Subject::is_stacked(const ui::Box& room) const
+{
+    if (room.width() <= room.height()) return true;
+    if (!shows_truss() || input_.truss->diagram || shape_.nodes.empty()) return false;
+    constexpr double flat = 2.2;   // width of its height
+    constexpr double lines = 24.0; // of text that the two need
+    Eigen::Vector3d least = shape_.nodes.front(), most = least;
+    for (const Eigen::Vector3d& node : shape_.nodes) {
+        least = least.cwiseMin(node);
+        most = most.cwiseMax(node);
+    }
+    return most.x() - least.x() > flat * (most.y() - least.y()) && room.height() > lines * theme_.type().normal;
 }
 
 std::vector<Eigen::Vector3d> Subject::fitted_points() const
@@ -545,7 +561,7 @@ Subject::Drawn Subject::draw_panel(ui::Painter& painter, const Panel& panel, con
     const bool has_place = options_.show.contains(Show::M) || input_.influence != nullptr;
     if (!has_place && !shows_any(panel.show, diagrams)) picture.draw_overlay_alone();
     if (input_.free_body != nullptr) picture.draw_lifted(*input_.free_body);
-    else if (shows_cremona()) picture.draw_cremona(*input_.cremona);
+    else if (shows_truss()) picture.draw_worked(*input_.truss);
     else if (shows_funicular()) picture.draw_funicular_beside(*input_.funicular);
     else if (const auto& motion = input_.motion) picture.draw_mechanism(motion->all[motion->shown]);
     else picture.draw_solved(cases().shown ? &*cases().shown : nullptr, envelope());
@@ -660,12 +676,12 @@ void Subject::draw_left_out(ui::Painter& painter, std::size_t n_left_out) const
 }
 
 bool Subject::has_no_results() const { return input_.motion || !input_.reasons.empty(); }
-bool Subject::shows_cremona() const { return input_.cremona != nullptr && options_.show.contains(Show::Cremona); }
+bool Subject::shows_truss() const { return input_.truss != nullptr && options_.show.contains(Show::Truss); }
 bool Subject::shows_funicular() const
 {
     return input_.funicular != nullptr && options_.show.contains(Show::ForcePolygon);
 }
-bool Subject::has_diagram() const { return shows_cremona() || shows_funicular(); }
+bool Subject::has_diagram() const { return shows_truss() || shows_funicular(); }
 
 bool Subject::has_curve() const { return input_.influence != nullptr && input_.influence->curve; }
 
@@ -701,19 +717,24 @@ void cut_short(std::vector<std::string>& lines, double line_height, double sheet
 
 } // namespace
 
-std::vector<std::string> Subject::stage_sentence(std::size_t stage) const
+// Of a bar that is pointed at it says what is known.
+std::vector<std::string> Subject::truss_sentences() const
 {
-    if (stage == 0) return {};
-    return {input_.cremona->sentences[stage - 1]};
+    const TrussPicture& truss = *input_.truss;
+    for (const femoop::MemberId bar : state_.hover.members)
+        if (bar.index < truss.bar_sentences.size() && truss.is_found(bar)) return {truss.bar_sentences[bar.index]};
+    return truss.stage().lines;
 }
 
 // The picture keeps its place from stage to stage.
 std::size_t Subject::most_foot_lines(ui::Size sheet, const ui::Fonts& fonts) const
 {
-    if (!shows_cremona()) return foot_lines(sheet, fonts).size();
+    if (!shows_truss()) return foot_lines(sheet, fonts).size();
     std::size_t most = 0;
-    for (std::size_t i = 1; i <= input_.cremona->sentences.size(); ++i)
-        most = std::max(most, wrapped_foot(stage_sentence(i), sheet, fonts).size());
+    for (const TrussStage& stage : input_.truss->stages)
+        most = std::max(most, wrapped_foot(stage.lines, sheet, fonts).size());
+    for (const std::string& sentence : input_.truss->bar_sentences)
+        most = std::max(most, wrapped_foot({sentence}, sheet, fonts).size());
     return most;
 }
 
@@ -728,7 +749,7 @@ std::vector<std::string> Subject::foot_sentences() const
     if (input_.motion) sentences.push_back(input_.motion->sentence);
     else if (!input_.reasons.empty()) sentences = input_.reasons;
     else if (input_.free_body) sentences = input_.free_body->equations;
-    else if (shows_cremona()) sentences = stage_sentence(input_.cremona->n_stages);
+    else if (shows_truss()) sentences = truss_sentences();
     else if (shows_funicular()) sentences = input_.funicular->sentences;
     else if (input_.influence) sentences = line_sentences();
     else if (has_overlay_text()) sentences = input_.overlay->foot({input_.model, shape_, units_, options_.tr});

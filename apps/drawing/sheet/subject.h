@@ -83,20 +83,21 @@ private:
     std::vector<ui::Box> head_rows(const std::vector<PanelHead>& heads, const ui::Theme& theme, const ui::Fonts& fonts,
                                    const Panel& panel) const;
     bool has_no_results() const;
-    bool shows_cremona() const;
+    bool shows_truss() const;
+    bool is_stacked(const ui::Box& room) const; ///< the structure over what stands beside it
     bool shows_funicular() const;
     bool has_diagram() const; ///< of forces, beside the structure
     bool has_curve() const;
     bool has_overlay_text() const;
     /// What stands at the foot of the sheet: how the structure moves, why it has no results, the
-    /// equations of a free body, the stage of a Cremona diagram, what is read of a funicular, what the overlay says of
+    /// equations of a free body, the stage of a truss that is worked out, what is read of a funicular, what the overlay says of
     /// the moments, or what is said of an influence line, under the curve of its train.
     void draw_foot(ui::Painter& painter) const;
     void draw_left_out(ui::Painter& painter, std::size_t n_left_out) const;
     std::vector<std::string> foot_sentences() const;
     std::vector<std::string> line_sentences() const; ///< \pre there is an influence line
     std::vector<std::string> foot_lines(ui::Size sheet, const ui::Fonts& fonts) const;
-    std::vector<std::string> stage_sentence(std::size_t stage) const;
+    std::vector<std::string> truss_sentences() const;
     std::size_t most_foot_lines(ui::Size sheet, const ui::Fonts& fonts) const;
     std::vector<std::string> wrapped_foot(const std::vector<std::string>& sentences, ui::Size sheet,
                                           const ui::Fonts& fonts) const;

@@ -17,6 +17,7 @@
 #include "apps/frame/tables/table_kind.h"
 #include "femoop/analysis/trace.h"
 #include "femoop/geometry/member_geometry.h"
+#include "femoop/io/truss/truss_sheet.h"
 #include "femoop/result/components.h"
 #include "femoop/result/structure_words.h"
 #include "ui/paint/painter.h"
@@ -231,6 +232,46 @@ private:
             table(result_table({model_, results, id}, kind, manner_), kind == TableKind::Extremes ? 4 : 1);
         }
         write_equilibrium(results[id]);
+        if (options_.truss) write_truss(*options_.truss, id);
+    }
+
+    /// The picture with all stages, and the sheet to it.
+    void write_truss(TrussMethod method, CaseId id)
+    {
+        const Results& results = *solution_.results;
+        if (truss::why_no_truss(model_, results)) return;
+        const truss::Truss truss = truss::truss_of(model_, results, id);
+        if (why_not(method, truss)) return;
+        const TrussPicture picture = truss_picture(method, model_, truss, tr_);
+        const truss::Sheet sheet = sheet_of(method, truss, id);
+        write_paragraph(sheet.front());
+        figure(picture.stage().lines.front(), [&](ui::Painter& painter) {
+            using enum Show;
+            draw(painter, {.model = model_, .results = &results, .truss = &picture},
+                 view({Show::Truss, Values, NodeNames}, id));
+        });
+        for (std::size_t i = 1; i < sheet.size(); ++i) write_paragraph(sheet[i]);
+    }
+
+    truss::Sheet sheet_of(TrussMethod method, const truss::Truss& truss, CaseId id) const
+    {
+        switch (method) {
+        case TrussMethod::ZeroForces: return zero_force_sheet(model_, truss, id, tr_);
+        case TrussMethod::Joints: return joint_sheet(model_, truss, id, tr_);
+        case TrussMethod::Cremona: break;
+        }
+        return diagram_sheet(model_, truss, id, tr_);
+    }
+
+    void write_paragraph(const truss::Paragraph& paragraph)
+    {
+        switch (paragraph.kind) {
+        case truss::ParagraphKind::Title: return heading(3, paragraph.text);
+        case truss::ParagraphKind::Heading: return heading(4, paragraph.text);
+        case truss::ParagraphKind::Table: report_.blocks.emplace_back(paragraph.table); return;
+        case truss::ParagraphKind::Sentence:
+        case truss::ParagraphKind::Equation: return text(paragraph.text);
+        }
     }
 
     std::string force_label(MemberComponent component) const

@@ -1,10 +1,12 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <span>
 
 #include "apps/drawing/dimension.h"
 #include "apps/drawing/draw_options.h"
+#include "apps/drawing/truss/truss_picture.h"
 #include "apps/frame/document/drawing_names.h"
 #include "apps/frame/document/solution.h"
 #include "femoop/model/model.h"
@@ -21,6 +23,7 @@ struct ReportOptions {
     std::span<const DimensionLine> dimensions{}; ///< drawn by hand; outlive the writing
     bool matrices = false;                       ///< the stiffness and the transformation of every member too
     ReportAbout about = ReportAbout::Everything;
+    std::optional<TrussMethod> truss{}; ///< a plane truss is worked out by hand too, in every case that allows it
 };
 
 /// Data, numbering, results of every load case and combination with their figures, and the check of equilibrium. A

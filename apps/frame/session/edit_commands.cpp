@@ -106,7 +106,7 @@ void give_up(Workspace& workspace)
     if (workspace.tool_controller.kind() == ToolKind::FreeBody) workspace.session.free_body.clear();
     if (workspace.tool_controller.kind() == ToolKind::Funicular) workspace.session.funicular.clear();
     if (workspace.tool_controller.escape()) return;
-    if (workspace.session.cremona.is_on()) return workspace.session.cremona.close();
+    if (workspace.session.truss.is_on()) return workspace.session.truss.close();
     workspace.session.influence.clear();
     workspace.session.free_body.clear();
     workspace.session.funicular.clear();

@@ -13,13 +13,13 @@
 #include "apps/frame/document/fault/sentence.h"
 #include "apps/frame/document/number.h"
 #include "apps/frame/session/transform.h"
+#include "apps/frame/session/truss_commands.h"
 #include "femoop/files/whole_file.h"
 #include "femoop/io/counting/counting_text.h"
 #include "femoop/io/free_body/free_body_text.h"
 #include "femoop/io/funicular/funicular_text.h"
 #include "femoop/io/model_file.h"
 #include "femoop/io/results/results_table.h"
-#include "femoop/io/truss/truss_sentence.h"
 #include "femoop/model/check/check.h"
 #include "femoop/result/describe.h"
 #include "femoop/result/structure_words.h"
@@ -63,7 +63,7 @@ void Session::restart(Document document)
     influence.clear();
     free_body.clear();
     funicular.clear();
-    cremona.close();
+    truss.close();
     view.load_case = femoop::CaseId(0);
     draw_state.camera.reset();
     shown_view.reset();
@@ -457,22 +457,19 @@ std::string train_envelope_text(const Session& session)
     return reasons;
 }
 
-/// What its stage draws, and how each bar that is found by then is read; or why there is none.
-std::string diagram_text(const Session& session)
+/// What its stage shows, and what each bar that is found by then carries; or why there is none.
+std::string truss_text(const Session& session)
 {
-    const ui::Catalogue& tr = session.view.tr;
-    const CremonaPicture* const shown = session.cremona.picture(session.model(), session.shown_results(),
-                                                                session.generation(), session.view);
+    const TrussPicture* const shown = session.truss.picture(session.model(), session.shown_results(),
+                                                            session.generation(), session.view);
     if (shown == nullptr) {
-        const std::string& reason = session.cremona.why_none();
-        return reason.empty() ? std::string() : tr("No Cremona diagram: {reason}.", {{"reason", reason}}) + "\n";
+        const std::string reason = why_no_truss_picture(session);
+        return reason.empty() ? reason : reason + "\n";
     }
-    std::string text = tr("Cremona diagram") + "\n" + shown->sentences.at(shown->n_stages - 1) + "\n";
-    for (std::size_t i = 0; i < shown->truss.bars.size(); ++i) {
-        const femoop::MemberId bar(i);
-        if (shown->is_found(bar))
-            text += reading_sentence(shown->truss, shown->diagram, bar, session.model(), tr) + "\n";
-    }
+    std::string text = method_name(shown->method, session.view.tr) + "\n";
+    for (const std::string& line : shown->stage().lines) text += line + "\n";
+    for (std::size_t i = 0; i < shown->truss.bars.size(); ++i)
+        if (shown->is_found(femoop::MemberId(i))) text += shown->bar_sentences[i] + "\n";
     return text;
 }
 
@@ -498,7 +495,7 @@ std::string description(const Session& session)
         for (const femoop::Fault& fault : one.faults) words += sentence(fault, tr) + "\n";
     }
     words += counting_text(session) + free_body_text(session) + funicular_text(session);
-    if (session.cremona.is_on()) words += "\n" + diagram_text(session);
+    if (session.truss.is_on()) words += "\n" + truss_text(session);
     if (session.shows_train_envelope()) words += "\n" + train_envelope_text(session);
     else if (shown.is_envelope)
         words += "\n" + envelope_text(session.model(), shown) + "\n" +

@@ -26,7 +26,7 @@
 #include "apps/frame/predict/prediction.h"
 #include "apps/frame/session/kept_counting.h"
 #include "apps/frame/tables/table.h"
-#include "apps/frame/truss/asked_diagram.h"
+#include "apps/frame/truss/asked_truss.h"
 #include "femoop/model/fault/fault.h"
 #include "ui/text/display_units.h"
 #include "ui/text/message.h"
@@ -119,7 +119,7 @@ public:
     AskedFunicular funicular;      ///< likewise
     AskedLine influence;           ///< that is looked at in place of the results of a case
     AskedEnvelope train_envelope;  ///< that takes the place of the cases' where the view shows an envelope
-    AskedDiagram cremona;          ///< likewise, of a plane truss
+    AskedTruss truss;              ///< likewise: a plane truss that is worked out by hand
     Prediction prediction;         ///< of moments that the class has not seen yet: part of the tab, not of the document
     std::optional<ShowSet> hidden; ///< results that are kept from the class until they are revealed
     std::size_t mechanism = 0;     ///< which of several is shown

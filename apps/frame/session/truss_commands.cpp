@@ -1,5 +1,7 @@
 #include "apps/frame/session/truss_commands.h"
 
+#include <string_view>
+
 namespace frame {
 
 using ui::Key;
@@ -8,36 +10,75 @@ using ui::translatable;
 
 namespace {
 
-void look_at_diagram(Workspace& workspace, bool is_on)
+/// What a method is called, and where it cannot be used.
+struct MethodEntry {
+    TrussMethod method;
+    std::string_view command;
+    std::string_view label;
+    ui::Chord shortcut;
+    std::string_view why_none; ///< with the reason
+};
+
+constexpr MethodEntry methods[] = {{TrussMethod::ZeroForces,
+                                    "view.zero_forces",
+                                    translatable("Zero-force bars"),
+                                    {Key::Z, ui::shift},
+                                    translatable("No zero-force bars: {reason}.")},
+                                   {TrussMethod::Joints,
+                                    "view.joints",
+                                    translatable("Truss joint by joint"),
+                                    {Key::O, ui::shift},
+                                    translatable("Not joint by joint: {reason}.")},
+                                   {TrussMethod::Cremona,
+                                    "view.cremona",
+                                    translatable("Cremona diagram"),
+                                    {Key::O, {}},
+                                    translatable("No Cremona diagram: {reason}.")}};
+
+const MethodEntry& entry_of(TrussMethod method) { return methods[static_cast<std::size_t>(method)]; }
+
+void look_at(Workspace& workspace, TrussMethod method, bool is_on)
 {
     Session& session = workspace.session;
     session.draw_state.camera.reset(); // it has half the sheet
-    if (!is_on) return session.cremona.close();
+    if (!is_on) return session.truss.close();
     session.influence.clear();
-    session.cremona.show();
+    session.truss.show(method);
 }
 
-Reason why_no_diagram(const Workspace& workspace)
+Reason why_no_plane_truss(const Workspace& workspace)
 {
     if (workspace.session.model().analysis == femoop::AnalysisKind::Truss2d) return std::nullopt;
-    return translatable("a Cremona diagram is that of a plane truss");
+    return translatable("joints and Cremona diagrams are those of a plane truss");
 }
 
 } // namespace
 
-const CremonaPicture* shown_diagram(const Session& session)
+const TrussPicture* shown_truss(const Session& session)
 {
     if (session.influence.is_on(session.model())) return nullptr;
-    return session.cremona.picture(session.model(), session.shown_results(), session.generation(), session.view);
+    return session.truss.picture(session.model(), session.shown_results(), session.generation(), session.view);
+}
+
+std::string method_name(TrussMethod method, const ui::Catalogue& tr) { return tr(entry_of(method).label); }
+
+std::string why_no_truss_picture(const Session& session)
+{
+    const std::string& reason = session.truss.why_none();
+    if (!session.truss.method() || reason.empty()) return {};
+    return session.view.tr(entry_of(*session.truss.method()).why_none, {{"reason", reason}});
 }
 
 void add_truss_commands(CommandTable& table)
 {
-    Menu(table, translatable("View"))
-        .toggle(
-            {"view.cremona", translatable("Cremona diagram"), {{Key::O, {}}}},
-            [](const Workspace& workspace) { return workspace.session.cremona.is_on(); }, look_at_diagram,
-            why_no_diagram);
+    Menu menu(table, translatable("View"));
+    for (const MethodEntry& entry : methods) {
+        const TrussMethod method = entry.method;
+        menu.toggle(
+            {entry.command, entry.label, {entry.shortcut}},
+            [method](const Workspace& workspace) { return workspace.session.truss.method() == method; },
+            [method](Workspace& workspace, bool is_on) { look_at(workspace, method, is_on); }, why_no_plane_truss);
+    }
 }
 
 } // namespace frame

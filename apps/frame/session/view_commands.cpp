@@ -41,8 +41,8 @@ void walk_cases(Session& session, Direction way)
 
 void walk(Session& session, Direction way)
 {
-    if (session.cremona.is_on())
-        return session.cremona.step(way == Direction::Later ? AskedDiagram::Way::On : AskedDiagram::Way::Back);
+    if (session.truss.is_on())
+        return session.truss.step(way == Direction::Later ? AskedTruss::Way::On : AskedTruss::Way::Back);
     if (views(session).empty()) walk_cases(session, way);
     else walk_views(session, way);
 }
@@ -58,8 +58,7 @@ std::vector<std::string> chosen_cases(const Session& session)
 
 ui::Reason why_not_walk(const Workspace& workspace)
 {
-    if (workspace.session.cremona.is_on() || !views(workspace.session).empty() ||
-        workspace.session.model().n_cases() > 1)
+    if (workspace.session.truss.is_on() || !views(workspace.session).empty() || workspace.session.model().n_cases() > 1)
         return std::nullopt;
     return translatable("the model has no other load case");
 }

@@ -81,10 +81,10 @@ std::vector<std::string> why_no_train_values(const Session& session)
     return all;
 }
 
-std::vector<std::string> why_no_diagram(const Session& session)
+std::vector<std::string> why_no_truss_shown(const Session& session)
 {
-    if (!session.cremona.is_on() || shown_diagram(session) != nullptr || session.cremona.why_none().empty()) return {};
-    return {session.view.tr("No Cremona diagram: {reason}.", {{"reason", session.cremona.why_none()}})};
+    if (!session.truss.is_on() || shown_truss(session) != nullptr || session.truss.why_none().empty()) return {};
+    return {why_no_truss_picture(session)};
 }
 
 std::vector<std::string> why_no_funicular_shown(const Session& session)

@@ -14,8 +14,8 @@ namespace frame {
 /// move the structure.
 std::vector<std::string> why_blank(const Session& session);
 
-/// Likewise why there is no Cremona diagram where one is looked at.
-std::vector<std::string> why_no_diagram(const Session& session);
+/// Likewise why a truss cannot be worked out where one is looked at.
+std::vector<std::string> why_no_truss_shown(const Session& session);
 
 /// Likewise why there is no funicular where one is looked at.
 std::vector<std::string> why_no_funicular_shown(const Session& session);

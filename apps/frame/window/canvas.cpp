@@ -13,6 +13,7 @@
 #include "apps/drawing/draw.h"
 #include "apps/drawing/reading.h"
 #include "apps/drawing/results/envelope_band.h"
+#include "apps/drawing/truss/beside_truss.h"
 #include "apps/frame/session/funicular_commands.h"
 #include "apps/frame/session/load_commands.h"
 #include "apps/frame/session/snapping.h"
@@ -81,11 +82,11 @@ DrawOptions with_free_body(DrawOptions options)
     return options;
 }
 
-// The truss and its diagram say all that there is; names of bars would stand where their forces do.
-DrawOptions with_diagram(DrawOptions options)
+// A truss that is worked out says all that there is; names of bars would stand where their forces do.
+DrawOptions with_truss(DrawOptions options)
 {
     options.show = options.show & ShowSet{Show::Values, Show::NodeNames, Show::Legend};
-    options.show.insert(Show::Cremona);
+    options.show.insert(Show::Truss);
     options.is_envelope = false;
     return options;
 }
@@ -123,7 +124,7 @@ DrawOptions looked_at(const Workspace& workspace)
         return with_influence(std::move(options), session, has_train);
     }
     if (lifted_body(session) != nullptr) return with_free_body(std::move(options));
-    if (shown_diagram(session) != nullptr) return with_diagram(std::move(options));
+    if (shown_truss(session) != nullptr) return with_truss(std::move(options));
     if (shown_funicular(session) != nullptr) return with_funicular(std::move(options));
     if (options.is_envelope) options.show = options.show - ShowSet{Show::Loads, Show::Deformed};
     if (explained_step(workspace) != nullptr) return with_node_numbers(std::move(options));
@@ -181,8 +182,8 @@ DrawInput input_of(const Workspace& workspace, const DrawOptions& options, const
                 .results = session.shown_results(),
                 .dimensions = session.document().companion.dimensions,
                 .free_body = body};
-    if (const auto* const diagram = shown_diagram(session))
-        return {.model = session.model(), .results = session.shown_results(), .cremona = diagram};
+    if (const auto* const truss = shown_truss(session))
+        return {.model = session.model(), .results = session.shown_results(), .truss = truss};
     if (const auto* const funicular = shown_funicular(session))
         return {.model = session.model(),
                 .results = session.shown_results(),
@@ -202,7 +203,7 @@ DrawInput input_of(const Workspace& workspace, const DrawOptions& options, const
     input.results = session.shown_results();
     input.envelope = shown_envelope(session);
     input.reasons = why_blank(session);
-    if (input.reasons.empty()) input.reasons = why_no_diagram(session);
+    if (input.reasons.empty()) input.reasons = why_no_truss_shown(session);
     if (input.reasons.empty()) input.reasons = why_no_funicular_shown(session);
     if (input.reasons.empty()) input.reasons = why_no_train_values(session);
     return input;
@@ -250,7 +251,7 @@ Canvas::FittedFor Canvas::wanted_fit(const Session& session, const DrawOptions& 
             session.influence.standing() != nullptr,
             lifted_body(session) != nullptr ? session.free_body.number() : 0,
             options.show.contains(Show::ForcePolygon) ? session.funicular.number() : 0,
-            options.show.contains(Show::Cremona) || options.show.contains(Show::ForcePolygon),
+            options.show.contains(Show::Truss) || options.show.contains(Show::ForcePolygon),
             session.shown_line() != nullptr ? session.influence.kept_pictures().size() : 0,
             {options.diagram_factor, options.load_factor, options.symbol_factor},
             lent_};
@@ -407,8 +408,7 @@ void Canvas::follow(Workspace& workspace, const Pointer& pointer)
     settings.load_case = session.view.load_case;
     settings.load = entry_of(settings.load, session.model().analysis).load; // another tab may lack its direction
     settings.moment_side = session.view.moment_side;
-    const bool reads_results = session.shown_results() && !session.cremona.is_on() &&
-                               shown_funicular(session) == nullptr;
+    const bool reads_results = session.shown_results() && !session.truss.is_on() && shown_funicular(session) == nullptr;
     Pick under = pick(shape_, projection, pointer.at, reads_results ? session.view.show : ShowSet{});
     if (under.cut) under.cut = snapped(session, shape_, *under.cut, pixels_along(projection, *under.cut));
     const bool asks_for_menu = ImGui::IsMouseReleased(ImGuiMouseButton_Right) && !is_moving_view();
@@ -446,10 +446,9 @@ const Panel* Canvas::diagram_at(ui::Point at) const
 void Canvas::point_at_diagram(Session& session, const Panel& panel, ui::Point at)
 {
     constexpr double reach = 8.0; // [px]
-    const CremonaPicture* const diagram = shown_diagram(session);
-    if (diagram == nullptr) return;
-    const DiagramPlan plan = drawing::plan_of(diagram->diagram, panel.box, ui::Theme(session.view.theme));
-    const auto bar = side_at(*diagram, plan, at, reach);
+    const TrussPicture* const truss = shown_truss(session);
+    if (truss == nullptr) return;
+    const auto bar = bar_beside_at(*truss, panel.box, ui::Theme(session.view.theme), at, reach);
     if (bar) session.draw_state.hover.members.push_back(*bar);
     if (!is_pressed()) return;
     session.selection.clear();
@@ -634,7 +633,7 @@ void Canvas::draw_cut(const Session& session, const DrawOptions& options, const 
                       const SeenCut& seen, ui::Painter& painter) const
 {
     const bool is_method_shown = session.influence.is_on(session.model()) || session.free_body.is_on(session.model()) ||
-                                 shown_diagram(session) != nullptr || shown_funicular(session) != nullptr;
+                                 shown_truss(session) != nullptr || shown_funicular(session) != nullptr;
     if (session.hidden || is_method_shown) return;
     const ui::Point at = Projection(picture.plan.camera, seen.panel)(shape_[seen.cut.member].at(seen.cut.x));
     const drawing::ReadingCard card{.plan = picture.plan, .cut = seen.cut, .beside = at, .top = picture.legend_bottom};

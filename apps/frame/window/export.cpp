@@ -52,7 +52,8 @@ private:
                            {.view = session_.results_view(),
                             .dimensions = session_.document().companion.dimensions,
                             .matrices = session_.reports_matrices,
-                            .about = about},
+                            .about = about,
+                            .truss = session_.truss.method()},
                            fonts_);
     }
 

@@ -14,11 +14,13 @@
 #include "apps/drawing/results/reactions.h"
 #include "apps/frame/document/fault/sentence.h"
 #include "apps/frame/session/fault_target.h"
+#include "apps/frame/session/truss_commands.h"
 #include "apps/frame/window/envelope_panel.h"
 #include "apps/frame/window/influence_panel.h"
 #include "apps/frame/window/no_results.h"
 #include "apps/frame/window/result_list.h"
 #include "apps/frame/window/train_envelope_panel.h"
+#include "apps/frame/window/truss_panel.h"
 #include "femoop/geometry/member_geometry.h"
 #include "femoop/result/components.h"
 #include "femoop/result/difference.h"
@@ -219,6 +221,7 @@ void results_panel(Workspace& workspace, ui::NumberFields& fields)
     const ui::Catalogue& tr = session.view.tr;
     const auto& results = session.solution().results;
     if (session.influence.is_on(session.model())) return influence_panel(workspace);
+    if (shown_truss(session) != nullptr) return truss_panel(workspace);
     if (explain_no_results(workspace)) return;
     if (results->n_cases() == 0 && !session.shows_train_envelope()) {
         ui::wrapped_text(tr("The model has no load case."));

@@ -111,8 +111,8 @@ std::string sentence(const Step& step, const Model& model, const Translator& tr)
         return fill(tr("From the axes of the support of node {0}, which is turned, to the global ones."), {node});
     case StepKind::Redundants:
         return tr(
-            "The structure is n times statically indeterminate. These forces X are released; the primary structure "
-            "that is left is n0 times so, 0 is determinate. c: what a released support is displaced by, 1/k: a "
+            "The degree of indeterminacy is n. These forces X are released, and that of the primary structure, which "
+            "is left, is n0: with 0 it is statically determinate. c: what a released support is displaced by, 1/k: a "
             "spring that the force goes through.");
     case StepKind::State:
         if (step.state == 0)

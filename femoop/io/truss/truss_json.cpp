@@ -39,18 +39,7 @@ public:
         json_.end();
     }
 
-    void zero_forces()
-    {
-        json_.key("zero_force_bars").begin_array(Layout::Block);
-        for (const ZeroForceBar& bar : zero_force_bars(truss_)) {
-            json_.begin_object().member("bar", model_[bar.bar].id);
-            json_.member("rule", rule_names.at(static_cast<std::size_t>(bar.rule)));
-            if (bar.joint) json_.member("joint", model_[*bar.joint].id);
-            if (bar.in_line) json_.member("in_line", model_[*bar.in_line].id);
-            json_.member("sentence", sentence(bar, model_, tr_)).end();
-        }
-        json_.end();
-    }
+    void zero_forces() { write_zero_force_bars(json_.key("zero_force_bars"), truss_, model_, tr_); }
 
     void joints(const JointMethod& method)
     {
@@ -177,6 +166,29 @@ std::string joint_json(const Model& model, const Truss& truss, CaseId load_case,
     json.zero_forces();
     json.joints(joint_method(truss, usual_arrangement(truss)));
     return json.take();
+}
+
+std::string zero_force_json(const Model& model, const Truss& truss, CaseId load_case, const Translator& tr)
+{
+    TrussJson json(model, truss, load_case, tr);
+    json.outside_forces();
+    json.zero_forces();
+    return json.take();
+}
+
+void write_zero_force_bars(JsonWriter& json, const Truss& truss, const Model& model, const Translator& tr)
+{
+    json.begin_array(Layout::Block);
+    for (const ZeroForceBar& bar : zero_force_bars(truss)) {
+        json.begin_object().member("bar", model[bar.bar].id);
+        json.member("rule", rule_names.at(static_cast<std::size_t>(bar.rule)));
+        if (bar.joint) json.member("joint", model[*bar.joint].id);
+        if (bar.in_line) json.member("in_line", model[*bar.in_line].id);
+        json.key("without").begin_array();
+        for (const MemberId one : bar.without) json.value(model[one].id);
+        json.end().member("sentence", sentence(bar, model, tr)).end();
+    }
+    json.end();
 }
 
 std::string cut_json(const Model& model, const Truss& truss, CaseId load_case, const std::vector<MemberId>& bars,

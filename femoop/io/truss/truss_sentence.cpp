@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "femoop/io/truss/truss_step.h"
 #include "femoop/model/fault/fault.h"
 #include "femoop/model/quantity/number_text.h"
 #include "femoop/model/quantity/six_digits.h"
@@ -33,26 +34,6 @@ std::string forces_sentence(const Truss& truss, const Reciprocal& diagram, const
     return text + ". " + tr("The polygon closes.");
 }
 
-/// From which point, parallel to which bar: of each bar that is new the side whose point was known.
-std::string parallels(const DiagramStep& step, const Reciprocal& diagram, const Model& model, const Translator& tr)
-{
-    std::vector<std::string> lines;
-    for (const MemberId bar : step.bars) {
-        const auto& [left, right] = diagram.bar_spaces[bar.index];
-        const bool is_left_new = std::ranges::find(step.spaces, left) != step.spaces.end();
-        const Space& from = diagram[is_left_new ? right : left];
-        lines.push_back(femoop::fill(tr("from {0} parallel to {1}"), {from.point_name(), model[bar].id}));
-    }
-    return femoop::fill("{0}", {listed(lines)}, conjunction(tr));
-}
-
-std::string points_of(const DiagramStep& step, const Reciprocal& diagram, const Translator& tr)
-{
-    std::vector<std::string> points;
-    for (const SpaceId space : step.spaces) points.push_back(diagram[space].point_name());
-    return femoop::fill("{0}", {listed(points)}, conjunction(tr));
-}
-
 std::string origin_sentence(const Step& step, const Model& model, const Translator& tr)
 {
     if (step.kind == StepKind::Cut)
@@ -63,6 +44,91 @@ std::string origin_sentence(const Step& step, const Model& model, const Translat
             tr("Neither a joint nor a section finds a bar of this complex truss; {0} is taken from the analysis: "),
             {model[step.found.front()].id});
     return femoop::fill(tr("Joint {0}: "), {model[*step.joint].id});
+}
+
+/// "d-a, a-1 (AD), 1-d (AC)".
+std::string sides_text(const Step& step, const Truss& truss, const Reciprocal& diagram, const Model& model)
+{
+    std::string text;
+    for (const PolygonSide& side : diagram.polygon(truss, step)) {
+        text += (text.empty() ? "" : ", ") + diagram[side.from].point_name() + "-" + diagram[side.to].point_name();
+        if (side.bar) text += " (" + model[*side.bar].id + ")";
+    }
+    return text;
+}
+
+/// The polygon of the joint, which closes, and what it says of the bars that the step finds.
+std::string closing_sentence(const Step& step, const Truss& truss, const Reciprocal& diagram, const Model& model,
+                             const Translator& tr)
+{
+    std::string text = femoop::fill(tr("Clockwise about {0}: {1} close."),
+                                    {model[*step.joint].id, sides_text(step, truss, diagram, model)});
+    std::string results;
+    for (const MemberId bar : step.found)
+        results += (results.empty() ? " " : ", ") +
+                   force_result(bar, diagram.joints.forces[bar.index], model, tr, Unit::Written);
+    return results.empty() ? text : text + results + ".";
+}
+
+/// Where the line of a bar begins and ends.
+std::string line_sentence(const DiagramStep& step, const Reciprocal& diagram, const Model& model, const Translator& tr)
+{
+    const MemberId bar = *step.bar;
+    const auto& [left, right] = diagram.bar_spaces[bar.index];
+    const std::string from = diagram[*step.from].point_name(), parallel_to = model[bar].id;
+    const std::string to = diagram[*step.from == left && left != right ? right : left].point_name();
+    if (step.is_open)
+        return femoop::fill(tr("from {0} parallel to {1}; how far it goes, the next line shows."), {from, parallel_to});
+    if (step.cuts)
+        return femoop::fill(tr("from {0} parallel to {1}: it meets the line parallel to {2} in {3}."),
+                            {from, parallel_to, model[*step.cuts].id, to});
+    if (!step.spaces.empty())
+        return femoop::fill(tr("from {0} parallel to {1}, as long as its force: this gives {2}."),
+                            {from, parallel_to, to});
+    return femoop::fill(tr("from {0} parallel to {1}: it ends in {2}, which stands already."), {from, parallel_to, to});
+}
+
+std::string rule_sentence(const ZeroForceBar& bar, const Model& model, const Translator& tr)
+{
+    const std::string& name = model[bar.bar].id;
+    const std::string joint = bar.joint ? model[*bar.joint].id : std::string();
+    const std::string line = bar.in_line ? model[*bar.in_line].id : std::string();
+    switch (bar.rule) {
+    case ZeroForceRule::SingleBar:
+        return femoop::fill(bar.without.empty()
+                                ? tr("{0}: the only bar at joint {1}, where no force acts from outside.")
+                                : tr("{0}: the only bar left at joint {1}, where no force acts from outside."),
+                            {name, joint});
+    case ZeroForceRule::TwoBars:
+        return femoop::fill(
+            tr("{0}: two bars that are not in line meet at joint {1}, where no force acts from outside: "
+               "neither carries anything."),
+            {name, joint});
+    case ZeroForceRule::ThirdBar:
+        return femoop::fill(
+            tr("{0}: at joint {1}, where no force acts from outside, it stands alone beside two bars in line, one of them {2}."),
+            {name, joint, line});
+    case ZeroForceRule::ForceAlongBar:
+        return femoop::fill(
+            tr("{0}: of the two bars at joint {1} the other, {2}, lies along the force there and carries it alone."),
+            {name, joint, line});
+    case ZeroForceRule::ForceInLine:
+        return femoop::fill(
+            tr("{0}: at joint {1} the force acts along two bars in line, one of them {2}; nothing is left for the "
+               "third."),
+            {name, joint, line});
+    case ZeroForceRule::NoRule: break;
+    }
+    return femoop::fill(tr("{0}: no rule shows it; under these loads alone it carries nothing."), {name});
+}
+
+/// "AD counts no longer", where bars of the joint were found before.
+std::string without_sentence(const ZeroForceBar& bar, const Model& model, const Translator& tr)
+{
+    if (bar.without.empty()) return {};
+    const std::string pattern = bar.without.size() == 1 ? tr("{0}, found before, counts no longer.")
+                                                        : tr("{0}, found before, count no longer.");
+    return " " + femoop::fill(pattern, {bars_text(bar.without, model, tr)});
 }
 
 } // namespace
@@ -115,33 +181,17 @@ std::string sentence(const Refusal& refusal, const Model& model, const Translato
 
 std::string sentence(const ZeroForceBar& bar, const Model& model, const Translator& tr)
 {
-    const std::string& name = model[bar.bar].id;
-    const std::string joint = bar.joint ? model[*bar.joint].id : std::string();
-    const std::string line = bar.in_line ? model[*bar.in_line].id : std::string();
-    switch (bar.rule) {
-    case ZeroForceRule::SingleBar:
-        return femoop::fill(tr("{0}: the only bar at joint {1}, where no force acts from outside."), {name, joint});
-    case ZeroForceRule::TwoBars:
-        return femoop::fill(
-            tr("{0}: two bars that are not in line meet at joint {1}, where no force acts from outside: "
-               "neither carries anything."),
-            {name, joint});
-    case ZeroForceRule::ThirdBar:
-        return femoop::fill(
-            tr("{0}: at joint {1}, where no force acts from outside, it stands alone beside two bars in line, one of them {2}."),
-            {name, joint, line});
-    case ZeroForceRule::ForceAlongBar:
-        return femoop::fill(
-            tr("{0}: of the two bars at joint {1} the other, {2}, lies along the force there and carries it alone."),
-            {name, joint, line});
-    case ZeroForceRule::ForceInLine:
-        return femoop::fill(
-            tr("{0}: at joint {1} the force acts along two bars in line, one of them {2}; nothing is left for the "
-               "third."),
-            {name, joint, line});
-    case ZeroForceRule::NoRule: break;
-    }
-    return femoop::fill(tr("{0}: no rule shows it; under these loads alone it carries nothing."), {name});
+    return rule_sentence(bar, model, tr) + without_sentence(bar, model, tr);
+}
+
+std::string zero_force_summary(const Truss& truss, const Model& model, const Translator& tr)
+{
+    std::vector<MemberId> bars;
+    for (const ZeroForceBar& bar : zero_force_bars(truss)) bars.push_back(bar.bar);
+    if (bars.empty()) return tr("Every bar carries a force.");
+    return femoop::fill(bars.size() == 1 ? tr("{0} carries nothing: {1} of {2} bars.")
+                                         : tr("{0} carry nothing: {1} of {2} bars."),
+                        {bars_text(bars, model, tr), std::to_string(bars.size()), std::to_string(truss.bars.size())});
 }
 
 std::string sense_name(double force, const Translator& tr)
@@ -161,17 +211,24 @@ std::string force_sentence(const Truss& truss, const Reciprocal& diagram, std::s
                                   force_text(force.force.norm(), model, tr), model[force.joint].id});
 }
 
+std::vector<std::string> stage_lines(const DiagramStep& step, const Truss& truss, const Reciprocal& diagram,
+                                     const Model& model, const Translator& tr)
+{
+    if (!step.joint_step) return {forces_sentence(truss, diagram, model, tr)};
+    const Step& found = diagram.joints.steps[*step.joint_step];
+    const std::string drawn = step.bar ? line_sentence(step, diagram, model, tr) : tr("all its sides stand already.");
+    std::vector<std::string> lines{origin_sentence(found, model, tr) + drawn};
+    if (step.closes) lines.push_back(closing_sentence(found, truss, diagram, model, tr));
+    return lines;
+}
+
 std::string sentence(const DiagramStep& step, const Truss& truss, const Reciprocal& diagram, const Model& model,
                      const Translator& tr)
 {
-    if (!step.joint_step) return forces_sentence(truss, diagram, model, tr);
-    const std::string origin = origin_sentence(diagram.joints.steps[*step.joint_step], model, tr);
-    const std::string lines = parallels(step, diagram, model, tr);
-    if (step.spaces.empty())
-        return origin + femoop::fill(tr("{0}: it ends where the diagram is already, and closes it."), {lines});
-    if (step.spaces.size() == 1 && step.bars.size() == 2)
-        return origin + femoop::fill(tr("{0}: they meet in {1}."), {lines, points_of(step, diagram, tr)});
-    return origin + femoop::fill(tr("{0}: this gives {1}."), {lines, points_of(step, diagram, tr)});
+    std::string text;
+    for (const std::string& line : stage_lines(step, truss, diagram, model, tr))
+        text += (text.empty() ? "" : " ") + line;
+    return text;
 }
 
 std::string reading_sentence(const Truss& truss, const Reciprocal& diagram, MemberId bar, const Model& model,

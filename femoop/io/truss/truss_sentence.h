@@ -1,6 +1,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "femoop/methods/truss/reciprocal.h"
 #include "femoop/methods/truss/zero_force.h"
@@ -14,6 +15,9 @@ std::string sentence(const Refusal& refusal, const Model& model, const Translato
 /// By which rule the bar carries nothing.
 std::string sentence(const ZeroForceBar& bar, const Model& model, const Translator& tr);
 
+/// How many bars carry nothing, and which.
+std::string zero_force_summary(const Truss& truss, const Model& model, const Translator& tr);
+
 /// "tension", "compression" or "zero".
 std::string sense_name(double force, const Translator& tr);
 
@@ -21,7 +25,11 @@ std::string sense_name(double force, const Translator& tr);
 std::string force_sentence(const Truss& truss, const Reciprocal& diagram, std::size_t i, const Model& model,
                            const Translator& tr);
 
-/// What one stage of the diagram draws, and how.
+/// What one stage of the diagram draws, and how; then, where it ends the polygon of a joint, the sides of this in order
+/// and the forces that they give.
+std::vector<std::string> stage_lines(const DiagramStep& step, const Truss& truss, const Reciprocal& diagram,
+                                     const Model& model, const Translator& tr);
+/// The same in one line.
 std::string sentence(const DiagramStep& step, const Truss& truss, const Reciprocal& diagram, const Model& model,
                      const Translator& tr);
 

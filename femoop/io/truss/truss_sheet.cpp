@@ -6,6 +6,7 @@
 #include "femoop/geometry/plane_vectors.h"
 #include "femoop/io/truss/truss_equation.h"
 #include "femoop/io/truss/truss_sentence.h"
+#include "femoop/io/truss/truss_step.h"
 #include "femoop/model/fault/fault.h"
 #include "femoop/model/quantity/six_digits.h"
 #include "femoop/model/quantity/units.h"
@@ -54,10 +55,17 @@ public:
 
     void zero_forces()
     {
-        const std::vector<ZeroForceBar> zero = zero_force_bars(truss_);
-        if (zero.empty()) return;
+        const auto steps = zero_force_steps(truss_);
+        if (steps.empty()) return;
         heading(tr_("Bars that carry nothing"));
-        for (const ZeroForceBar& bar : zero) sentence(truss::sentence(bar, model_, tr_));
+        for (const auto& step : steps)
+            for (const ZeroForceBar& bar : step) sentence(truss::sentence(bar, model_, tr_));
+    }
+
+    void zero_forces_alone()
+    {
+        zero_forces();
+        sentence(zero_force_summary(truss_, model_, tr_));
     }
 
     void joints(const JointMethod& method)
@@ -77,7 +85,7 @@ public:
 
     void cut(const RitterCut& cut)
     {
-        part_of(cut);
+        sentence(cut_sentence(cut, model_, tr_));
         for (const MemberId bar : cut.bars) {
             const auto equation = std::ranges::find(cut.equations, bar, &CutEquation::bar);
             if (equation != cut.equations.end()) cut_bar(*equation);
@@ -163,19 +171,12 @@ private:
         sheet_.push_back({.kind = ParagraphKind::Table, .text = {}, .table = std::move(table)});
     }
 
-    std::string names_of_bars(const std::vector<MemberId>& bars) const
-    {
-        std::vector<std::string> names;
-        for (const MemberId bar : bars) names.push_back(model_[bar].id);
-        return femoop::fill("{0}", {listed(names)}, tr_(translatable("and")));
-    }
-
     void step(std::size_t number, const Step& step)
     {
         const std::string begin = std::to_string(number) + ". ";
         if (step.kind == StepKind::Cut) {
             sentence(begin + tr_("No joint has fewer than three unknown bars: a section helps."));
-            part_of(*step.cut);
+            sentence(cut_sentence(*step.cut, model_, tr_));
             return cut_bar(step.cut->equations.front());
         }
         if (step.kind == StepKind::Analysis)
@@ -184,7 +185,7 @@ private:
                 femoop::fill(tr_("Neither a joint nor a section finds a bar of this complex truss: {0} is taken "
                                  "from the analysis."),
                              {result(step.found.front(), truss_[step.found.front()].force)}));
-        sentence(begin + joint_sentence(step));
+        sentence(begin + joint_sentence(step, model_, tr_));
         equation(joint_equation(step, Along::X, model_, tr_));
         equation(joint_equation(step, Along::Y, model_, tr_));
         for (const JointForce& force : step.forces)
@@ -192,28 +193,7 @@ private:
         polygon(step);
     }
 
-    void part_of(const RitterCut& cut)
-    {
-        std::vector<std::string> joints;
-        for (const NodeId joint : cut.part) joints.push_back(model_[joint].id);
-        sentence(femoop::fill(tr_("The section cuts {0}; the part with {1} is in equilibrium."),
-                              {names_of_bars(cut.bars), listed(joints)}, tr_(translatable("and"))));
-    }
-
-    std::string joint_sentence(const Step& step) const
-    {
-        const std::string& joint = model_[*step.joint].id;
-        if (step.kind == StepKind::Check)
-            return femoop::fill(tr_("Joint {0}: every bar is known, and both sums have to be 0."), {joint});
-        return femoop::fill(step.found.size() == 1 ? tr_("Joint {0}: {1} is unknown.")
-                                                   : tr_("Joint {0}: {1} are unknown."),
-                            {joint, names_of_bars(step.found)});
-    }
-
-    std::string result(MemberId bar, double force) const
-    {
-        return force_symbol(bar, model_) + " = " + six_digits(force, tr_) + " (" + sense_name(force, tr_) + ")";
-    }
+    std::string result(MemberId bar, double force) const { return force_result(bar, force, model_, tr_, Unit::Known); }
 
     /// Clockwise about the joint: side after side.
     void polygon(const Step& step)
@@ -235,33 +215,9 @@ private:
 
     void cut_bar(const CutEquation& found)
     {
-        sentence(ritter_sentence(found));
+        sentence(ritter_sentence(found, truss_, model_, tr_));
         equation(cut_equation(found, model_, tr_));
         equation(result(found.bar, found.force));
-    }
-
-    std::string ritter_sentence(const CutEquation& found) const
-    {
-        const std::string& bar = model_[found.bar].id;
-        if (!found.ritter_point)
-            return femoop::fill(tr_("{0}: the other bars are parallel, and forces across them leave it alone."), {bar});
-        const std::string at = place_text({found.ritter_point->data(), 2}, tr_);
-        const std::string arm = six_digits(std::abs(found.factor), tr_);
-        if (const auto joint = joint_at(*found.ritter_point))
-            return femoop::fill(
-                tr_("{0}: moments about its Ritter point {1}, joint {2}, through which the other bars go; its lever "
-                    "arm is {3}."),
-                {bar, at, model_[*joint].id, arm});
-        return femoop::fill(
-            tr_("{0}: moments about its Ritter point {1}, through which the other bars go; its lever arm is {2}."),
-            {bar, at, arm});
-    }
-
-    std::optional<NodeId> joint_at(const Eigen::Vector2d& point) const
-    {
-        for (std::size_t i = 0; i < truss_.joints.size(); ++i)
-            if ((truss_.joints[i] - point).norm() <= 1e-9 * (1.0 + point.norm())) return NodeId(i);
-        return std::nullopt;
     }
 
     const Model& model_;
@@ -282,6 +238,15 @@ Sheet joint_sheet(const Model& model, const Truss& truss, CaseId load_case, cons
     writer.zero_forces();
     writer.joints(method);
     writer.bars(method);
+    return writer.take();
+}
+
+Sheet zero_force_sheet(const Model& model, const Truss& truss, CaseId load_case, const Translator& tr)
+{
+    SheetWriter writer(model, truss, load_case, tr);
+    writer.begin(tr("{0}: zero-force bars, {1}"));
+    writer.outside_forces();
+    writer.zero_forces_alone();
     return writer.take();
 }
 

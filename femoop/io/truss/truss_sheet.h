@@ -24,6 +24,9 @@ using Sheet = std::vector<Paragraph>;
 /// The forces from outside, the bars that carry nothing, joint after joint with equations and polygon, all bars.
 Sheet joint_sheet(const Model& model, const Truss& truss, CaseId load_case, const Translator& tr);
 
+/// The forces from outside, the bars that carry nothing with the rule of each, and how many there are.
+Sheet zero_force_sheet(const Model& model, const Truss& truss, CaseId load_case, const Translator& tr);
+
 /// Each bar of a cut that can be found, with its Ritter point. \pre why_no_cut says nothing
 Sheet cut_sheet(const Model& model, const Truss& truss, CaseId load_case, const std::vector<MemberId>& bars,
                 const Translator& tr);

@@ -55,8 +55,10 @@ public:
     {
         walk_around();
         draw_forces();
-        for (std::size_t i = 0; i < diagram_.joints.steps.size(); ++i)
+        for (std::size_t i = 0; i < diagram_.joints.steps.size(); ++i) {
             if (!diagram_.joints.steps[i].found.empty()) draw(i);
+            else diagram_.steps.push_back({.joint_step = i, .closes = is_closed(i)});
+        }
         return std::move(diagram_);
     }
 
@@ -118,17 +120,88 @@ private:
         is_known_.assign(diagram_.spaces.size(), true);
     }
 
-    /// Each bar that is found takes the diagram from a known point to the next, or closes it.
+    /// Each bar that is found takes the diagram from a known point to the next, or closes it. One that begins nowhere
+    /// waits for what others bring.
     void draw(std::size_t joint_step)
     {
         const std::vector<MemberId>& found = diagram_.joints.steps[joint_step].found;
-        DiagramStep step{.joint_step = joint_step, .bars = found, .spaces = {}};
         for (const MemberId bar : found) name_sides(bar);
-        pending_.insert(pending_.end(), found.begin(), found.end());
-        const auto is_drawn = [&](MemberId bar) { return draw_bar(bar, step); };
-        while (std::erase_if(pending_, is_drawn) > 0) {
+        if (found.size() == 2 && meet_in_new_point(found[0], found[1])) {
+            diagram_.steps.push_back(
+                {.joint_step = joint_step, .bar = found[0], .from = known_side(found[0]), .is_open = true});
+            add_line(found[1], joint_step, found[0]);
+            check(found[0]);
+        } else {
+            for (const MemberId bar : found) waiting_.push_back({bar, joint_step});
         }
+        const auto is_ready = [&](const Found& one) { return known_side(one.bar).has_value(); };
+        for (auto next = waiting_.begin(); next != waiting_.end();) {
+            next = std::ranges::find_if(waiting_, is_ready);
+            if (next == waiting_.end()) break;
+            const Found one = *next;
+            waiting_.erase(next);
+            add_line(one.bar, one.joint_step, std::nullopt);
+            next = waiting_.begin();
+        }
+    }
+
+    /// Of the bar's two spaces the one whose point is known, of two the left one.
+    std::optional<SpaceId> known_side(MemberId bar) const
+    {
+        for (const SpaceId space : diagram_.bar_spaces[bar.index])
+            if (is_known_[space.index]) return space;
+        return std::nullopt;
+    }
+
+    std::optional<SpaceId> new_side(MemberId bar) const
+    {
+        for (const SpaceId space : diagram_.bar_spaces[bar.index])
+            if (!is_known_[space.index]) return space;
+        return std::nullopt;
+    }
+
+    bool meet_in_new_point(MemberId a, MemberId b) const
+    {
+        return known_side(a) && known_side(b) && new_side(a) && new_side(a) == new_side(b);
+    }
+
+    void add_line(MemberId bar, std::size_t joint_step, std::optional<MemberId> cuts)
+    {
+        DiagramStep step{.joint_step = joint_step, .bar = bar, .from = known_side(bar), .cuts = cuts};
+        if (const auto space = new_side(bar)) {
+            diagram_.spaces[space->index].point = diagram_[*step.from].point + side(bar, *step.from);
+            is_known_[space->index] = true;
+            step.spaces.push_back(*space);
+        } else {
+            check(bar);
+        }
+        step.closes = is_closed(joint_step);
         diagram_.steps.push_back(std::move(step));
+    }
+
+    bool is_closed(std::size_t joint_step) const
+    {
+        const std::optional<NodeId> joint = diagram_.joints.steps[joint_step].joint;
+        return joint && std::ranges::all_of(truss_.bars_at[joint->index], [&](MemberId bar) {
+                   const auto& spaces = diagram_.bar_spaces[bar.index];
+                   return std::ranges::all_of(
+                       spaces, [&](SpaceId space) { return space != no_space && is_known_[space.index]; });
+               });
+    }
+
+    /// From the point of one of its spaces to that of the other.
+    Eigen::Vector2d side(MemberId bar, SpaceId from) const
+    {
+        const Eigen::Vector2d force = diagram_.joints.forces[bar.index] * truss_[bar].direction;
+        return from == diagram_.bar_spaces[bar.index][0] ? force : Eigen::Vector2d(-force);
+    }
+
+    /// By how much the line of a bar misses the point that it has to end in.
+    void check(MemberId bar)
+    {
+        const auto [left, right] = diagram_.bar_spaces[bar.index];
+        const Eigen::Vector2d missed = diagram_[right].point - diagram_[left].point - side(bar, left);
+        diagram_.closing_error = std::max(diagram_.closing_error, missed.norm());
     }
 
     void name_sides(MemberId bar)
@@ -148,30 +221,16 @@ private:
         }
     }
 
-    /// False while neither side's point is known.
-    bool draw_bar(MemberId bar, DiagramStep& step)
-    {
-        const auto [left, right] = diagram_.bar_spaces[bar.index];
-        const Eigen::Vector2d force = diagram_.joints.forces[bar.index] * truss_[bar].direction;
-        Eigen::Vector2d &from = diagram_.spaces[left.index].point, &to = diagram_.spaces[right.index].point;
-        if (!is_known_[left.index] && !is_known_[right.index]) return false;
-        if (is_known_[left.index] && is_known_[right.index])
-            diagram_.closing_error = std::max(diagram_.closing_error, (to - from - force).norm());
-        else if (is_known_[left.index]) to = from + force;
-        else from = to - force;
-        for (const SpaceId space : {left, right}) {
-            if (!is_known_[space.index]) step.spaces.push_back(space);
-            is_known_[space.index] = true;
-        }
-        return true;
-    }
-
     const Truss& truss_;
     Faces faces_;
     Reciprocal diagram_;
     std::vector<SpaceId> inner_; ///< of each face
     std::vector<bool> is_known_; ///< of each space
-    std::vector<MemberId> pending_;
+    struct Found {
+        MemberId bar;
+        std::size_t joint_step;
+    };
+    std::vector<Found> waiting_; ///< bars neither of whose points is known yet
 };
 
 } // namespace
@@ -191,6 +250,30 @@ std::string Reciprocal::name(MemberId bar) const
 }
 
 std::string Reciprocal::side_name(MemberId bar) const { return in_small_letters(name(bar)); }
+
+std::vector<PolygonSide> Reciprocal::polygon(const Truss& truss, const Step& step) const
+{
+    std::vector<PolygonSide> sides;
+    const auto is_found = [&](const Spoke& spoke) {
+        return spoke.bar && std::ranges::find(step.found, *spoke.bar) != step.found.end();
+    };
+    std::vector<Spoke> spokes = arrangement[step.joint->index];
+    const auto comes_last = [&](const Spoke& spoke) { return is_found(spoke) && !is_found(spokes.front()); };
+    for (std::size_t i = 0; i < spokes.size() && !comes_last(spokes.back()); ++i)
+        std::rotate(spokes.begin(), std::next(spokes.begin()), spokes.end());
+    for (const Spoke& spoke : spokes) {
+        std::array<SpaceId, 2> spaces;
+        if (spoke.bar) {
+            spaces = bar_spaces[spoke.bar->index];
+            if (truss[*spoke.bar].joints[0] != *step.joint) std::swap(spaces[0], spaces[1]);
+        } else {
+            const auto at = std::ranges::find(forces, *spoke.force);
+            spaces = force_spaces(static_cast<std::size_t>(at - forces.begin()));
+        }
+        sides.push_back({.bar = spoke.bar, .force = spoke.force, .from = spaces[0], .to = spaces[1]});
+    }
+    return sides;
+}
 
 std::optional<Refusal> why_no_reciprocal(const Truss& truss)
 {

@@ -27,11 +27,23 @@ struct Space {
     std::string point_name() const; ///< "a" ... of its point
 };
 
-/// What is drawn at one stage: first the forces from outside, then what each step of the joint method finds.
+/// What is drawn at one stage: first the forces from outside, then bar by bar, at last the joints that are left to check.
+/// Of two bars that are unknown at a joint the first is a line without an end: the second cuts it in the new point.
 struct DiagramStep {
-    std::optional<std::size_t> joint_step; ///< of JointMethod::steps; none for the polygon of the forces
-    std::vector<MemberId> bars;            ///< whose sides are drawn
-    std::vector<SpaceId> spaces;           ///< whose points become known
+    std::optional<std::size_t> joint_step{}; ///< of JointMethod::steps; none for the polygon of the forces
+    std::optional<MemberId> bar{};           ///< whose line is drawn; none at the first stage, and where joints check
+    std::optional<SpaceId> from{};           ///< at whose point it begins
+    std::optional<MemberId> cuts{};          ///< the bar whose line it ends
+    std::vector<SpaceId> spaces{};           ///< whose points become known
+    bool is_open = false;                    ///< where the line ends is not known yet
+    bool closes = false;                     ///< all sides of the joint of `joint_step` stand now
+};
+
+/// A side of a joint's force polygon in the diagram.
+struct PolygonSide {
+    std::optional<MemberId> bar;
+    std::optional<std::size_t> force; ///< of Truss::forces
+    SpaceId from, to;                 ///< as it acts on the joint
 };
 
 /// The reciprocal diagram of Maxwell and Cremona: every joint's force polygon, each bar drawn once.
@@ -61,6 +73,8 @@ struct Reciprocal {
     std::array<SpaceId, 2> force_spaces(std::size_t i) const; ///< before and after forces[i], clockwise
     std::string name(MemberId bar) const;                     ///< "A-1"
     std::string side_name(MemberId bar) const;                ///< "a-1"
+    /// Clockwise about the joint of a step, so that what it finds comes last. \pre the step has a joint
+    std::vector<PolygonSide> polygon(const Truss& truss, const Step& step) const;
 };
 
 std::optional<Refusal> why_no_reciprocal(const Truss& truss);

@@ -16,7 +16,8 @@ public:
         while (look_once(false) || look_once(true)) {
         }
         for (std::size_t i = 0; i < truss_.bars.size(); ++i)
-            if (!is_found_[i] && truss_.bars[i].force == 0.0) found_.push_back({.bar = MemberId(i)});
+            if (!is_found_[i] && truss_.bars[i].force == 0.0)
+                found_.push_back({.bar = MemberId(i), .joint = {}, .in_line = {}});
         return std::move(found_);
     }
 
@@ -33,8 +34,8 @@ private:
     void look_at(NodeId joint)
     {
         std::vector<MemberId> bars;
-        std::ranges::copy_if(truss_.bars_at[joint.index], std::back_inserter(bars),
-                             [&](MemberId bar) { return !is_found_[bar.index]; });
+        without_.clear();
+        for (const MemberId bar : truss_.bars_at[joint.index]) (is_found_[bar.index] ? without_ : bars).push_back(bar);
         const Eigen::Vector2d force = truss_.force_at(joint);
         const bool is_unloaded = force.isZero(0.0);
         if (bars.size() == 1 && is_unloaded) add(bars[0], ZeroForceRule::SingleBar, joint);
@@ -72,16 +73,28 @@ private:
     void add(MemberId bar, ZeroForceRule rule, NodeId joint, std::optional<MemberId> in_line = std::nullopt)
     {
         is_found_[bar.index] = true;
-        found_.push_back({.bar = bar, .rule = rule, .joint = joint, .in_line = in_line});
+        found_.push_back({.bar = bar, .rule = rule, .joint = joint, .in_line = in_line, .without = without_});
     }
 
     const Truss& truss_;
     std::vector<bool> is_found_;
+    std::vector<MemberId> without_; ///< at the joint that is looked at
     std::vector<ZeroForceBar> found_;
 };
 
 } // namespace
 
 std::vector<ZeroForceBar> zero_force_bars(const Truss& truss) { return ZeroForceSearch(truss).found(); }
+
+std::vector<std::vector<ZeroForceBar>> zero_force_steps(const Truss& truss)
+{
+    std::vector<std::vector<ZeroForceBar>> steps;
+    for (ZeroForceBar& bar : zero_force_bars(truss)) {
+        const bool goes_on = !steps.empty() && steps.back().back().joint == bar.joint;
+        if (!goes_on) steps.emplace_back();
+        steps.back().push_back(std::move(bar));
+    }
+    return steps;
+}
 
 } // namespace femoop::truss

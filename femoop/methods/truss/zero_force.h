@@ -24,10 +24,14 @@ struct ZeroForceBar {
     ZeroForceRule rule = ZeroForceRule::NoRule;
     std::optional<NodeId> joint;     ///< where the rule is seen
     std::optional<MemberId> in_line; ///< the bar along which the force acts, or one of those in line
+    std::vector<MemberId> without{}; ///< the bars at the joint that were found before, and count no longer
 };
 
 /// In the order in which they can be found: those that a rule shows, then the rest.
 /// Source  [Kassimali, ch. 4]
 std::vector<ZeroForceBar> zero_force_bars(const Truss& truss);
+
+/// The same as a teacher steps through them: what is seen at one joint at once, and at last those that no rule shows.
+std::vector<std::vector<ZeroForceBar>> zero_force_steps(const Truss& truss);
 
 } // namespace femoop::truss

@@ -37,10 +37,14 @@ TEST_CASE("What is no determinate plane truss is refused with the reason")
     check_refused({"truss", king_post, "--method", "sections"}, "--method sections needs --cut too");
     check_refused({"truss", king_post, "--method", "joints", "--cut", "AC,CD"}, "contradict one another");
     check_refused({"truss", king_post, "--json", "--latex"}, "print different things");
-    check_refused({"truss", king_post, "--method", "springs"}, "wanted one of joints, sections, cremona");
+    check_refused({"truss", king_post, "--method", "springs"}, "wanted one of zero-force, joints, sections, cremona");
     check_refused({"render", king_post, "-o", "x.svg", "--cremona", "--stage", "9"}, "--stage");
-    check_refused({"render", king_post, "-o", "x.svg", "--stage", "1"}, "--stage needs --cremona too");
-    check_refused({"render", "examples/portal.json", "-o", "x.svg", "--cremona"}, "--cremona: ");
+    check_refused({"render", king_post, "-o", "x.svg", "--stage", "1"}, "--stage needs --truss too");
+    check_refused({"render", "examples/portal.json", "-o", "x.svg", "--cremona"}, "--truss: ");
+    check_refused({"render", king_post, "-o", "x.svg", "--truss", "springs"},
+                  "wanted one of zero-force, joints, cremona");
+    check_refused({"render", king_post, "-o", "x.svg", "--cremona", "--truss", "joints"}, "contradict one another");
+    check_refused({"truss", "tests/cases/members/TR-002.json", "--method", "zero-force"}, "statically indeterminate");
 }
 
 TEST_CASE("A truss that can move is told so, and the status is 3")
@@ -58,6 +62,29 @@ TEST_CASE("Sides of the diagram as JSON are what solve gives as forces")
     CHECK(sides[0]["bar"] == "AC");
     CHECK(sides[0]["N"].get<double>() == doctest::Approx(30.0));
     CHECK(truss["truss"]["closing_error"].get<double>() < 1e-9);
+}
+
+TEST_CASE("Zero-force bars stand in the sheet, in the count and in the JSON of both, each with its rule")
+{
+    const std::string pratt = "examples/pratt_truss.json";
+    const std::string rule =
+        "L3U3: at joint U3, where no force acts from outside, it stands alone beside two bars in line";
+    const Run sheet = cremona({"truss", pratt, "--method", "zero-force"});
+    CHECK(sheet.status == 0);
+    CHECK(has(sheet.out, rule));
+    CHECK(has(sheet.out, "L3U3 carries nothing: 1 of 21 bars."));
+    CHECK(!has(sheet.out, "Joint by joint"));
+    CHECK(has(cremona({"check", pratt, "--count"}).out, "Load case P: L3U3 carries nothing: 1 of 21 bars.\n  " + rule));
+    CHECK(!has(cremona({"check", "examples/portal.json", "--count"}).out, "nothing"));
+    const auto truss = nlohmann::json::parse(cremona({"truss", pratt, "--method", "zero-force", "--json"}).out);
+    const auto count = nlohmann::json::parse(cremona({"check", pratt, "--count", "--json"}).out);
+    for (const auto& bars : {truss["truss"]["zero_force_bars"], count["files"][0]["zero_force_bars"]}) {
+        REQUIRE(bars.size() == 1);
+        CHECK(bars[0]["bar"] == "L3U3");
+        CHECK(bars[0]["rule"] == "third_bar");
+        CHECK(bars[0]["joint"] == "U3");
+        CHECK(bars[0]["without"].empty());
+    }
 }
 
 TEST_CASE("The sheet speaks Portuguese, with a decimal comma")

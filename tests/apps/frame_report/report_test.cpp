@@ -172,6 +172,21 @@ TEST_SUITE("frame report")
         CHECK(says(report_of("examples/portal.json", options), "Matrices of the members"));
     }
 
+    TEST_CASE("A truss that is worked out by hand is worked out in the report, where statics alone gives its forces")
+    {
+        ReportOptions options;
+        CHECK(!says(report_of("examples/pratt_truss.json", options), "Joint by joint"));
+        options.truss = TrussMethod::Joints;
+        const ui::Report joints = report_of("examples/pratt_truss.json", options);
+        CHECK(says(joints, "N(L0U1) = -93.75 (compression)"));
+        options.truss = TrussMethod::Cremona;
+        CHECK(says(report_of("examples/pratt_truss.json", options), "Sides of the diagram"));
+        CHECK(!says(report_of("tests/cases/members/TR-002.json", options), "Sides of the diagram"));
+        CHECK(!says(report_of("examples/portal.json", options), "Sides of the diagram"));
+        options.truss = TrussMethod::ZeroForces;
+        CHECK(says(report_of("examples/pratt_truss.json", options), "L3U3 carries nothing: 1 of 21 bars."));
+    }
+
     TEST_CASE("A long table goes on with its headings on the next page, and nothing stands outside the paper")
     {
         ui::Report report;

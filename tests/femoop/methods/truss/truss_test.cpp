@@ -59,7 +59,7 @@ void check_laws(const Truss& truss, const Reciprocal& diagram)
 std::size_t n_bars(const Reciprocal& diagram)
 {
     return std::accumulate(diagram.steps.begin(), diagram.steps.end(), std::size_t{0},
-                           [](std::size_t n, const DiagramStep& step) { return n + step.bars.size(); });
+                           [](std::size_t n, const DiagramStep& step) { return n + (step.bar ? 1 : 0); });
 }
 
 } // namespace
@@ -146,6 +146,47 @@ TEST_CASE("The king-post truss has the diagram that is drawn by hand")
     CHECK(diagram.name(bar_named(model, "CD")) == "1-2");
     CHECK(diagram.name(bar_named(model, "AC")) == "D-1");
     CHECK(diagram.joints.forces[bar_named(model, "AD").index] == doctest::Approx(-10.0 * std::sqrt(13.0)));
+}
+
+TEST_CASE(
+    "Bar by bar the diagram grows by one line at a stage, from a point that stands, and ends with joints that close")
+{
+    for (unsigned seed = 0; seed < n_seeds; ++seed) {
+        CAPTURE(seed);
+        const Truss truss = truss_in(random_planar_truss(seed, 25));
+        const Reciprocal diagram = reciprocal(truss);
+        std::vector<bool> is_known(diagram.spaces.size(), false), is_drawn(truss.bars.size(), false);
+        for (const DiagramStep& step : diagram.steps) {
+            if (step.bar) {
+                REQUIRE(step.from);
+                CHECK(is_known[step.from->index]);
+                CHECK(!is_drawn[step.bar->index]);
+                is_drawn[step.bar->index] = true;
+            }
+            CHECK((step.is_open ? step.spaces.empty() : step.spaces.size() <= 1 || !step.joint_step));
+            for (const SpaceId space : step.spaces) is_known[space.index] = true;
+        }
+        CHECK(std::ranges::count(is_drawn, false) == 0);
+        CHECK(!diagram.steps.back().bar);
+        CHECK(diagram.steps.back().closes);
+    }
+}
+
+TEST_CASE(
+    "The polygon of a joint goes around: each side begins where the one before it ends, and what is found comes last")
+{
+    for (unsigned seed = 0; seed < n_seeds; ++seed) {
+        CAPTURE(seed);
+        const Truss truss = truss_in(random_planar_truss(seed, 15));
+        const Reciprocal diagram = reciprocal(truss);
+        for (const Step& step : diagram.joints.steps) {
+            if (!step.joint) continue;
+            const std::vector<PolygonSide> sides = diagram.polygon(truss, step);
+            REQUIRE(sides.size() == step.forces.size());
+            for (std::size_t i = 0; i < sides.size(); ++i) CHECK(sides[i].to == sides[(i + 1) % sides.size()].from);
+            if (step.found.size() == 1) CHECK(sides.back().bar == step.found.front());
+        }
+    }
 }
 
 TEST_CASE("A compound truss, where every joint has three bars, is begun by a section")
@@ -236,6 +277,25 @@ TEST_CASE("Each rule of zero-force bars is told by its name")
     CHECK(rule_of("A-D") == ZeroForceRule::TwoBars);
     CHECK(rule_of("D-E") == ZeroForceRule::TwoBars);
     CHECK(zero.size() == 5);
+}
+
+TEST_CASE(
+    "Zero-force bars are found again without those found before, joint after joint, each told what no longer counts")
+{
+    // A roof whose lower chord's middle alone is loaded: the posts beside it go first, then the struts that they held.
+    TrussMaker made;
+    made.node("A", {0, 0}, Pin).node("B", {12, 0}, Roller).node("C", {3, 0}).node("D", {6, 0}).node("E", {9, 0});
+    made.node("F", {3, 2}).node("G", {6, 4}).node("H", {9, 2});
+    made.bars({"AC", "CD", "DE", "EB", "AF", "FG", "GH", "HB", "CF", "DF", "DG", "DH", "EH"}).load("D", {0, -20});
+    const Truss truss = truss_in(made.model);
+    const auto steps = zero_force_steps(truss);
+    const auto bar = [&](const char* id) { return bar_named(made.model, id); };
+    REQUIRE(steps.size() == 4);
+    CHECK(steps[0].front().bar == bar("C-F"));
+    CHECK(steps[0].front().without.empty());
+    CHECK(steps[2].front().bar == bar("D-F"));
+    CHECK(steps[2].front().rule == ZeroForceRule::ThirdBar);
+    CHECK(steps[2].front().without == std::vector{bar("C-F")});
 }
 
 TEST_CASE("Under a force along one of two bars the other carries nothing, and so the third beside a force in line")

@@ -1,0 +1,58 @@
+#include "apps/frame/truss/asked_truss.h"
+
+#include <algorithm>
+
+#include "femoop/io/truss/truss_sentence.h"
+
+namespace frame {
+
+void AskedTruss::show(Method method)
+{
+    method_ = method;
+    stage_.reset();
+    if (method != Method::Cremona) stage_ = 1;
+}
+
+void AskedTruss::step(Way way)
+{
+    const std::size_t n = n_stages();
+    if (n == 0) return;
+    const std::size_t now = std::min(stage_.value_or(n), n);
+    if (way == Way::On) stage_ = now % n + 1;
+    else stage_ = now > 1 ? now - 1 : n;
+}
+
+const drawing::TrussPicture* AskedTruss::picture(const femoop::Model& model, const femoop::Results* results,
+                                                 std::uint64_t generation, const drawing::DrawOptions& options) const
+{
+    if (!method_ || results == nullptr) {
+        found_ = {};
+        return nullptr;
+    }
+    const bool is_here = found_.generation == generation && found_.method == method_ &&
+                         found_.load_case == options.load_case && found_.language == options.tr.language();
+    if (!is_here) {
+        found_ = {.generation = generation,
+                  .method = method_,
+                  .load_case = options.load_case,
+                  .language = options.tr.language()};
+        find(model, *results, options);
+    }
+    if (!found_.picture) return nullptr;
+    found_.picture->n_stages = std::clamp<std::size_t>(stage_.value_or(n_stages()), 1, n_stages());
+    return &*found_.picture;
+}
+
+void AskedTruss::find(const femoop::Model& model, const femoop::Results& results,
+                      const drawing::DrawOptions& options) const
+{
+    if (const auto refusal = femoop::truss::why_no_truss(model, results)) {
+        found_.why_none = sentence(*refusal, model, options.tr);
+        return;
+    }
+    const femoop::truss::Truss truss = femoop::truss::truss_of(model, results, options.load_case);
+    if (const auto refusal = why_not(*method_, truss)) found_.why_none = sentence(*refusal, model, options.tr);
+    else found_.picture = drawing::truss_picture(*method_, model, truss, options.tr);
+}
+
+} // namespace frame
