@@ -410,7 +410,7 @@ bool Subject::is_stacked(const ui::Box& room) const
     if (room.width() <= room.height()) return true;
     if (!shows_truss() || input_.truss->diagram || shape_.nodes.empty()) return false;
     constexpr double flat = 2.2;   // width of its height
-    constexpr double lines = 24.0; // of text that the two need
+    constexpr double lines = 30.0; // of text that the two need
     Eigen::Vector3d least = shape_.nodes.front(), most = least;
     for (const Eigen::Vector3d& node : shape_.nodes) {
         least = least.cwiseMin(node);

@@ -67,9 +67,11 @@ private:
         }
     }
 
-    /// The sides of the joint's polygon that stand, and among them the line that is new.
+    /// The sides of the joint's polygon that stand, and among them the line that is new; nothing while the pointer lights
+    /// a bar.
     void light(const femoop::truss::DiagramStep& step) const
     {
+        if (!scene_.state.hover.members.empty()) return;
         const ui::LayerScope layer(sketch().painter(), ui::Layer::Areas);
         for (const auto& [a, b] : standing_sides(step))
             sketch().line(a, b, highlight_stroke(scene_, ui::Role::Hover), Clearance::None);

@@ -19,7 +19,7 @@ using femoop::MemberId;
 using femoop::truss::ForceCause;
 using femoop::truss::SpaceId;
 
-constexpr double ems_of_force = 6.0; // "101.3 (C)"
+constexpr double ems_of_force = 8.0; // "101.3 (C)", and what stands about it
 constexpr std::string_view senses = ui::translatable(
     "full line: tension (T) · dashes: compression (C) · dots: no force");
 
@@ -70,8 +70,7 @@ private:
         if (!picture_.is_found(bar)) return sketch().line(a, b, sketch().thin(ui::Role::Bar));
         sketch().line(a, b, stroke_of(scene_, force));
         if (!scene_.shows(Show::Values)) return;
-        const bool is_short = ui::distance(a, b) < ems_of_force * sketch().lesser_value_size();
-        const std::string sense = force == 0.0 || is_short ? "" : force > 0.0 ? " (T)" : " (C)";
+        const std::string sense = force == 0.0 || is_short(ui::distance(a, b)) ? "" : force > 0.0 ? " (T)" : " (C)";
         const ui::Point across = ui::left_normal(ui::direction(b - a));
         sketch().caption({.text = scene_.number(std::abs(force), ui::Measure::Force) + sense,
                           .role = role_of(force),
@@ -85,12 +84,17 @@ private:
                           .along = ui::direction(b - a)});
     }
 
-    /// Em of a value beside a bar so long: where bars are short it is smaller, and leaves the sense to line and hue.
+    /// Where bars are short the sense is left to line and hue.
+    bool is_short(double length) const { return length < ems_of_force * sketch().lesser_value_size(); }
+
+    /// Em of a value beside a bar so long.
     double value_size(double length) const
     {
-        constexpr double ems = 5.0; // with what is left free beside it
+        constexpr double ems = 5.0; // of a number, with what is left free beside it
         const double most = sketch().lesser_value_size();
-        return std::clamp(length / ems, std::min(most, ui::TypeSizes().normal), most);
+        if (!is_short(length)) return most;
+        const double small = std::min(most, sketch().theme().type().small);
+        return std::clamp(length / ems, std::min(small, ui::TypeSizes().normal), small);
     }
 
     const femoop::truss::Spoke& spoke_of(std::size_t force) const
@@ -157,7 +161,8 @@ private:
         const ui::LayerScope layer(sketch().painter(), ui::Layer::Labels);
         ui::TextStyle style = sketch().theme().text(letter_role, ui::Anchor::Center);
         style.weight = ui::Weight::Bold;
-        style.size = std::clamp(fitting * room, 0.8 * sketch().theme().type().small, letter_size());
+        const double most = std::clamp(0.6 * room, std::min(ui::TypeSizes().large, letter_size()), letter_size());
+        style.size = std::clamp(fitting * room, 0.8 * sketch().theme().type().small, most); // forces need room too
         sketch().painter().text(at, space.name, style);
         const ui::Size size = ui::label_size(sketch().painter().fonts(), space.name, style);
         sketch().reserve(ui::box_at(at - ui::Point{0.5 * size.width, 0.5 * size.height}, size));

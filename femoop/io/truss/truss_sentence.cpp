@@ -57,17 +57,22 @@ std::string sides_text(const Step& step, const Truss& truss, const Reciprocal& d
     return text;
 }
 
-/// The polygon of the joint, which closes, and what it says of the bars that the step finds.
+/// The polygon of the joint, which closes.
 std::string closing_sentence(const Step& step, const Truss& truss, const Reciprocal& diagram, const Model& model,
                              const Translator& tr)
 {
-    std::string text = femoop::fill(tr("Clockwise about {0}: {1} close."),
-                                    {model[*step.joint].id, sides_text(step, truss, diagram, model)});
-    std::string results;
+    return femoop::fill(tr("Clockwise about {0}: {1} close."),
+                        {model[*step.joint].id, sides_text(step, truss, diagram, model)});
+}
+
+/// What the polygon says of the bars that the step finds; empty where it only checks.
+std::string results_text(const Step& step, const Reciprocal& diagram, const Model& model, const Translator& tr)
+{
+    std::string text;
     for (const MemberId bar : step.found)
-        results += (results.empty() ? " " : ", ") +
-                   force_result(bar, diagram.joints.forces[bar.index], model, tr, Unit::Written);
-    return results.empty() ? text : text + results + ".";
+        text += (text.empty() ? "" : ",  ") +
+                force_result(bar, diagram.joints.forces[bar.index], model, tr, Unit::Written);
+    return text;
 }
 
 /// Where the line of a bar begins and ends.
@@ -218,7 +223,9 @@ std::vector<std::string> stage_lines(const DiagramStep& step, const Truss& truss
     const Step& found = diagram.joints.steps[*step.joint_step];
     const std::string drawn = step.bar ? line_sentence(step, diagram, model, tr) : tr("all its sides stand already.");
     std::vector<std::string> lines{origin_sentence(found, model, tr) + drawn};
-    if (step.closes) lines.push_back(closing_sentence(found, truss, diagram, model, tr));
+    if (!step.closes) return lines;
+    lines.push_back(closing_sentence(found, truss, diagram, model, tr));
+    if (!found.found.empty()) lines.push_back(results_text(found, diagram, model, tr));
     return lines;
 }
 

@@ -105,7 +105,8 @@ TEST_SUITE("Cremona diagrams")
             [&](ui::Painter& painter) { draw_truss_and_diagram(painter, model, picture, shown_beside()); });
     }
 
-    TEST_CASE("cremona_projector_pt: the same in Portuguese on the projector, where every bar has room for its force")
+    TEST_CASE(
+        "cremona_projector_pt: the same in Portuguese on the projector, where short bars leave the sense to line and hue")
     {
         const femoop::Model model = view_test::example("pratt_truss");
         DrawOptions options = shown_beside(ui::ThemeName::Projector);
