@@ -100,5 +100,5 @@ TEST_CASE("Influence lines and trains come out as published") { check_folder("in
 TEST_CASE(
     "What only closed forms tell: rigid and inextensible members, offsets, joints, misfits, shapes, profiles, ...")
 {
-    check_folder("own", 950, 0);
+    check_folder("own", 954, 0);
 }

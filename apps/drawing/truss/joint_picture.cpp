@@ -6,6 +6,7 @@
 #include "apps/drawing/structure/members.h"
 #include "apps/drawing/truss/truss_drawing.h"
 #include "femoop/io/truss/truss_equation.h"
+#include "ui/paint/wrapped_lines.h"
 
 #include <algorithm>
 #include <cmath>
@@ -273,18 +274,44 @@ private:
     JointPlan plan_;
 };
 
+/// At the stage that counts them.
+bool lists_rules(const TrussPicture& picture)
+{
+    return picture.method == TrussMethod::ZeroForces && picture.n_stages == picture.stages.size();
+}
+
+/// As many as there is room for.
+void write_rules(const Scene& scene, const TrussPicture& picture, const ui::Box& panel)
+{
+    ui::Painter& painter = scene.sketch.painter();
+    const ui::LayerScope layer(painter, ui::Layer::Labels);
+    ui::TextStyle style = scene.sketch.theme().text(ui::Role::Label, ui::Anchor::TopLeft);
+    style.size = scene.sketch.lesser_value_size();
+    const double line_height = 1.5 * style.size, border = 16.0;
+    double y = panel.min.y + 3.0 * scene.sketch.theme().type().normal;
+    for (std::size_t i = 0; i + 1 < picture.stages.size(); ++i)
+        for (const MemberId bar : picture.stages[i].found)
+            for (const std::string& line : ui::wrapped_lines(painter.fonts(), picture.bar_sentences[bar.index], style,
+                                                             panel.width() - 2.0 * border)) {
+                if (y + line_height > panel.max.y) return;
+                painter.text({panel.min.x + border, y}, line, style);
+                y += line_height;
+            }
+}
+
 } // namespace
 
 void draw_joint(const Scene& scene, const TrussPicture& picture, const ui::Box& panel)
 {
-    JointDrawing(scene, picture, panel).draw();
+    if (lists_rules(picture)) write_rules(scene, picture, panel);
+    else JointDrawing(scene, picture, panel).draw();
 }
 
 PanelHead joint_head(const Scene& scene, const TrussPicture& picture, const ui::Box& panel)
 {
     const ui::Catalogue& tr = scene.options.tr;
     const TrussStage& stage = picture.stage();
-    if (!stage.joint) return {.name = {}, .note = {}};
+    if (!stage.joint) return {.name = lists_rules(picture) ? tr("The rule of each") : std::string(), .note = {}};
     const std::string name = tr("Joint {name}", {{"name", scene.model[*stage.joint].id}});
     const JointPlan plan(picture, panel, scene.sketch.theme());
     if (!plan.has_polygon()) return {.name = name, .note = {}};

@@ -10,7 +10,7 @@ namespace drawing {
 
 /// The joint of the stage, lifted out of the truss: the stubs of its bars with their forces as they act on it, those that
 /// are unknown with their symbols, the loads and reactions; and its force polygon to scale. While bars are unknown their
-/// lines have no end there. Of bars that carry nothing the joint stands alone.
+/// lines have no end there. Of bars that carry nothing the joint stands alone, and at last the rule of each.
 void draw_joint(const Scene& scene, const TrussPicture& picture, const ui::Box& panel);
 PanelHead joint_head(const Scene& scene, const TrussPicture& picture, const ui::Box& panel);
 

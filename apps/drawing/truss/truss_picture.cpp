@@ -33,8 +33,10 @@ public:
         }
         const std::string n = std::to_string(picture_.stages.size());
         for (std::size_t i = 0; i < picture_.stages.size(); ++i) {
-            std::string& first = picture_.stages[i].lines.front();
-            first.insert(0, std::to_string(i + 1) + "/" + n + "  ");
+            TrussStage& stage = picture_.stages[i];
+            const std::string number = std::to_string(i + 1) + "/" + n + "  ";
+            stage.title = number + (stage.title.empty() ? stage.lines.front() : stage.title);
+            stage.lines.front().insert(0, number);
         }
         picture_.n_stages = picture_.stages.size();
     }
@@ -69,6 +71,7 @@ private:
             if (text.answer.empty()) continue;
             stage.lines.insert(stage.lines.end(), text.answer.begin(), text.answer.end());
             stage.found = step.found;
+            stage.title = text.answer.front();
             picture_.stages.push_back(std::move(stage));
             for (const MemberId bar : step.found) picture_.bar_sentences[bar.index] = text.answer.front();
         }

@@ -18,6 +18,7 @@ enum class TrussMethod : std::uint8_t { ZeroForces, Joints, Cremona };
 /// What one stage shows.
 struct TrussStage {
     std::vector<std::string> lines;                ///< for the foot of the sheet
+    std::string title{};                           ///< for a list of the stages
     std::optional<femoop::NodeId> joint{};         ///< that it is about
     std::vector<femoop::MemberId> lit{};           ///< bars that are new, or cut
     std::vector<femoop::MemberId> found{};         ///< bars whose force is known from here on

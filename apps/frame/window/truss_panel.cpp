@@ -31,7 +31,7 @@ void truss_panel(Workspace& workspace)
     ImGui::TextDisabled("%s", method_name(truss.method, session.view.tr).c_str());
     for (std::size_t i = 0; i < truss.stages.size(); ++i) {
         ImGui::PushID(static_cast<int>(i));
-        if (stage_button(truss.stages[i].lines.front(), i + 1 == truss.n_stages)) session.truss.go_to(i + 1);
+        if (stage_button(truss.stages[i].title, i + 1 == truss.n_stages)) session.truss.go_to(i + 1);
         ImGui::PopID();
     }
 }
