@@ -69,6 +69,9 @@ private:
     CaseId followed_case(const Model& model, const ui::Catalogue& tr) const;
     std::string derivation(const Model& model, const Results& results, const ui::Catalogue& tr) const;
     std::string virtual_work(const Model& model, const Results& results, const ui::Catalogue& tr) const;
+    femoop::virtual_work::VirtualWork worked_out(const Model& model, const Results& results,
+                                                 const femoop::MovingEffect& displacement,
+                                                 const ui::Catalogue& tr) const;
     void write_csv(const Model& model, const Results& results, const Selection& selection,
                    const Console& console) const;
 
@@ -260,6 +263,17 @@ std::string Solve::derivation(const Model& model, const Results& results, const 
     return is_json_ ? derivation_json(derivation, model, tr) : derivation_text(derivation, model, tr);
 }
 
+/// \throws ModelError where the unit load moves what nothing holds
+femoop::virtual_work::VirtualWork Solve::worked_out(const Model& model, const Results& results,
+                                                    const femoop::MovingEffect& displacement,
+                                                    const ui::Catalogue& tr) const
+try {
+    return femoop::virtual_work::displacement_by_work(model, results, followed_case(model, tr), displacement);
+} catch (const femoop::MechanismError&) {
+    if (!displacement.node || !displacement.dof || !is_rotation(*displacement.dof)) throw;
+    throw UsageError("--virtual-work: " + femoop::virtual_work::free_rotation_text(model, *displacement.node, tr));
+}
+
 std::string Solve::virtual_work(const Model& model, const Results& results, const ui::Catalogue& tr) const
 {
     AskedEffect asked;
@@ -270,8 +284,7 @@ std::string Solve::virtual_work(const Model& model, const Results& results, cons
         throw UsageError(
             tr("--virtual-work finds displacements: u v w along a member, ux uy uz rx ry rz of a node; for "
                "a force see --why"));
-    const auto work = femoop::virtual_work::displacement_by_work(model, results, followed_case(model, tr),
-                                                                 displacement);
+    const auto work = worked_out(model, results, displacement, tr);
     return is_json_ ? virtual_work_json(work, model) : virtual_work_text(work, model, tr);
 }
 

@@ -32,6 +32,10 @@ public:
         if (!is_truss(counting_.kind)) return rings() + releases();
         return members() + releases() + " − (" + joints() + " − " + parts() + ")";
     }
+    std::string reactions() const
+    {
+        return counted(static_cast<std::size_t>(counting_.n_reactions()), tr_("{0} reaction"), tr_("{0} reactions"));
+    }
 
 private:
     std::string frame_total() const { return rings() + releases() + " + " + reactions() + " − " + parts(); }
@@ -49,10 +53,6 @@ private:
     std::string parts() const
     {
         return counted(counting_.n_parts, tr_("{0} part"), tr_("{0} parts")) + times(counting_.equations_per_part());
-    }
-    std::string reactions() const
-    {
-        return counted(static_cast<std::size_t>(counting_.n_reactions()), tr_("{0} reaction"), tr_("{0} reactions"));
     }
     /// With its sign; nothing where nothing is released.
     std::string releases() const
@@ -99,6 +99,8 @@ std::string motion_text(const Counting& counting, const Translator& tr)
         return tr("It can move without strain in many ways, so that the count does not say what it holds");
     const std::size_t n = *counting.n_motions;
     const int total = counting.degree().total();
+    if (counting.has_foundation)
+        return fill(tr("It can move without strain in {0}"), {counted(n, tr("{0} way"), tr("{0} ways"))});
     const std::size_t n_states = static_cast<std::size_t>(total + static_cast<int>(n));
     return fill(tr("It can move without strain in {0}: {1} = {2} − {3}"),
                 {counted(n, tr("{0} way"), tr("{0} ways")), signed_text(total),
@@ -115,11 +117,16 @@ std::vector<std::string> sum_lines(const Counting& counting, const Model& model,
     const auto line = [&](std::string_view what, const std::string& sum, int value) {
         return std::string(what) + ": " + sum + " = " + signed_text(value);
     };
-    std::vector<std::string> lines{line(tr("Degree of indeterminacy"), terms.total(), degree.total()),
-                                   line(tr("External"), terms.external(), degree.external),
-                                   line(tr("Internal"), terms.internal(), degree.internal)};
-    if (degree.has_foundation)
-        lines.push_back(tr("Members stand on a continuous foundation, which adds infinitely many to it"));
+    std::vector<std::string> lines;
+    if (degree.has_foundation) { // whose reactions have no number
+        lines.push_back(tr(
+            "Degree of indeterminacy: infinite, since a continuous foundation reacts at every place of its members"));
+        lines.push_back(fill(tr("External: {0} and infinitely many of the foundation"), {terms.reactions()}));
+    } else {
+        lines.push_back(line(tr("Degree of indeterminacy"), terms.total(), degree.total()));
+        lines.push_back(line(tr("External"), terms.external(), degree.external));
+    }
+    lines.push_back(line(tr("Internal"), terms.internal(), degree.internal));
     if (counting.n_motions != 0) lines.push_back(motion_text(counting, tr));
     if (!counting.loose_nodes.empty())
         lines.push_back(fill(tr("Nodes without members do not count: {0}"), {names_text(counting.loose_nodes, model)}));

@@ -60,6 +60,23 @@ std::string closing_text(const Derivation& derivation, const Translator& tr)
            "\n";
 }
 
+std::string redundants_sentence(const Step& step, const Translator& tr)
+{
+    const Eigen::MatrixXd& degrees = step.matrices.back().values; // n of the structure, n0 of the primary structure
+    const auto degree = [&](Eigen::Index i) { return std::to_string(std::lround(degrees(i, 0))); };
+    const std::string given = tr(
+        "c: what a released support is displaced by, 1/k: a spring that the force goes through.");
+    if (degrees(1, 0) == 0.0)
+        return fill(tr("The structure is statically indeterminate to the degree n = {0}. These forces X are released; "
+                       "the primary structure that is left is statically determinate (n0 = 0)."),
+                    {degree(0)}) +
+               " " + given;
+    return fill(tr("The structure is statically indeterminate to the degree n = {0}. These forces X are released; the "
+                   "primary structure that is left is still so, to the degree n0 = {1}."),
+                {degree(0), degree(1)}) +
+           " " + given;
+}
+
 } // namespace
 
 std::string sentence(const Step& step, const Model& model, const Translator& tr)
@@ -109,11 +126,7 @@ std::string sentence(const Step& step, const Model& model, const Translator& tr)
                     {node});
     case StepKind::TurnedSupport:
         return fill(tr("From the axes of the support of node {0}, which is turned, to the global ones."), {node});
-    case StepKind::Redundants:
-        return tr(
-            "The degree of indeterminacy is n. These forces X are released, and that of the primary structure, which "
-            "is left, is n0: with 0 it is statically determinate. c: what a released support is displaced by, 1/k: a "
-            "spring that the force goes through.");
+    case StepKind::Redundants: return redundants_sentence(step, tr);
     case StepKind::State:
         if (step.state == 0)
             return tr("State 0: the loads alone on the primary structure. Section forces S0, reactions R0.");

@@ -1,7 +1,10 @@
 #include "femoop/io/virtual_work/virtual_work_text.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
+#include <functional>
+#include <numeric>
 #include <string_view>
 #include <vector>
 
@@ -20,7 +23,7 @@ namespace femoop::virtual_work {
 namespace {
 
 constexpr std::size_t indent = 2;
-constexpr int formula_digits = 6;
+constexpr int formula_digits = 6, sheet_digits = 4;
 
 /// What the force of a stretch or joint is called, and what resists it.
 std::string_view stiffness_name(const std::optional<MemberComponent>& force)
@@ -55,22 +58,71 @@ public:
 
     std::string all() const { return integrals() + joints() + supports(); }
 
+    /// What works, a row each, with its work.
+    struct Part {
+        std::vector<tabular::Cell> cells; ///< without the work
+        double value;
+    };
+    std::vector<Part> parts() const
+    {
+        std::vector<Part> all;
+        for (const WorkIntegral& one : of_.integrals) all.push_back(part(one));
+        for (const JointWork& one : of_.joints) all.push_back(part(one));
+        for (const SupportWork& one : of_.supports) all.push_back(part(one));
+        return all;
+    }
+    std::string value_text(double value) const { return six_digits(without_rounding(value, size_), tr_); }
+
 private:
     std::string force_name(const std::optional<MemberComponent>& force) const
     {
         return force ? std::string(name(*force, model_.analysis)) : "p";
     }
     std::string length_unit() const { return unit_text(dimension::length, model_.units); }
-    std::string value_text(double value) const { return six_digits(without_rounding(value, size_), tr_); }
     std::string shown(const tabular::Table& table) const
     {
         return tabular::plain_text(table, {indent, decimal_mark(tr_)});
     }
 
-    std::string formula(const Polynomial& p, const WorkIntegral& on) const
+    std::string formula(const Polynomial& p, const WorkIntegral& on, int digits = formula_digits) const
     {
         const double length = geometry_of(model_, model_[on.member]).length;
-        return localized(femoop::text(expression(p, on.from, on.to, length), formula_digits), tr_);
+        return localized(femoop::text(expression(p, on.from, on.to, length), digits), tr_);
+    }
+    /// Of the two forces, multiplied out; of power series it is not written.
+    std::string product_formula(const WorkIntegral& on, int digits = formula_digits) const
+    {
+        const auto multiplied = product(on);
+        return multiplied ? formula(*multiplied, on, digits) : "…";
+    }
+    /// Over a stiffness that varies it is no part of the work.
+    std::string product_integral(const WorkIntegral& on) const
+    {
+        return on.stiffness.n_terms() > 1 ? "–" : six_digits(integral_of_product(on), tr_);
+    }
+
+    Part part(const WorkIntegral& one) const
+    {
+        const std::string strain = one.strain == 0.0 ? "" : "; ε = " + six_digits(one.strain, tr_);
+        return {{model_[one.member].id, force_name(one.force),
+                 six_digits(one.from, tr_) + " … " + six_digits(one.to, tr_), formula(one.real, one, sheet_digits),
+                 formula(one.unit, one, sheet_digits), product_formula(one, sheet_digits), product_integral(one),
+                 stiffness(one) + strain},
+                one.value};
+    }
+    Part part(const JointWork& one) const
+    {
+        const std::string& node = model_[model_[one.member].nodes.at(one.end)].id;
+        return {{fill(tr_("spring of {0} at {1}"), {model_[one.member].id, node}), force_name(one.force), "",
+                 six_digits(one.real, tr_), six_digits(one.unit, tr_), six_digits(one.real * one.unit, tr_), "",
+                 "k = " + six_digits(one.stiffness, tr_)},
+                one.value};
+    }
+    Part part(const SupportWork& one) const
+    {
+        return {{fill(tr_("support {0}"), {model_[one.node].id}), std::string(name(one.dof)), "",
+                 "c = " + six_digits(one.displacement, tr_), "r = " + six_digits(one.reaction, tr_), "", "", "−r c"},
+                one.value};
     }
 
     std::string stiffness(const WorkIntegral& on) const
@@ -94,13 +146,22 @@ private:
                                              {tr_("to"), length_unit()},
                                              captions_.real + "(x)",
                                              captions_.unit + "(x)",
+                                             "F f",
+                                             {"∫ F f dx", "", tabular::Alignment::Right},
                                              tr_("stiffness")};
         if (is_strained) columns.emplace_back(tr_("imposed strain ε"), "", tabular::Alignment::Right);
         columns.emplace_back(tr_("work"), captions_.unit_of_work, tabular::Alignment::Right);
         tabular::Table table(std::move(columns));
         for (const WorkIntegral& one : all) {
-            std::vector<tabular::Cell> cells{model_[one.member].id,  force_name(one.force),  one.from,      one.to,
-                                             formula(one.real, one), formula(one.unit, one), stiffness(one)};
+            std::vector<tabular::Cell> cells{model_[one.member].id,
+                                             force_name(one.force),
+                                             one.from,
+                                             one.to,
+                                             formula(one.real, one),
+                                             formula(one.unit, one),
+                                             product_formula(one),
+                                             product_integral(one),
+                                             stiffness(one)};
             if (is_strained) cells.emplace_back(six_digits(one.strain, tr_));
             cells.emplace_back(value_text(one.value));
             table.add_row(std::move(cells));
@@ -153,9 +214,71 @@ private:
 
 } // namespace
 
+std::string free_rotation_text(const Model& model, NodeId node, const Translator& tr)
+{
+    std::vector<std::string> members;
+    for (const Member& member : model.members)
+        if (std::ranges::find(member.nodes, node) != member.nodes.end()) members.push_back(member.id);
+    return fill(
+        tr("node {0} has no rotation of its own: the ends of {1} turn there each by themselves; put a node on the "
+           "one that is meant, just beside {0}, and ask for its rotation"),
+        {model[node].id, listed(members)});
+}
+
 std::string work_text(const Work& work, const WorkCaptions& captions, const Model& model, const Translator& tr)
 {
     return Tables(work, captions, model, tr).all();
+}
+
+namespace {
+
+/// Which of the parts are told one by one: all, or those that work most.
+std::vector<bool> told_apart(const std::vector<Tables::Part>& parts, std::size_t most)
+{
+    std::vector<bool> is_told(parts.size(), true);
+    if (parts.size() <= most) return is_told;
+    std::vector<std::size_t> order(parts.size());
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    std::ranges::stable_sort(order, std::greater<>(), [&](std::size_t i) { return std::abs(parts[i].value); });
+    for (std::size_t i = most - 1; i < order.size(); ++i) is_told[order[i]] = false;
+    return is_told;
+}
+
+} // namespace
+
+tabular::Table work_table(const VirtualWork& work, const Model& model, const Translator& tr, std::size_t most_rows)
+{
+    const std::string unit = printed_unit(influence::dimension_of(work.displacement), model.units);
+    const WorkCaptions captions{.real = "F", .unit = "f", .unit_of_work = unit};
+    const Tables tables(work.work, captions, model, tr);
+    using tabular::Alignment;
+    tabular::Table table({tr("member"),
+                          "",
+                          {"x", unit_text(dimension::length, model.units)},
+                          {"F(x)", "", Alignment::Left},
+                          {"f(x)", "", Alignment::Left},
+                          {"F f", "", Alignment::Left},
+                          {"∫ F f dx", "", Alignment::Right},
+                          tr("stiffness"),
+                          {tr("work"), unit, Alignment::Right}});
+    const auto parts = tables.parts();
+    const std::vector<bool> is_told = told_apart(parts, most_rows);
+    double rest = 0.0;
+    std::size_t n_rest = 0;
+    const auto add = [&](std::vector<tabular::Cell> cells, double value) {
+        cells.resize(table.columns.size() - 1);
+        cells.emplace_back(tables.value_text(value));
+        table.add_row(std::move(cells));
+    };
+    for (std::size_t i = 0; i < parts.size(); ++i) {
+        if (is_told[i]) add(parts[i].cells, parts[i].value);
+        else rest += parts[i].value;
+        n_rest += is_told[i] ? 0 : 1;
+    }
+    if (n_rest > 0) add({fill(tr("{0} more that work less"), {std::to_string(n_rest)})}, rest);
+    add({tr("sum")}, work.sum);
+    table.n_sums = 1;
+    return table;
 }
 
 std::string virtual_work_text(const VirtualWork& work, const Model& model, const Translator& tr)

@@ -1,9 +1,11 @@
 #pragma once
 
+#include <cstddef>
 #include <string>
 
 #include "femoop/methods/virtual_work/virtual_work.h"
 #include "femoop/model/fault/translator.h"
+#include "femoop/tabular/table.h"
 
 namespace femoop::virtual_work {
 
@@ -18,6 +20,17 @@ std::string work_text(const Work& work, const WorkCaptions& captions, const Mode
 
 /// The integrals stretch by stretch with their formulas, then joints and supports, and their sum.
 std::string virtual_work_text(const VirtualWork& work, const Model& model, const Translator& tr);
+
+/// Why a node has no rotation that a unit couple could work on: its members turn there each by themselves.
+std::string free_rotation_text(const Model& model, NodeId node, const Translator& tr);
+
+/// All of it in one table with its sum, for a sheet beside the diagrams: a row for each stretch of a member, joint and
+/// support, in the model's units. Where there are more than `most_rows`, those that are least are one row together.
+/// \pre most_rows > 0
+tabular::Table work_table(const VirtualWork& work, const Model& model, const Translator& tr, std::size_t most_rows);
+/// Its columns that can stand below the others where there is little room: the product of the two forces, its integral
+/// and the stiffness.
+inline constexpr std::size_t foldable_columns[] = {5, 6, 7};
 
 /// The same for a program, with every digit.
 std::string virtual_work_json(const VirtualWork& work, const Model& model);

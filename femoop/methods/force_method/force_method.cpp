@@ -21,10 +21,16 @@ using virtual_work::work_between;
 
 constexpr double least_pivot = 1e-12; ///< of delta, each row and column scaled to a diagonal of 1
 
-std::string names_of(const Model& model, std::span<const Redundant> redundants)
+/// With the node that its cut puts inside a member, as a motion of the primary structure names it: M(BC, 50%) [E].
+std::string names_of(const Model& model, std::span<const Redundant> redundants, const PrimaryStructure& primary)
 {
     std::vector<std::string> names;
-    for (const Redundant& one : redundants) names.push_back(influence::effect_name(model, one));
+    for (std::size_t i = 0; i < redundants.size(); ++i) {
+        const NodeId node = primary.releases[i].node;
+        const bool is_new = node.index >= model.nodes.size();
+        names.push_back(influence::effect_name(model, redundants[i]) +
+                        (is_new ? " [" + primary.model[node].id + "]" : ""));
+    }
     return listed(names);
 }
 
@@ -137,9 +143,9 @@ try {
 
 ForceMethod solved(const Model& model, const Results& results, CaseId load_case, std::vector<Redundant> redundants)
 {
-    const std::string names = names_of(model, redundants);
     const CaseTerms terms = terms_of(model, load_case);
     PrimaryStructure primary = primary_structure(model, redundants);
+    const std::string names = names_of(model, redundants, primary);
     const std::vector<CaseId> cases = add_states(primary, terms);
     LinearStatic analysis = without(names, [&] { return LinearStatic(primary.model); });
     const Results unsolved = without(names, [&] { return analysis.solve(primary.model); });

@@ -206,7 +206,7 @@ private:
         integral.value = integral.flexibility *
                              integral_of_quotient(integral.real, integral.unit, integral.stiffness, length) +
                          integral.strain * integral_of_quotient(integral.unit, {1.0}, integral.depth, length);
-        if (is_tapered() && goes_on(integral)) {
+        if (goes_on(integral)) {
             work_.integrals.back().to = integral.to;
             work_.integrals.back().value += integral.value;
         } else {
@@ -214,7 +214,7 @@ private:
         }
     }
 
-    /// Along a taper the displacements have short pieces, of which the forces know nothing.
+    /// Where loads change that neither force knows of, and along a taper, whose displacements have short pieces.
     bool goes_on(const WorkIntegral& next) const
     {
         if (work_.integrals.empty()) return false;
@@ -263,6 +263,23 @@ void add_support(const LoadedStructure& real, const LoadedStructure& unit, const
 
 } // namespace
 
+std::optional<Polynomial> product(const WorkIntegral& along)
+{
+    constexpr std::size_t longest = 6; // of degree five: more terms are those of a series
+    std::size_t n_terms = along.real.n_terms() + along.unit.n_terms();
+    const auto coefficient = [&](std::size_t k) { return product_coefficient(along.real, along.unit, k); };
+    while (n_terms > 0 && coefficient(n_terms - 1) == 0.0) --n_terms;
+    if (n_terms > longest) return std::nullopt;
+    Polynomial product;
+    for (std::size_t k = 0; k < n_terms; ++k) product.append(coefficient(k));
+    return product;
+}
+
+double integral_of_product(const WorkIntegral& along)
+{
+    return integral_of_product(along.real, along.unit, along.to - along.from);
+}
+
 double Work::of(MemberId member) const
 {
     double sum = 0.0;
@@ -296,14 +313,18 @@ Work work_between(const Loading& real, const Loading& unit)
 VirtualWork displacement_by_work(const Model& model, const Results& results, CaseId load_case,
                                  const MovingEffect& displacement)
 {
-    VirtualWork found{.displacement = displacement, .load_case = load_case, .unit_model = without_loads(model)};
-    found.unit_model.load_cases.push_back(
-        unit_load_case(model, displacement, influence::effect_name(model, displacement)));
-    const Results under_unit = analyse(found.unit_model);
-    found.work = work_between({model, results, load_case}, {found.unit_model, under_unit, CaseId(0)});
-    found.sum = found.work.sum();
-    found.value = influence::effect_in(displacement, results[load_case]);
-    return found;
+    Model unit_model = without_loads(model);
+    unit_model.load_cases.push_back(unit_load_case(model, displacement, influence::effect_name(model, displacement)));
+    const Results under_unit = analyse(unit_model);
+    Work work = work_between({model, results, load_case}, {unit_model, under_unit, CaseId(0)});
+    const double sum = work.sum();
+    return {.displacement = displacement,
+            .load_case = load_case,
+            .unit_model = std::move(unit_model),
+            .under_unit = under_unit,
+            .work = std::move(work),
+            .sum = sum,
+            .value = influence::effect_in(displacement, results[load_case])};
 }
 
 } // namespace femoop::virtual_work

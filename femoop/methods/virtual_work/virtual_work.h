@@ -29,6 +29,11 @@ struct WorkIntegral {
     double value = 0.0;
 };
 
+/// real unit, a polynomial of t; nothing where one of them is a power series, on a foundation.
+std::optional<Polynomial> product(const WorkIntegral& along);
+/// integral of  real unit dt  over the stretch: what a table of standard integrals has.
+double integral_of_product(const WorkIntegral& along);
+
 /// The work of a spring between a member's end and its node: real unit / stiffness.
 struct JointWork {
     MemberId member;
@@ -74,7 +79,8 @@ Work work_between(const Loading& real, const Loading& unit);
 struct VirtualWork {
     MovingEffect displacement;
     CaseId load_case;
-    Model unit_model; ///< the structure under its unit load alone
+    Model unit_model;   ///< the structure under its unit load alone
+    Results under_unit; ///< of that model
     Work work;
     double sum = 0.0;   ///< of the work
     double value = 0.0; ///< as the results have it

@@ -261,6 +261,18 @@ TEST_CASE("--virtual-work gives the sag of a cantilever as the integral of M m /
     CHECK(has(cremona(combined, cantilever()).out, "em U: pelo trabalho virtual"));
 }
 
+TEST_CASE("--virtual-work multiplies the forces out, and says what to ask for where every member turns by itself")
+{
+    const Run run = cremona(
+        {"solve", source_folder() + "/examples/portal.json", "--virtual-work", "member=BC,at=50%,component=v"});
+    CHECK(has(run.out, "∫ F f dx"));
+    CHECK(has(run.out, "-27.0002 + 53.3515 x - 29.3024 x² + 3.16262 x³")); // (-42.68 + 50.6 x - 6.325 x²)(0.6326 - x/2)
+    const Run hinge = cremona(
+        {"solve", source_folder() + "/examples/gerber_beam.json", "--virtual-work", "node=E,component=rz"});
+    CHECK(hinge.status == 2);
+    CHECK(has(hinge.err, "node E has no rotation of its own: the ends of BE and EF turn there each by themselves"));
+}
+
 TEST_CASE("--virtual-work asks for a displacement, and refuses what goes with something else")
 {
     const Run force = cremona({"solve", "-", "--virtual-work", "node=A,component=fy"}, cantilever());

@@ -59,3 +59,17 @@ TEST_CASE("What moves although the count allows it not to is said, and what coun
     CHECK(text.find("It can move without strain in 1 way: 0 = 1 state of self-stress − 1 motion") != std::string::npos);
     CHECK(text.find("Nodes without members do not count: X") != std::string::npos);
 }
+
+TEST_CASE("On a continuous foundation there is no sum of reactions, and what is internal is counted all the same")
+{
+    FrameMaker made = closed_frame();
+    made.model.members[0].foundation = Quantity(5000.0);
+    CHECK(text_of(made.model) ==
+          "Degree of indeterminacy: infinite, since a continuous foundation reacts at every place of its members\n"
+          "External: 4 reactions and infinitely many of the foundation\n"
+          "Internal: 1 ring × 3 − 1 release = 2\n"
+          "  ring 1 of AB, BC, CD, DA: +3\n"
+          "  releases at C (CD 1): −1\n"
+          "  support A: +3\n"
+          "  support B: +1\n");
+}
