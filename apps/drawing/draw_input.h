@@ -21,6 +21,7 @@ struct FreeBodyPicture;
 struct FunicularPicture;
 struct InfluencePicture;
 struct TrussPicture;
+struct WorkPicture;
 
 /// One of the motions of a structure that cannot be solved.
 struct MotionChoice {
@@ -63,6 +64,9 @@ struct DrawInput {
     const TrussPicture* truss = nullptr; ///< drawn where Show::Truss is, in place of the results; none when null
     /// Drawn where Show::ForcePolygon is, in place of the results; none when null. \pre of the case that is shown
     const FunicularPicture* funicular = nullptr;
+    /// Drawn where Show::UnitLoad is: the structure under its unit load beside the results, and the table of their work;
+    /// none when null. \pre of the case that is shown
+    const WorkPicture* work = nullptr;
 };
 
 } // namespace drawing

@@ -26,6 +26,7 @@ enum class Show : std::uint8_t {
     Influence,    ///< the influence line that the input has; no word of a list asks for it
     Truss,        ///< the truss worked out by hand that the input has; no word asks for it either
     ForcePolygon, ///< the funicular and its force polygon that the input has, likewise
+    UnitLoad,     ///< the structure under the unit load of virtual work that the input has, likewise
     NodeNumbers,  ///< those that the input has, likewise
     Values,       ///< numbers beside loads, reactions and diagrams
     StepValues,   ///< numbers along diagrams at equal steps (DrawOptions::steps)

@@ -198,10 +198,35 @@ double stored_size(Measure measure, const BaseUnits& base)
 
 } // namespace
 
+DisplayUnits DisplayUnits::per(Measure load) const
+{
+    DisplayUnits of_unit_load = *this;
+    of_unit_load.per_ = load;
+    return of_unit_load;
+}
+
 DisplayUnit DisplayUnits::unit(Measure measure) const
 {
+    constexpr std::array divided_ones{Measure::Force, Measure::Moment, Measure::Displacement, Measure::Rotation};
+    const bool is_divided = per_ && std::ranges::find(divided_ones, measure) != divided_ones.end();
+    return is_divided ? divided(measure, *per_) : undivided(measure);
+}
+
+DisplayUnit DisplayUnits::divided(Measure measure, Measure load) const
+{
+    const DisplayUnit over = undivided(measure), under = undivided(load), length = undivided(Measure::Length);
+    DisplayUnit unit{over.name + "/" + under.name, over.factor / under.factor};
+    const auto is_factor = [&](double factor) { return std::abs(unit.factor / factor - 1.0) < 1e-9; };
+    if (measure == load) unit.name.clear();
+    else if (measure == Measure::Moment && is_factor(length.factor)) unit.name = length.name;
+    else if (measure == Measure::Force && is_factor(1.0 / length.factor)) unit.name = "1/" + length.name;
+    return unit;
+}
+
+DisplayUnit DisplayUnits::undivided(Measure measure) const
+{
     if (measure == Measure::MomentPerAngle && !choices_.of(Measure::Moment).empty()) {
-        const DisplayUnit moment = unit(Measure::Moment);
+        const DisplayUnit moment = undivided(Measure::Moment);
         return {moment.name + "/rad", moment.factor};
     }
     const std::string_view chosen = choices_.of(measure);

@@ -112,12 +112,19 @@ public:
     /// these: "kN, m, kN·cm".
     std::string summary() const;
     DisplayUnit unit_of_system(Measure measure) const; ///< whatever was chosen
+    /// For what a unit load does: forces, moments and displacements over the load's own unit, so that a moment under a
+    /// force is a length. \pre a force or a moment
+    DisplayUnits per(Measure load) const;
 
 private:
+    DisplayUnit undivided(Measure measure) const;
+    DisplayUnit divided(Measure measure, Measure load) const;
+
     UnitSystem system_ = UnitSystem::KnM;
     BaseUnits base_;
     NumberFormat format_;
     UnitChoices choices_;
+    std::optional<Measure> per_; ///< of a unit load
 };
 
 /// kip and ft for a file in lbf, kip, in or ft, else kN and m.

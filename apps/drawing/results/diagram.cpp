@@ -3,6 +3,7 @@
 #include "apps/drawing/results/line_diagram.h"
 #include "apps/drawing/results/ordinates.h"
 #include "apps/drawing/structure/members.h"
+#include "femoop/load/place_along.h"
 #include "femoop/model/quantity/six_digits.h"
 #include "femoop/result/components.h"
 
@@ -228,6 +229,36 @@ void draw_diagram(const Scene& scene, const SolvedCase& solved, const Diagram& d
         else if (!diagram.is_zero())
             draw(scene, SectionForce(solved[id], diagram.component), look_of(scene, id, solved[id], diagram));
     }
+}
+
+void mark_effect(const Scene& scene, const SolvedCase& solved, const Diagram& diagram,
+                 const femoop::MovingEffect& effect)
+{
+    const MemberShape& member = scene.shape[*effect.member];
+    const Curve& curve = solved[*effect.member];
+    const double x = std::clamp(femoop::along(*effect.at, member.length), 0.0, member.length);
+    const double value = curve.value(diagram.component, x, effect.side.value_or(femoop::Side::After));
+    const SymbolFrame frame = diagram_frame(scene, member, diagram.component);
+    const double along = x * scene.projection.scale();
+    const ui::Point foot = frame(along, 0.0), top = frame(along, value * diagram.pixels_per_unit);
+    const ui::Role role = role_of(diagram.component);
+    Sketch& sketch = scene.sketch;
+    sketch.line(foot, top, sketch.stroke(role), Clearance::Soft);
+    sketch.disc(foot, sketch.px(5.0), sketch.theme().background());
+    sketch.ring(foot, sketch.px(5.0), sketch.stroke(role));
+    sketch.disc(top, sketch.px(3.0), sketch.theme().stroke(role).color, Clearance::Soft);
+    const femoop::Extremes extremes = curve.extremes(diagram.component);
+    const double near = 1e-6 * member.length;
+    const bool is_written = x <= near || x >= member.length - near || std::abs(x - extremes.max.x) <= near ||
+                            std::abs(x - extremes.min.x) <= near;
+    if (is_written || !scene.shows(Show::Values)) return;
+    sketch.caption({.text = value_text(scene, diagram.component, value),
+                    .role = role,
+                    .target = top,
+                    .toward = ui::direction(top - foot == ui::Point{} ? frame(along, 1.0) - foot : top - foot),
+                    .gap = sketch.px(5.0),
+                    .rank = Rank::Largest,
+                    .others = {foot}});
 }
 
 } // namespace drawing

@@ -41,6 +41,11 @@ Diagram make_diagram(const Scene& scene, femoop::MemberComponent component, doub
 ///        M         on the side that it stretches, or on the other (DrawOptions::moment_side)
 void draw_diagram(const Scene& scene, const SolvedCase& solved, const Diagram& diagram);
 
+/// Marks the section of a force that is asked for: its ordinate, and its value where the diagram has not written it.
+/// \pre the effect is a section force with a place, of the diagram's component
+void mark_effect(const Scene& scene, const SolvedCase& solved, const Diagram& diagram,
+                 const femoop::MovingEffect& effect);
+
 /// The outlines of the diagram alone, faint and without values: a former solution behind the present one. The scene is
 /// that of the former structure.
 void draw_reference(const Scene& scene, const SolvedCase& solved, const Diagram& diagram);

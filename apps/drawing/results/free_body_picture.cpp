@@ -102,7 +102,8 @@ private:
                                      .length = scene_.sketch.px(38.0),
                                      .touches = touching_end(force, direction),
                                      .gap = scene_.sketch.px(5.0),
-                                     .text = named(component, scene_.text(std::abs(value), ui::Measure::Force)),
+                                     .text = named(component, scene_.text(std::abs(value), ui::Measure::Force)) +
+                                             (component == MemberComponent::N ? sense(value) : ""),
                                      .role = role_of(force.kind)});
     }
 
@@ -141,6 +142,9 @@ private:
         const bool goes_beyond = has_cut_toward(force.at, -direction) && !has_cut_toward(force.at, direction);
         return goes_beyond ? ArrowAt::Tail : ArrowAt::Head;
     }
+
+    /// The arrow has the sign; of an axial force the letter says it too, as along the bars of a truss.
+    static std::string sense(double N) { return N < 0.0 ? " (C)" : " (T)"; }
 
     std::string named(std::optional<MemberComponent> component, const std::string& value) const
     {

@@ -315,14 +315,8 @@ OrdinateUnit ordinate_unit(const ui::DisplayUnits& units, const InfluencePicture
 {
     const ui::Measure effect = measure_of(picture.line.effect);
     const ui::Measure load = femoop::influence::is_couple(picture.load) ? ui::Measure::Moment : ui::Measure::Force;
-    const ui::DisplayUnit over = units.unit(effect), under = units.unit(load);
-    const ui::DisplayUnit length = units.unit(ui::Measure::Length);
-    OrdinateUnit unit{.name = over.name + "/" + under.name, .factor = over.factor / under.factor};
-    const auto is_factor = [&](double factor) { return std::abs(unit.factor / factor - 1.0) < 1e-9; };
-    if (effect == load) unit.name.clear();
-    else if (effect == ui::Measure::Moment && is_factor(length.factor)) unit.name = length.name;
-    else if (effect == ui::Measure::Force && is_factor(1.0 / length.factor)) unit.name = "1/" + length.name;
-    return unit;
+    const ui::DisplayUnit unit = units.per(load).unit(effect);
+    return {unit.name, unit.factor};
 }
 
 std::string ordinate_text(const ui::DisplayUnits& units, const OrdinateUnit& unit, double value)

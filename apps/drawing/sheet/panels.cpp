@@ -25,12 +25,21 @@ std::vector<ShowSet> truss_contents(ShowSet show)
     return with_diagram(show, Show::Truss);
 }
 
+/// The same diagram of both loads, to be compared place by place.
+std::vector<ShowSet> unit_load_contents(ShowSet show)
+{
+    ShowSet under_loads = show;
+    under_loads.erase(Show::UnitLoad);
+    return {under_loads, show};
+}
+
 } // namespace
 
 std::vector<ShowSet> panel_contents(const PanelRequest& request)
 {
     if (request.show.contains(Show::Truss)) return truss_contents(request.show);
     if (request.show.contains(Show::ForcePolygon)) return with_diagram(request.show, Show::ForcePolygon);
+    if (request.show.contains(Show::UnitLoad)) return unit_load_contents(request.show);
     std::vector<Show> shown;
     for (const Show item : results)
         if (request.show.contains(item)) shown.push_back(item);

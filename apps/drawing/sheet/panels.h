@@ -24,8 +24,8 @@ struct PanelRequest {
     Layout layout = Layout::Automatic;
     bool has_results = false; ///< without them there is one panel
 };
-/// What each panel shows. A truss worked out by hand and a funicular have two: the
-/// structure, and the joint or the diagram.
+/// What each panel shows. A truss worked out by hand and a funicular have two: the structure, and the joint or the
+/// diagram; so has virtual work: the structure under its loads, and under the unit load.
 std::vector<ShowSet> panel_contents(const PanelRequest& request);
 
 /// It shows forces alone, to their own scale, and not the structure.

@@ -13,6 +13,7 @@
 #include "apps/drawing/results/mechanism_picture.h"
 #include "apps/drawing/results/reactions.h"
 #include "apps/drawing/results/thrust_line.h"
+#include "apps/drawing/results/work_picture.h"
 #include "apps/drawing/sheet/diagram_overlay.h"
 #include "apps/drawing/sheet/legend.h"
 #include "apps/drawing/structure/dimensions.h"
@@ -23,6 +24,7 @@
 #include "apps/drawing/truss/beside_truss.h"
 #include "apps/drawing/truss/truss_drawing.h"
 #include "femoop/io/counting/counting_text.h"
+#include "femoop/io/virtual_work/virtual_work_text.h"
 #include "ui/paint/wrapped_lines.h"
 
 #include <algorithm>
@@ -117,6 +119,17 @@ public:
         finish();
     }
 
+    /// One side of virtual work: under the loads, or under the unit load.
+    void draw_side(const SolvedCase* solved)
+    {
+        draw_solved(solved, nullptr);
+        const bool is_unit = scene_.shows(Show::UnitLoad);
+        const ui::Catalogue& tr = scene_.options.tr;
+        heads_.front().name = is_unit ? tr("Under the unit load: f") : tr("Under the loads: F");
+        constexpr double narrow = 24.0; // [em]: a note of signs would take two lines from the diagram
+        if (size_.width < narrow * scene_.sketch.theme().type().normal) heads_.back().note.clear();
+    }
+
     void draw_mechanism(const femoop::Mechanism& mechanism)
     {
         draw_highlights(scene_);
@@ -161,6 +174,14 @@ private:
         heads_.push_back(input_.overlay->head(scene_));
     }
 
+    // What the unit load on the path does where the line is asked for.
+    void mark_effect_of(const femoop::MovingEffect& effect, const SolvedCase& solved, const std::vector<Diagram>& drawn)
+    {
+        for (const Diagram& diagram : drawn)
+            if (effect.member && effect.at && effect.component == diagram.component)
+                mark_effect(scene_, solved, diagram, effect);
+    }
+
     // The former solution of the same case, to the scale of the present one.
     void draw_former(const std::vector<Diagram>& present)
     {
@@ -186,6 +207,7 @@ private:
             use_one_scale(drawn);
             draw_former(drawn);
             for (const Diagram& diagram : drawn) draw_diagram(scene_, solved, diagram);
+            if (input_.influence != nullptr) mark_effect_of(input_.influence->line.effect, solved, drawn);
             heads_.push_back(diagram_head(scene_, drawn));
             if (item == Show::M && has_overlay()) draw_overlay_beside(solved, drawn.front());
         }
@@ -354,6 +376,7 @@ ui::Box Subject::area(ui::Size sheet, const ui::Fonts& fonts) const
     const std::size_t n_lines = most_foot_lines(sheet, fonts);
     if (n_lines > 0) area.max.y -= 14.0 + line * static_cast<double>(n_lines);
     if (has_curve()) area.max.y -= curve_height(theme_, sheet);
+    if (shows_work()) area.max.y -= work_table(sheet, fonts).height();
     return area;
 }
 
@@ -556,13 +579,15 @@ Subject::Drawn Subject::draw_panel(ui::Painter& painter, const Panel& panel, con
                    .symbol_factor = options_.symbol_factor * detail.symbol_share(),
                    .is_reduced = detail.is_reduced(),
                    .is_measured = pass == Pass::Measure});
-    const Scene scene{input_.model, shape_, projection, options_, state_, units_, sketch, detail, panel.show};
+    const Side side = side_of(panel);
+    const Scene scene{side.model, shape_, projection, side.options, side.state, side.units, sketch, detail, panel.show};
     PanelPicture picture(scene, input_, panel.box.size(), panel.line ? panel.line : input_.influence);
     const bool has_place = options_.show.contains(Show::M) || input_.influence != nullptr;
     if (!has_place && !shows_any(panel.show, diagrams)) picture.draw_overlay_alone();
     if (input_.free_body != nullptr) picture.draw_lifted(*input_.free_body);
     else if (shows_truss()) picture.draw_worked(*input_.truss);
     else if (shows_funicular()) picture.draw_funicular_beside(*input_.funicular);
+    else if (shows_work()) picture.draw_side(side.solved);
     else if (const auto& motion = input_.motion) picture.draw_mechanism(motion->all[motion->shown]);
     else picture.draw_solved(cases().shown ? &*cases().shown : nullptr, envelope());
     Drawn drawn{.bounds = sketch.bounds(), .tight_bounds = sketch.tight_bounds(), .mark_bounds = sketch.mark_bounds()};
@@ -574,7 +599,47 @@ Subject::Drawn Subject::draw_panel(ui::Painter& painter, const Panel& panel, con
     for (std::size_t i = 0; i < rows.size(); ++i) draw_panel_head(painter, picture.heads()[i], theme, rows[i]);
     drawn.n_left_out = sketch.n_left_out();
     drawn.grips = sketch.grips();
+    if (panel.show.contains(Show::UnitLoad)) drawn.grips = {}; // no load of the model, and no number of its results
     return drawn;
+}
+
+Subject::Side Subject::side_of(const Panel& panel) const
+{
+    if (!shows_work() || !panel.show.contains(Show::UnitLoad))
+        return {input_.model, options_, state_, units_, cases().shown ? &*cases().shown : nullptr};
+    const UnitSide& unit = unit_side();
+    return {input_.work->work.unit_model, unit.options, unit.state, unit.units, unit.solved ? &*unit.solved : nullptr};
+}
+
+const Subject::UnitSide& Subject::unit_side() const
+{
+    if (unit_side_) return *unit_side_;
+    unit_side_ = {.options = options_,
+                  .state = state_,
+                  .units = units_.per(unit_load_measure(*input_.work)),
+                  .solved = solved_case(input_.work->work.under_unit, femoop::CaseId(0))};
+    unit_side_->options.load_case = femoop::CaseId(0);
+    unit_side_->state.locked_scale.reset();
+    return *unit_side_;
+}
+
+// The diagrams keep the larger part of what heads and foot leave.
+const SheetTable& Subject::work_table(ui::Size sheet, const ui::Fonts& fonts) const
+{
+    constexpr double share_of_diagrams = 0.4; // of the sheet's height
+    if (work_table_) return *work_table_;
+    const auto rows = [this](std::size_t most) {
+        return femoop::virtual_work::work_table(input_.work->work, input_.model, options_.tr, most);
+    };
+    double height = (1.0 - share_of_diagrams) * sheet.height;
+    if (options_.show.contains(Show::Legend))
+        height -= head_height(sheet_head(input_, options_), theme_, fonts, sheet.width);
+    height -= 14.0 + 1.4 * theme_.type().normal * static_cast<double>(foot_lines(sheet, fonts).size());
+    const auto& columns = femoop::virtual_work::foldable_columns;
+    return work_table_.emplace(
+        rows,
+        TableRoom{.width = sheet.width - 32.0, .height = height, .folded = {std::begin(columns), std::end(columns)}},
+        theme_, fonts);
 }
 
 std::vector<ui::Box> Subject::head_rows(const std::vector<PanelHead>& heads, const ui::Theme& theme,
@@ -675,11 +740,14 @@ void Subject::draw_left_out(ui::Painter& painter, std::size_t n_left_out) const
     painter.text(chosen.at, words, style_at(chosen));
 }
 
-bool Subject::has_no_results() const { return input_.motion || !input_.reasons.empty(); }
 bool Subject::shows_truss() const { return input_.truss != nullptr && options_.show.contains(Show::Truss); }
 bool Subject::shows_funicular() const
 {
     return input_.funicular != nullptr && options_.show.contains(Show::ForcePolygon);
+}
+bool Subject::shows_work() const
+{
+    return input_.work != nullptr && is_solved_ && options_.show.contains(Show::UnitLoad);
 }
 bool Subject::has_diagram() const { return shows_truss() || shows_funicular(); }
 
@@ -690,29 +758,24 @@ bool Subject::has_overlay_text() const
     return input_.overlay && is_solved_ && !options_.is_envelope && options_.show.contains(Show::M);
 }
 
-ui::TextStyle Subject::foot_style() const
+ui::TextStyle Subject::foot_style(const FootText& of) const
 {
-    return theme_.text(has_no_results() ? ui::Role::Error : ui::Role::Label, ui::Anchor::BottomLeft);
-}
-
-// What comes first is the number, or what it all says.
-ui::Weight Subject::weight_in_foot(bool is_first) const
-{
-    return is_first && !has_no_results() && !input_.free_body && !shows_funicular() ? ui::Weight::Bold
-                                                                                    : ui::Weight::Regular;
+    ui::TextStyle style = theme_.text(of.role, ui::Anchor::BottomLeft);
+    style.weight = of.weight;
+    return style;
 }
 
 namespace {
 
 // The picture keeps the larger part of the sheet.
-void cut_short(std::vector<std::string>& lines, double line_height, double sheet_height)
+template <class Line> void cut_short(std::vector<Line>& lines, double line_height, double sheet_height)
 {
     constexpr double share = 0.4;
     constexpr std::size_t least = 2;
     const std::size_t most = std::max(least, static_cast<std::size_t>(share * sheet_height / line_height));
     if (lines.size() <= most) return;
     lines.resize(most);
-    lines.back() += " …";
+    lines.back().text += " …";
 }
 
 } // namespace
@@ -732,31 +795,54 @@ std::size_t Subject::most_foot_lines(ui::Size sheet, const ui::Fonts& fonts) con
     if (!shows_truss()) return foot_lines(sheet, fonts).size();
     std::size_t most = 0;
     for (const TrussStage& stage : input_.truss->stages)
-        most = std::max(most, wrapped_foot(stage.lines, sheet, fonts).size());
+        most = std::max(most, wrapped_foot(headed(stage.lines), sheet, fonts).size());
     for (const std::string& sentence : input_.truss->bar_sentences)
-        most = std::max(most, wrapped_foot({sentence}, sheet, fonts).size());
+        most = std::max(most, wrapped_foot(headed({sentence}), sheet, fonts).size());
     return most;
 }
 
-std::vector<std::string> Subject::foot_lines(ui::Size sheet, const ui::Fonts& fonts) const
+std::vector<Subject::FootText> Subject::foot_lines(ui::Size sheet, const ui::Fonts& fonts) const
 {
     return wrapped_foot(foot_sentences(), sheet, fonts);
 }
 
-std::vector<std::string> Subject::foot_sentences() const
+std::vector<std::string> Subject::method_sentences() const
 {
+    if (input_.free_body) return input_.free_body->equations;
+    if (shows_truss()) return truss_sentences();
+    if (shows_funicular()) return input_.funicular->sentences;
+    if (shows_work()) return work_sentences(*input_.work, input_.model, units_, options_.tr);
+    if (input_.influence) return line_sentences();
+    if (has_overlay_text()) return input_.overlay->foot({input_.model, shape_, units_, options_.tr});
+    return {};
+}
+
+// What comes first is the number, or what it all says. That there are no results is told as an error, and nothing else.
+std::vector<Subject::FootText> Subject::foot_sentences() const
+{
+    std::vector<FootText> all;
+    if (input_.motion) all.push_back({.text = input_.motion->sentence, .role = ui::Role::Error});
+    else
+        for (const std::string& reason : input_.reasons) all.push_back({.text = reason, .role = ui::Role::Error});
     std::vector<std::string> sentences;
-    if (input_.motion) sentences.push_back(input_.motion->sentence);
-    else if (!input_.reasons.empty()) sentences = input_.reasons;
-    else if (input_.free_body) sentences = input_.free_body->equations;
-    else if (shows_truss()) sentences = truss_sentences();
-    else if (shows_funicular()) sentences = input_.funicular->sentences;
-    else if (input_.influence) sentences = line_sentences();
-    else if (has_overlay_text()) sentences = input_.overlay->foot({input_.model, shape_, units_, options_.tr});
+    if (all.empty()) sentences = method_sentences();
+    const bool is_plain = input_.free_body || shows_funicular();
     if (input_.counting && options_.show.contains(Show::Counting))
         std::ranges::move(femoop::counting::sum_lines(*input_.counting, input_.model, options_.tr),
                           std::back_inserter(sentences));
-    return sentences;
+    std::vector<FootText> below = headed(sentences);
+    if (is_plain && !below.empty()) below.front().weight = ui::Weight::Regular;
+    std::ranges::move(below, std::back_inserter(all));
+    return all;
+}
+
+/// The first one in bold.
+std::vector<Subject::FootText> Subject::headed(const std::vector<std::string>& sentences)
+{
+    std::vector<FootText> all;
+    for (const std::string& one : sentences)
+        all.push_back({.text = one, .weight = all.empty() ? ui::Weight::Bold : ui::Weight::Regular});
+    return all;
 }
 
 std::vector<std::string> Subject::line_sentences() const
@@ -768,33 +854,35 @@ std::vector<std::string> Subject::line_sentences() const
     return sentences;
 }
 
-std::vector<std::string> Subject::wrapped_foot(const std::vector<std::string>& sentences, ui::Size sheet,
-                                               const ui::Fonts& fonts) const
+std::vector<Subject::FootText> Subject::wrapped_foot(const std::vector<FootText>& sentences, ui::Size sheet,
+                                                     const ui::Fonts& fonts) const
 {
-    std::vector<std::string> lines;
-    for (const std::string& one : sentences) {
-        ui::TextStyle style = foot_style();
-        style.weight = weight_in_foot(&one == &sentences.front());
-        const std::vector<std::string> wrapped_one = ui::wrapped_lines(fonts, one, style, sheet.width - 32.0);
-        lines.insert(lines.end(), wrapped_one.begin(), wrapped_one.end());
-    }
-    if (!input_.reasons.empty()) cut_short(lines, 1.4 * foot_style().size, sheet.height);
+    std::vector<FootText> lines;
+    for (const FootText& one : sentences)
+        for (const std::string& line : ui::wrapped_lines(fonts, one.text, foot_style(one), sheet.width - 32.0))
+            lines.push_back(
+                {.text = line, .role = one.role, .weight = lines.empty() ? one.weight : ui::Weight::Regular});
+    if (!input_.reasons.empty()) cut_short(lines, 1.4 * theme_.type().normal, sheet.height);
     return lines;
 }
 
 void Subject::draw_foot(ui::Painter& painter) const
 {
     const ui::LayerScope layer(painter, ui::Layer::Overlay);
-    ui::TextStyle style = foot_style();
-    const std::vector<std::string> lines = foot_lines(painter.size(), painter.fonts());
-    double y = painter.sheet().max.y - 10.0 - 1.4 * style.size * static_cast<double>(lines.size()) + 1.4 * style.size;
-    for (const std::string& line : lines) {
-        style.weight = weight_in_foot(&line == &lines.front());
-        painter.text({16.0, y}, line, style);
-        y += 1.4 * style.size;
+    const double line_height = 1.4 * theme_.type().normal;
+    const std::vector<FootText> lines = foot_lines(painter.size(), painter.fonts());
+    const double height = line_height * static_cast<double>(lines.size());
+    double y = painter.sheet().max.y - 10.0 - height + line_height;
+    for (const FootText& line : lines) {
+        painter.text({16.0, y}, line.text, foot_style(line));
+        y += line_height;
+    }
+    if (shows_work()) {
+        const SheetTable& table = work_table(painter.size(), painter.fonts());
+        table.draw(painter, {16.0, painter.sheet().max.y - 14.0 - height - table.height()});
     }
     if (!has_curve() || curve_height(theme_, painter.size()) <= 0.0) return;
-    const double foot = painter.sheet().max.y - 14.0 - 1.4 * style.size * static_cast<double>(lines.size());
+    const double foot = painter.sheet().max.y - 14.0 - height;
     draw_position_curve(painter, *input_.influence->curve,
                         {{0.0, foot - curve_height(theme_, painter.size())}, {painter.size().width, foot}},
                         {.theme = theme_, .units = units_, .tr = options_.tr});

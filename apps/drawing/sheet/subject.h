@@ -8,6 +8,7 @@
 #include "apps/drawing/results/solved_case.h"
 #include "apps/drawing/sheet/panel_head.h"
 #include "apps/drawing/sheet/panels.h"
+#include "apps/drawing/sheet/sheet_table.h"
 #include "apps/drawing/sketch/sketch.h"
 #include "ui/paint/painter.h"
 #include "ui/paint/theme.h"
@@ -79,30 +80,56 @@ private:
         Grips grips{};
     };
     enum class Pass : std::uint8_t { Measure, Write };
+    /// What a panel draws: the structure under its own loads, or under the unit load of virtual work.
+    struct Side {
+        const femoop::Model& model;
+        const DrawOptions& options;
+        const DrawState& state;
+        const ui::DisplayUnits& units;
+        const SolvedCase* solved;
+    };
+    /// The structure under the unit load, as a picture is made of it.
+    struct UnitSide {
+        DrawOptions options;
+        DrawState state;
+        ui::DisplayUnits units;
+        std::optional<SolvedCase> solved;
+    };
+    Side side_of(const Panel& panel) const;
+    const UnitSide& unit_side() const;                                          ///< \pre virtual work is shown
+    const SheetTable& work_table(ui::Size sheet, const ui::Fonts& fonts) const; ///< likewise
     Drawn draw_panel(ui::Painter& painter, const Panel& panel, const Camera& camera, Pass pass) const;
     std::vector<ui::Box> head_rows(const std::vector<PanelHead>& heads, const ui::Theme& theme, const ui::Fonts& fonts,
                                    const Panel& panel) const;
-    bool has_no_results() const;
     bool shows_truss() const;
     bool is_stacked(const ui::Box& room) const; ///< the structure over what stands beside it
     bool shows_funicular() const;
+    bool shows_work() const;
     bool has_diagram() const; ///< of forces, beside the structure
     bool has_curve() const;
     bool has_overlay_text() const;
     /// What stands at the foot of the sheet: how the structure moves, why it has no results, the
-    /// equations of a free body, the stage of a truss that is worked out, what is read of a funicular, what the overlay says of
-    /// the moments, or what is said of an influence line, under the curve of its train.
+    /// equations of a free body, the table of virtual work and its sum, the stage of a truss that is worked out, what is
+    /// read of a funicular, what the overlay says of the moments, or what is said of an influence line, under the curve of
+    /// its train.
     void draw_foot(ui::Painter& painter) const;
     void draw_left_out(ui::Painter& painter, std::size_t n_left_out) const;
-    std::vector<std::string> foot_sentences() const;
-    std::vector<std::string> line_sentences() const; ///< \pre there is an influence line
-    std::vector<std::string> foot_lines(ui::Size sheet, const ui::Fonts& fonts) const;
+    /// What is written at the foot: a line of it, or a sentence before it is wrapped.
+    struct FootText {
+        std::string text;
+        ui::Role role = ui::Role::Label;
+        ui::Weight weight = ui::Weight::Regular;
+    };
+    std::vector<FootText> foot_sentences() const;
+    static std::vector<FootText> headed(const std::vector<std::string>& sentences);
+    std::vector<std::string> method_sentences() const; ///< of what is drawn in place of the results, or over them
+    std::vector<std::string> line_sentences() const;   ///< \pre there is an influence line
+    std::vector<FootText> foot_lines(ui::Size sheet, const ui::Fonts& fonts) const;
     std::vector<std::string> truss_sentences() const;
     std::size_t most_foot_lines(ui::Size sheet, const ui::Fonts& fonts) const;
-    std::vector<std::string> wrapped_foot(const std::vector<std::string>& sentences, ui::Size sheet,
-                                          const ui::Fonts& fonts) const;
-    ui::TextStyle foot_style() const;
-    ui::Weight weight_in_foot(bool is_first) const;
+    std::vector<FootText> wrapped_foot(const std::vector<FootText>& sentences, ui::Size sheet,
+                                       const ui::Fonts& fonts) const;
+    ui::TextStyle foot_style(const FootText& of) const;
 
     DrawInput input_;
     const DrawOptions& options_;
@@ -110,8 +137,10 @@ private:
     ui::Theme theme_;
     ui::DisplayUnits units_;
     StructureShape shape_;
-    bool is_solved_ = false;             ///< the case that is shown
-    mutable std::optional<Cases> cases_; ///< read when first drawn: a plan with a camera needs none of it
+    bool is_solved_ = false; ///< the case that is shown
+    mutable std::optional<UnitSide> unit_side_;
+    mutable std::optional<SheetTable> work_table_; ///< as it is measured first: of one sheet
+    mutable std::optional<Cases> cases_;           ///< read when first drawn: a plan with a camera needs none of it
 };
 
 } // namespace drawing

@@ -20,6 +20,7 @@
 #include "apps/frame/session/train_commands.h"
 #include "apps/frame/session/truss_commands.h"
 #include "apps/frame/session/view_commands.h"
+#include "apps/frame/session/virtual_work_commands.h"
 #include "ui/workspace/standard_commands.h"
 
 #include <array>
@@ -295,6 +296,7 @@ CommandTable command_table()
     add_influence_commands(table);
     add_free_body_commands(table);
     add_funicular_commands(table);
+    add_virtual_work_commands(table);
     add_train_commands(table);
     add_truss_commands(table);
     add_derivation_commands(table);

@@ -90,8 +90,9 @@ struct Workspace : ui::Workspace {
     std::optional<femoop::MovingEffect> pointed_number{}; ///< under the pointer, in the picture or in a table
     Topic topic = Topic::Properties;
     BottomView bottom{};
-    SolverShow solver{};         ///< what the panel at the bottom shows of it
-    DerivationShow derivation{}; ///< likewise of the number that is explained
+    SolverShow solver{};                             ///< what the panel at the bottom shows of it
+    DerivationShow derivation{};                     ///< likewise of the number that is explained
+    std::optional<RefusedRelease> refused_release{}; ///< whose motion the picture shows until something else is asked
     DistributionCheck distribution{};
 
 private:

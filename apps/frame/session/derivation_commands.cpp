@@ -86,7 +86,11 @@ void release_or_hold(Workspace& workspace)
     if (released == redundants.end()) redundants.push_back(force);
     else redundants.erase(released);
     if (redundants.empty()) return close_derivation(workspace);
-    if (const auto refusal = why_not_release(workspace.session, redundants)) return workspace.notify(*refusal);
+    workspace.refused_release = refused_release(workspace.session, redundants);
+    if (const auto& refused = workspace.refused_release) {
+        if (!refused->moves(workspace.session)) workspace.notify(refused->reason); // else it stands below the motion
+        return;
+    }
     explain_force_method(workspace, redundants);
 }
 
@@ -115,12 +119,14 @@ std::function<void(Workspace&)> asks_for(Request request)
 
 void explain(Workspace& workspace, const femoop::MovingEffect& effect)
 {
+    workspace.refused_release.reset();
     workspace.derivation.ask(workspace.session, effect);
     open_player(workspace);
 }
 
 void explain_force_method(Workspace& workspace, std::span<const femoop::MovingEffect> redundants)
 {
+    workspace.refused_release.reset();
     workspace.derivation.ask_force_method(workspace.session, redundants);
     open_player(workspace);
 }

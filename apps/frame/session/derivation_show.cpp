@@ -67,17 +67,23 @@ femoop::force_method::ForceMethod solved(const Session& session, std::span<const
 
 } // namespace
 
-std::optional<ui::Message> why_not_release(const Session& session, std::span<const MovingEffect> redundants)
+std::optional<RefusedRelease> refused_release(const Session& session, std::span<const MovingEffect> redundants)
 {
-    if (auto reason = why_no_numbers(session)) return reason;
+    if (auto reason = why_no_numbers(session)) return RefusedRelease{*reason};
     const std::string place = session.tr()("force method");
     const auto faults = femoop::force_method::check_redundants(session.model(), redundants, place);
-    if (!faults.empty()) return sentences(faults, session.tr());
+    if (!faults.empty()) return RefusedRelease{sentences(faults, session.tr())};
     try {
         solved(session, redundants);
         return std::nullopt;
+    } catch (const femoop::MechanismError& error) {
+        return RefusedRelease{.reason = sentences(error.faults(), session.tr()),
+                              .primary = femoop::force_method::primary_structure(session.model(), redundants).model,
+                              .motions = error.mechanisms(),
+                              .session = session.number(),
+                              .generation = session.generation()};
     } catch (const femoop::ModelError& error) {
-        return sentences(error.faults(), session.tr());
+        return RefusedRelease{sentences(error.faults(), session.tr())};
     }
 }
 

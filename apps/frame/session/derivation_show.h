@@ -10,6 +10,7 @@
 
 #include "apps/frame/document/named_effect.h"
 #include "apps/frame/session/session.h"
+#include "femoop/analysis/mechanism.h"
 #include "femoop/methods/derivation/derivation.h"
 #include "femoop/methods/force_method/force_method.h"
 #include "ui/text/message.h"
@@ -83,8 +84,21 @@ private:
     std::size_t step_ = 0;
 };
 
-/// Why no force method has these redundants: what cannot be released, or how the structure moves without them.
-std::optional<ui::Message> why_not_release(const Session& session, std::span<const femoop::MovingEffect> redundants);
+/// Redundants that no force method has: what cannot be released, or how the structure moves without them.
+struct RefusedRelease {
+    ui::Message reason;
+    femoop::Model primary{};                   ///< without them; its nodes have those of cuts too
+    std::vector<femoop::Mechanism> motions{};  ///< of it; none where something else is wrong
+    std::uint64_t session = 0, generation = 0; ///< that it was asked of
+
+    /// It can be drawn: the structure moves, and is what it was.
+    bool moves(const Session& of) const
+    {
+        return !motions.empty() && session == of.number() && generation == of.generation();
+    }
+};
+/// Nothing where they can be released.
+std::optional<RefusedRelease> refused_release(const Session& session, std::span<const femoop::MovingEffect> redundants);
 
 /// Every number of the results at the same place as one of them: of a member's section its section forces and
 /// displacements, of a whole member its extremes, of a node its reactions and displacements.

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <array>
+#include <optional>
+#include <utility>
 #include <vector>
 
 #include "apps/frame/document/drawing.h"
@@ -11,6 +13,7 @@
 #include "apps/frame/session/in_plane.h"
 #include "apps/frame/session/influence_commands.h"
 #include "apps/frame/session/predict_commands.h"
+#include "apps/frame/session/virtual_work_commands.h"
 #include "femoop/edit/place.h"
 #include "ui/workspace/standard_commands.h"
 
@@ -38,6 +41,7 @@ constexpr std::array tool_entries{
     ToolEntry{ToolKind::Influence, "draw.influence", translatable("Influence line"), {{Key::I, {}}}},
     ToolEntry{ToolKind::FreeBody, "draw.free_body", translatable("Free body"), {{Key::B, {}}}},
     ToolEntry{ToolKind::Funicular, "draw.funicular", translatable("Funicular"), {{Key::F, ui::shift}}},
+    ToolEntry{ToolKind::VirtualWork, "draw.virtual_work", translatable("Virtual work"), {{Key::P, ui::shift}}},
 };
 
 Reason why_not_choose_tool(const Workspace& workspace, ToolKind tool)
@@ -46,6 +50,7 @@ Reason why_not_choose_tool(const Workspace& workspace, ToolKind tool)
     if (tool == ToolKind::Influence) return why_no_influence_line(workspace);
     if (tool == ToolKind::FreeBody) return why_no_free_body(workspace);
     if (tool == ToolKind::Funicular) return why_no_funicular(workspace);
+    if (tool == ToolKind::VirtualWork) return why_no_virtual_work(workspace);
     if (tool != ToolKind::Dimension || is_in_plane(workspace)) return std::nullopt;
     return translatable("dimension lines stand in plane structures alone");
 }
@@ -100,16 +105,19 @@ void nudge(Workspace& workspace, double x, double y)
 void give_up(Workspace& workspace)
 {
     if (workspace.transform) return cancel_transform(workspace);
+    if (std::exchange(workspace.refused_release, std::nullopt)) return;
     if (is_predicting(workspace) && !workspace.tool_controller.is_sketching())
         return workspace.session.prediction.clear();
     if (workspace.tool_controller.kind() == ToolKind::Influence) workspace.session.influence.clear();
     if (workspace.tool_controller.kind() == ToolKind::FreeBody) workspace.session.free_body.clear();
     if (workspace.tool_controller.kind() == ToolKind::Funicular) workspace.session.funicular.clear();
+    if (workspace.tool_controller.kind() == ToolKind::VirtualWork) workspace.session.virtual_work.clear();
     if (workspace.tool_controller.escape()) return;
     if (workspace.session.truss.is_on()) return workspace.session.truss.close();
     workspace.session.influence.clear();
     workspace.session.free_body.clear();
     workspace.session.funicular.clear();
+    workspace.session.virtual_work.clear();
     workspace.session.selection.clear();
     workspace.session.pin.reset();
     workspace.session.notice.reset();
@@ -227,8 +235,11 @@ constexpr std::array snap_switches{
 
 void choose_tool(Workspace& workspace, ToolKind tool)
 {
+    const bool is_of_results = tool == ToolKind::Influence || tool == ToolKind::FreeBody || tool == ToolKind::Funicular;
+    if (is_of_results) workspace.session.virtual_work.clear();
     if (tool == ToolKind::Predict) begin_to_predict(workspace);
     else if (tool == ToolKind::Funicular) begin_funicular(workspace);
+    else if (tool == ToolKind::VirtualWork) begin_virtual_work(workspace);
     else workspace.tool_controller.select(tool);
 }
 

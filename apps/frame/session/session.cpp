@@ -20,6 +20,7 @@
 #include "femoop/io/funicular/funicular_text.h"
 #include "femoop/io/model_file.h"
 #include "femoop/io/results/results_table.h"
+#include "femoop/io/virtual_work/virtual_work_text.h"
 #include "femoop/model/check/check.h"
 #include "femoop/result/describe.h"
 #include "femoop/result/structure_words.h"
@@ -63,6 +64,7 @@ void Session::restart(Document document)
     influence.clear();
     free_body.clear();
     funicular.clear();
+    virtual_work.clear();
     truss.close();
     view.load_case = femoop::CaseId(0);
     draw_state.camera.reset();
@@ -446,6 +448,17 @@ std::string funicular_text(const Session& session)
     return "\n" + femoop::funicular::funicular_text(shown->funicular, shown->chain, session.model(), tr);
 }
 
+/// Of the displacement by virtual work, or why there is none.
+std::string virtual_work_text(const Session& session)
+{
+    const AskedWork& asked = session.virtual_work;
+    if (!asked.is_on(session.model()) || session.view.is_envelope || session.shown_results() == nullptr) return {};
+    const auto* const shown = asked.picture(session.model(), session.solution(), session.generation(), session.view);
+    if (shown == nullptr)
+        return "\n" + session.tr()("No virtual work: {reason}.", {{"reason", asked.why_none()}}) + "\n";
+    return "\n" + femoop::virtual_work::virtual_work_text(shown->work, session.model(), session.tr());
+}
+
 /// Of trains, or why there is none.
 std::string train_envelope_text(const Session& session)
 {
@@ -494,7 +507,7 @@ std::string description(const Session& session)
         words += "\n" + tr("Case {case} has no results.", {{"case", session.model().case_name(one.id)}}) + "\n";
         for (const femoop::Fault& fault : one.faults) words += sentence(fault, tr) + "\n";
     }
-    words += counting_text(session) + free_body_text(session) + funicular_text(session);
+    words += counting_text(session) + free_body_text(session) + funicular_text(session) + virtual_work_text(session);
     if (session.truss.is_on()) words += "\n" + truss_text(session);
     if (session.shows_train_envelope()) words += "\n" + train_envelope_text(session);
     else if (shown.is_envelope)

@@ -27,6 +27,7 @@
 #include "apps/frame/session/kept_counting.h"
 #include "apps/frame/tables/table.h"
 #include "apps/frame/truss/asked_truss.h"
+#include "apps/frame/virtual_work/asked_work.h"
 #include "femoop/model/fault/fault.h"
 #include "ui/text/display_units.h"
 #include "ui/text/message.h"
@@ -117,6 +118,7 @@ public:
     KeptCounting counting;         ///< of the degree of indeterminacy, where it is shown
     AskedBody free_body;           ///< that is lifted out in place of the results of a case
     AskedFunicular funicular;      ///< likewise
+    AskedWork virtual_work;        ///< of a displacement, likewise
     AskedLine influence;           ///< that is looked at in place of the results of a case
     AskedEnvelope train_envelope;  ///< that takes the place of the cases' where the view shows an envelope
     AskedTruss truss;              ///< likewise: a plane truss that is worked out by hand

@@ -10,8 +10,8 @@ inline Work work_on(const Document& document, Session& session)
 {
     Prediction* const sketched = session.hidden && session.solution().results ? &session.prediction : nullptr;
     const auto* const line = sketched != nullptr ? session.shown_line() : nullptr;
-    return {document,           session.selection,  sketched,           line,
-            &session.influence, &session.free_body, &session.funicular, session.units()};
+    return {document,           session.selection,     sketched,       line, &session.influence, &session.free_body,
+            &session.funicular, &session.virtual_work, session.units()};
 }
 
 /// What the tool in the hand works on: its own gesture counts from what was there before.

@@ -15,7 +15,12 @@ constexpr double seconds_per_swing = 2.4;
 constexpr double full_swing = 0.25 * seconds_per_swing; // a still picture shows the full displacement
 
 // The deformed shape or a mechanism.
-bool is_swinging(const Session& session) { return session.is_animated || !session.shown_mechanisms().empty(); }
+bool is_swinging(const Workspace& workspace)
+{
+    const Session& session = workspace.session;
+    const bool moves_released = workspace.refused_release && workspace.refused_release->moves(session);
+    return session.is_animated || !session.shown_mechanisms().empty() || moves_released;
+}
 
 } // namespace
 
@@ -23,7 +28,7 @@ Workspace::Workspace(Session first) : session(std::move(first)), swing_(full_swi
 
 void Workspace::tick(double seconds)
 {
-    swing_ = is_swinging(session) ? swing_ + seconds : full_swing;
+    swing_ = is_swinging(*this) ? swing_ + seconds : full_swing;
     session.draw_state.phase = std::sin(2.0 * std::numbers::pi * swing_ / seconds_per_swing);
     if (bottom.shows(BottomContent::Solver)) solver.advance(seconds);
     ui::tick(session.notice, seconds);
@@ -33,7 +38,7 @@ bool Workspace::is_moving() const
 {
     const bool has_passing_notice = session.notice && session.notice->seconds_left;
     const bool is_walking = bottom.shows(BottomContent::Solver) && solver.is_playing();
-    return is_swinging(session) || is_walking || has_passing_notice;
+    return is_swinging(*this) || is_walking || has_passing_notice;
 }
 
 std::string Workspace::kept_tools() const

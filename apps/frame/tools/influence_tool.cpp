@@ -1,6 +1,5 @@
 #include "apps/frame/tools/influence_tool.h"
 
-#include <algorithm>
 #include <cmath>
 
 #include "apps/frame/influence/asked_line.h"
@@ -8,18 +7,6 @@
 #include "femoop/geometry/member_geometry.h"
 
 namespace frame {
-
-namespace {
-
-// A twentieth of the member where the hand is near to one; Alt takes the place as it is.
-double round_place(double x, double length, const Aim& at)
-{
-    constexpr double parts = 20.0, reach = 6.0; // [px]
-    const double nearest = std::round(x / length * parts) * length / parts;
-    return !at.is_exact && std::abs(x - nearest) <= reach * at.pixel ? nearest : x;
-}
-
-} // namespace
 
 std::optional<Change> InfluenceTool::press(const Work& work, const Aim& at)
 {
@@ -31,7 +18,7 @@ std::optional<Change> InfluenceTool::press(const Work& work, const Aim& at)
     else if (at.cut) {
         held_ = at.cut->member;
         const double length = femoop::geometry_of(model, model[*held_]).length;
-        work.influence->ask(model, drawing::Cut{*held_, round_place(at.cut->x, length, at)});
+        work.influence->ask(model, drawing::Cut{*held_, round_section(at.cut->x, length, at)});
     }
     return std::nullopt;
 }
@@ -65,12 +52,8 @@ std::optional<Change> InfluenceTool::move(const Work& work, const Aim& to)
         pull_train(*work.influence, *pull_, to);
         return std::nullopt;
     }
-    const femoop::Model& model = work.document.model;
-    if (!held_ || !to.may_drag() || held_->index >= model.members.size()) return std::nullopt;
-    const femoop::MemberGeometry member = femoop::geometry_of(model, model[*held_]);
-    const Eigen::Vector3d pointer(to.pointer.x(), to.pointer.y(), 0.0);
-    const double x = std::clamp((pointer - member.start).dot(member.axes.row(0).transpose()), 0.0, member.length);
-    work.influence->ask(model, drawing::Cut{*held_, round_place(x, member.length, to)});
+    if (const auto section = held_ ? section_under(work.document.model, *held_, to) : std::nullopt)
+        work.influence->ask(work.document.model, *section);
     return std::nullopt;
 }
 

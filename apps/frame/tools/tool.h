@@ -24,6 +24,7 @@ namespace frame {
 class AskedBody;
 class AskedFunicular;
 class AskedLine;
+class AskedWork;
 class Prediction;
 
 /// The direction of an arm from +x, counter-clockwise [degrees].
@@ -73,6 +74,12 @@ struct Aim {
     bool is_dragged_from(const Aim& press) const;
 };
 
+/// A place of a member, a twentieth of it where the hand is near to one; Alt takes the place as it is.
+double round_section(double x, double length, const Aim& at);
+/// The section of a member that the hand has come along to; nothing where the model has it no more, or is not seen in
+/// its plane.
+std::optional<Cut> section_under(const femoop::Model& model, femoop::MemberId member, const Aim& to);
+
 /// What tools work on.
 struct Work {
     const Document& document; ///< as it was before the gesture
@@ -83,6 +90,7 @@ struct Work {
     AskedLine* influence = nullptr;      ///< that a tool may ask for
     AskedBody* free_body = nullptr;      ///< likewise
     AskedFunicular* funicular = nullptr; ///< likewise
+    AskedWork* virtual_work = nullptr;   ///< likewise
     ui::DisplayUnits units{};            ///< of what is typed
 };
 

@@ -13,6 +13,7 @@
 #include "apps/frame/tools/paste_tool.h"
 #include "apps/frame/tools/predict_tool.h"
 #include "apps/frame/tools/typed_place.h"
+#include "apps/frame/tools/virtual_work_tool.h"
 #include "ui/text/catalogue.h"
 
 namespace frame {
@@ -34,6 +35,7 @@ std::unique_ptr<Tool> tool_of(ToolKind kind, const ToolSettings& settings)
     case ToolKind::Predict: return std::make_unique<PredictTool>(settings);
     case ToolKind::FreeBody: return std::make_unique<FreeBodyTool>();
     case ToolKind::Funicular: return std::make_unique<FunicularTool>();
+    case ToolKind::VirtualWork: return std::make_unique<VirtualWorkTool>();
     case ToolKind::Influence: return std::make_unique<InfluenceTool>();
     }
     return std::make_unique<SelectTool>();

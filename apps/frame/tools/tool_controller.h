@@ -23,6 +23,7 @@ enum class ToolKind : std::uint8_t {
     Influence,
     FreeBody,
     Funicular,
+    VirtualWork,
     Paste
 };
 

@@ -8,6 +8,7 @@
 #include "apps/frame/document/fault/sentence.h"
 #include "apps/frame/session/funicular_commands.h"
 #include "apps/frame/session/truss_commands.h"
+#include "apps/frame/session/virtual_work_commands.h"
 #include "apps/frame/window/no_results.h"
 #include "ui/paint/label/oriented_box.h"
 #include "ui/paint/theme.h"
@@ -92,6 +93,13 @@ std::vector<std::string> why_no_funicular_shown(const Session& session)
     if (!session.funicular.is_on(session.model()) || session.hidden || session.view.is_envelope) return {};
     if (shown_funicular(session) != nullptr || session.funicular.why_none().empty()) return {};
     return {session.view.tr("No funicular: {reason}.", {{"reason", session.funicular.why_none()}})};
+}
+
+std::vector<std::string> why_no_work_shown(const Session& session)
+{
+    if (!session.virtual_work.is_on(session.model()) || session.shown_results() == nullptr) return {};
+    if (shown_work(session) != nullptr || session.virtual_work.why_none().empty()) return {};
+    return {session.view.tr("No virtual work: {reason}.", {{"reason", session.virtual_work.why_none()}})};
 }
 
 void draw_loose_part(ui::Painter& painter, const Session& session, const DrawOptions& options,

@@ -20,6 +20,9 @@ std::vector<std::string> why_no_truss_shown(const Session& session);
 /// Likewise why there is no funicular where one is looked at.
 std::vector<std::string> why_no_funicular_shown(const Session& session);
 
+/// Likewise why there is no virtual work where a displacement is looked at.
+std::vector<std::string> why_no_work_shown(const Session& session);
+
 /// Likewise why an envelope of trains that is looked at has no values.
 std::vector<std::string> why_no_train_values(const Session& session);
 

@@ -19,6 +19,7 @@
 #include "apps/frame/session/snapping.h"
 #include "apps/frame/session/train_commands.h"
 #include "apps/frame/session/truss_commands.h"
+#include "apps/frame/session/virtual_work_commands.h"
 #include "apps/frame/session/work.h"
 #include "apps/frame/tools/kept_settings.h"
 #include "apps/frame/tools/load_tool.h"
@@ -99,11 +100,35 @@ DrawOptions with_funicular(DrawOptions options)
     return options;
 }
 
+// The terms of the count stand where diagrams and loads would; the sum is of the structure alone.
+DrawOptions with_counting(DrawOptions options)
+{
+    options.show = options.show &
+                   ShowSet{Show::Counting, Show::NodeNames, Show::DrawnDimensions, Show::LocalAxes, Show::Legend};
+    options.is_envelope = false;
+    return options;
+}
+
 // The steps beside the structure say what its head would, in the room that it needs.
 DrawOptions with_node_numbers(DrawOptions options)
 {
     options.show.insert(Show::NodeNumbers);
     options.show.erase(Show::Legend);
+    return options;
+}
+
+/// Whose motion is shown in place of the results; null where none is.
+const RefusedRelease* shown_refusal(const Workspace& workspace)
+{
+    const auto& refused = workspace.refused_release;
+    return refused && refused->moves(workspace.session) && workspace.session.shown_results() ? &*refused : nullptr;
+}
+
+// How a structure moves, and nothing that it carries.
+DrawOptions with_motion(DrawOptions options)
+{
+    options.show = options.show & ShowSet{Show::NodeNames, Show::Legend};
+    options.is_envelope = false;
     return options;
 }
 
@@ -119,6 +144,7 @@ DrawOptions looked_at(const Workspace& workspace)
 {
     const Session& session = workspace.session;
     DrawOptions options = session.results_view();
+    if (shown_refusal(workspace) != nullptr) return with_motion(std::move(options));
     if (session.influence.is_on(session.model())) {
         const bool has_train = stands_train(session);
         return with_influence(std::move(options), session, has_train);
@@ -126,6 +152,8 @@ DrawOptions looked_at(const Workspace& workspace)
     if (lifted_body(session) != nullptr) return with_free_body(std::move(options));
     if (shown_truss(session) != nullptr) return with_truss(std::move(options));
     if (shown_funicular(session) != nullptr) return with_funicular(std::move(options));
+    if (shown_work(session) != nullptr) return with_unit_load(std::move(options), session.model().analysis);
+    if (options.show.contains(Show::Counting)) return with_counting(std::move(options));
     if (options.is_envelope) options.show = options.show - ShowSet{Show::Loads, Show::Deformed};
     if (explained_step(workspace) != nullptr) return with_node_numbers(std::move(options));
     return options;
@@ -164,6 +192,9 @@ DrawInput input_of(const Workspace& workspace, const DrawOptions& options, const
                    std::span<const NodeNumbers> numbers)
 {
     const Session& session = workspace.session;
+    if (const auto* const refused = shown_refusal(workspace))
+        return {.model = refused->primary,
+                .motion = drawing::MotionChoice{refused->motions, 0, options.tr(refused->reason)}};
     if (const auto* const line = session.shown_line()) {
         const bool has_train = stands_train(session);
         const bool is_traced = has_train && session.influence.is_traced();
@@ -189,6 +220,8 @@ DrawInput input_of(const Workspace& workspace, const DrawOptions& options, const
                 .results = session.shown_results(),
                 .dimensions = session.document().companion.dimensions,
                 .funicular = funicular};
+    if (const auto* const work = shown_work(session))
+        return {.model = session.model(), .results = session.shown_results(), .work = work};
     DrawInput input{.model = session.model(),
                     .reference = session.reference.get(),
                     .dimensions = session.document().companion.dimensions,
@@ -205,6 +238,7 @@ DrawInput input_of(const Workspace& workspace, const DrawOptions& options, const
     input.reasons = why_blank(session);
     if (input.reasons.empty()) input.reasons = why_no_truss_shown(session);
     if (input.reasons.empty()) input.reasons = why_no_funicular_shown(session);
+    if (input.reasons.empty()) input.reasons = why_no_work_shown(session);
     if (input.reasons.empty()) input.reasons = why_no_train_values(session);
     return input;
 }
@@ -233,8 +267,8 @@ void Canvas::fit(Session& session)
 bool Canvas::FittedFor::serves(const FittedFor& wanted) const
 {
     const bool has_room = (has_pencil || !wanted.has_pencil) && (has_train || !wanted.has_train) &&
-                          free_body == wanted.free_body && funicular == wanted.funicular && n_lines == wanted.n_lines &&
-                          lent <= wanted.lent;
+                          free_body == wanted.free_body && funicular == wanted.funicular && work == wanted.work &&
+                          n_lines == wanted.n_lines && lent <= wanted.lent;
     const bool is_tight = std::ranges::equal(factors, wanted.factors, std::ranges::less_equal());
     return session == wanted.session && sheet == wanted.sheet && layout == wanted.layout && theme == wanted.theme &&
            is_in_space == wanted.is_in_space && has_diagram == wanted.has_diagram && has_room && is_tight;
@@ -251,6 +285,7 @@ Canvas::FittedFor Canvas::wanted_fit(const Session& session, const DrawOptions& 
             session.influence.standing() != nullptr,
             lifted_body(session) != nullptr ? session.free_body.number() : 0,
             options.show.contains(Show::ForcePolygon) ? session.funicular.number() : 0,
+            options.show.contains(Show::UnitLoad) ? session.virtual_work.number() + 1 : 0,
             options.show.contains(Show::Truss) || options.show.contains(Show::ForcePolygon),
             session.shown_line() != nullptr ? session.influence.kept_pictures().size() : 0,
             {options.diagram_factor, options.load_factor, options.symbol_factor},
@@ -510,7 +545,9 @@ void Canvas::press(Workspace& workspace, const Aim& aim)
     is_working_ = true;
     workspace.session.settle();
     const bool is_beside = !aim.part() && !aim.is_on_train;
-    if (workspace.tool_controller.kind() == ToolKind::Influence && is_beside) return ask_at_diagram(workspace, aim);
+    const ToolKind kind = workspace.tool_controller.kind();
+    const bool asks_for_section = kind == ToolKind::Influence || kind == ToolKind::VirtualWork;
+    if (asks_for_section && is_beside) return ask_at_diagram(workspace, aim);
     if (const auto reason = why_not_press(workspace, aim)) workspace.session.notify(*reason);
     else carry_out(workspace.session, workspace.tool_controller.tool().press(work_of(workspace.session), aim));
 }
@@ -624,7 +661,8 @@ Subject::Picture Canvas::draw(const Workspace& workspace, const DrawOptions& opt
     if (!shown_mechanism(workspace) && !picture.plan.panels.empty())
         draw_loose_part(painter, session, options, Projection(picture.plan.camera, picture.plan.panels.front().box.min),
                         shape_);
-    if (session.pin && explained_step(workspace) == nullptr && !plan_.panels.empty())
+    if (session.pin && explained_step(workspace) == nullptr && shown_refusal(workspace) == nullptr &&
+        !plan_.panels.empty())
         draw_cut(session, options, picture, {*session.pin, plan_.panels.front().box.min}, painter);
     return picture;
 }
@@ -633,7 +671,8 @@ void Canvas::draw_cut(const Session& session, const DrawOptions& options, const 
                       const SeenCut& seen, ui::Painter& painter) const
 {
     const bool is_method_shown = session.influence.is_on(session.model()) || session.free_body.is_on(session.model()) ||
-                                 shown_truss(session) != nullptr || shown_funicular(session) != nullptr;
+                                 shown_truss(session) != nullptr || shown_funicular(session) != nullptr ||
+                                 shown_work(session) != nullptr || options.show.contains(Show::Counting);
     if (session.hidden || is_method_shown) return;
     const ui::Point at = Projection(picture.plan.camera, seen.panel)(shape_[seen.cut.member].at(seen.cut.x));
     const drawing::ReadingCard card{.plan = picture.plan, .cut = seen.cut, .beside = at, .top = picture.legend_bottom};
@@ -657,7 +696,7 @@ void Canvas::paint_all(const Workspace& workspace, ui::Painter& painter)
     const DrawState now = state(workspace);
     drawn_ = draw(workspace, shown, now, painter);
     if (std::exchange(is_just_fitted_, false)) was_whole_ = drawn_.is_whole;
-    if (session.hover && session.hover != session.pin && !is_working_)
+    if (session.hover && session.hover != session.pin && !is_working_ && shown_refusal(workspace) == nullptr)
         draw_cut(session, shown, drawn_, {*session.hover, hover_panel_}, painter);
     const ui::Theme theme(shown.theme);
     if ((is_over() || is_active()) && !plan_.panels.empty())

@@ -89,6 +89,7 @@ private:
         bool has_train;                ///< and a standing train for its forces and its curve
         std::size_t free_body;         ///< and each free body for its forces: its number, 0 where none is lifted
         std::size_t funicular;         ///< likewise
+        std::size_t work;              ///< likewise
         bool has_diagram;              ///< of forces, which takes half the sheet
         std::size_t n_lines;           ///< that are kept, each in a panel
         std::array<double, 3> factors; ///< of diagrams, loads and symbols: what shrinks gives its room back

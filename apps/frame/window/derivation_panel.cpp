@@ -2,8 +2,10 @@
 
 #include <imgui.h>
 
+#include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 
 #include "apps/frame/session/derivation_commands.h"
 #include "apps/frame/view/derivation/derivation_picture.h"
@@ -165,6 +167,8 @@ bool handle_presenter_key(Workspace& workspace, const ui::Chord& chord)
     DerivationShow& show = workspace.derivation;
     show.follow(workspace.session);
     if (chord.modifiers != ui::no_modifiers) return false;
+    const bool was_refused = std::exchange(workspace.refused_release, std::nullopt).has_value();
+    if (was_refused && chord.key == Key::Escape) return true;
     switch (chord.key) {
     case Key::PageUp: show.go_back(); return true;
     case Key::PageDown: show.go_on(); return true;

@@ -153,6 +153,19 @@ void influence_settings(Workspace& workspace, const CommandTable& commands)
     if (now) train_settings(workspace, commands);
 }
 
+// Which displacement of the place is found by virtual work.
+void work_settings(Workspace& workspace)
+{
+    AskedWork& asked = workspace.session.virtual_work;
+    const femoop::Model& model = workspace.session.model();
+    const std::optional<femoop::MovingEffect> now = asked.displacement(model);
+    for (const femoop::MovingEffect& choice : asked.choices(model)) {
+        const std::string name = femoop::influence::component_name(model.analysis, choice);
+        if (ImGui::RadioButton(name.c_str(), choice == now)) asked.choose(choice);
+        ImGui::SameLine();
+    }
+}
+
 /// How the load that is put stands in a bar of this width [px]: where it is narrow the unit goes first, then a part of
 /// the load's name.
 struct LoadLook {
@@ -315,6 +328,7 @@ std::string_view hint(ToolKind tool, bool is_in_space)
     case ToolKind::Influence: return translatable("Click a section or a support; drag the section along. R: trains");
     case ToolKind::FreeBody: return translatable("Click a part, or draw a cut; V: its other side");
     case ToolKind::Funicular: return translatable("Drag the rings; point to read. Shift+J: through the hinge");
+    case ToolKind::VirtualWork: return translatable("Click a node or a section; drag the section along.");
     case ToolKind::Paste: return translatable("Click where it goes, or type the place: 6,4  @3,2");
     case ToolKind::Delete: break;
     }
@@ -338,7 +352,8 @@ void tool_bar(Workspace& workspace, const CommandTable& commands, ui::ImGuiSessi
     const float top = ImGui::GetCursorPosY() + 0.125F * ImGui::GetFrameHeight();
     const ui::Theme theme(workspace.session.view.theme);
     for (const ToolEntry& entry : tools()) {
-        const bool changes_nothing = entry.value == ToolKind::FreeBody || entry.value == ToolKind::Funicular;
+        const bool changes_nothing = entry.value == ToolKind::FreeBody || entry.value == ToolKind::Funicular ||
+                                     entry.value == ToolKind::VirtualWork;
         if (changes_nothing) continue; // found in the menu
         tool_button(workspace, commands, entry, gui, fonts, theme);
         ImGui::SameLine(0.0F, 0.15F * em);
@@ -350,6 +365,7 @@ void tool_bar(Workspace& workspace, const CommandTable& commands, ui::ImGuiSessi
     if (tool == ToolKind::Support) support_settings(workspace);
     if (tool == ToolKind::Load) load_settings(workspace, fields);
     if (tool == ToolKind::Influence) influence_settings(workspace, commands);
+    if (tool == ToolKind::VirtualWork) work_settings(workspace);
     const bool is_in_space = femoop::is_3d(workspace.session.model().analysis);
     if (is_in_space && workspace.tool_controller.can_type()) plane_settings(workspace, fields);
     if (workspace.tool_controller.can_type() && tool != ToolKind::Dimension) snap_settings(workspace, commands, fields);

@@ -120,8 +120,9 @@ void draw_tool_icon(ui::Painter& painter, ToolKind tool, const ui::Theme& theme)
     case ToolKind::Predict: icon.predict(); break;
     case ToolKind::Influence: icon.influence(); break;
     case ToolKind::FreeBody:
-    case ToolKind::Funicular: break; // found in the menu
-    case ToolKind::Paste: break;     // taken up by no button
+    case ToolKind::Funicular:
+    case ToolKind::VirtualWork: break; // found in the menu
+    case ToolKind::Paste: break;       // taken up by no button
     }
 }
 

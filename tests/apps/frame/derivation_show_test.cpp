@@ -143,13 +143,19 @@ TEST_SUITE("frame session")
         CHECK(released().size() == 3);
         release(reaction(session, "A", femoop::Dof::rz));
         CHECK(released().size() == 3); // a fourth hinge lets it move
-        REQUIRE(session.notice);
-        CHECK(ui::Catalogue()(session.notice->sentence).find("the structure can move") != std::string::npos);
+        const auto& refused = workspace.refused_release;
+        REQUIRE(refused);
+        CHECK(refused->moves(session));
+        CHECK(ui::Catalogue()(refused->reason).find("the structure can move") != std::string::npos);
+        CHECK(refused->primary.nodes.size() == session.model().nodes.size() + 1); // that of the hinge inside BC
+        CHECK(refused->motions.front().motion.size() == refused->primary.nodes.size());
         release({.quantity = ExpectedQuantity::Displacement,
                  .node = session.model().find_node("B"),
                  .dof = femoop::Dof::ux});
         CHECK(ui::Catalogue()(session.notice->sentence).find("is no force that could be released") !=
               std::string::npos);
+        CHECK(!refused->moves(session)); // it is told, not drawn
+        CHECK(released().size() == 3);
     }
 
     TEST_CASE("A place beyond the end of a shorter member is its end; a number whose support is gone is lost")

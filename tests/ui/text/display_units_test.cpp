@@ -23,6 +23,21 @@ TEST_SUITE("ui text")
         CHECK(kn_m.text(7.85e-9, ui::Measure::Density) == "7850 kg/m³");
     }
 
+    TEST_CASE("What a unit load does is counted over the load's unit: a moment under a force is a length")
+    {
+        const auto kn_m = units(ui::UnitSystem::KnM, n_mm);
+        const auto under_force = kn_m.per(ui::Measure::Force), under_moment = kn_m.per(ui::Measure::Moment);
+        CHECK(under_force.text(2500.0, ui::Measure::Moment) == "2.5 m"); // 2500 N mm a N
+        CHECK(under_force.text(0.7, ui::Measure::Force) == "0.7");
+        CHECK(under_moment.text(0.7, ui::Measure::Moment) == "0.7");
+        CHECK(under_moment.text(2.0e-3, ui::Measure::Force) == "2 1/m");
+        CHECK(under_force.text(4500.0, ui::Measure::Length) == "4.5 m"); // no result
+        ui::UnitChoices choices;
+        CHECK(choices.choose("moment", "kN·cm"));
+        const ui::DisplayUnits chosen(ui::UnitSystem::KnM, n_mm, {.digits = 6}, choices);
+        CHECK(chosen.per(ui::Measure::Force).text(2500.0, ui::Measure::Moment) == "250 kN·cm/kN");
+    }
+
     TEST_CASE("The file's own units leave every number as it is stored")
     {
         const auto file = units(ui::UnitSystem::File, n_mm);

@@ -128,7 +128,8 @@ private:
     }
     std::vector<std::string> sentence_lines() const
     {
-        return lines(with_raised_powers(femoop::derivation::sentence(step_, model_, look_.tr)), sentence_style());
+        const std::string words = with_raised_powers(femoop::derivation::sentence(step_, model_, look_.tr));
+        return lines(step_.kind == StepKind::RedundantEquations ? with_deltas(words) : words, sentence_style());
     }
     double head_height() const
     {

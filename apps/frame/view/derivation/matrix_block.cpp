@@ -37,7 +37,33 @@ constexpr std::array words{translatable("data"),       translatable("entries"), 
                            translatable("foundation"), translatable("spring"),  translatable("p at the node"),
                            translatable("sum")};
 
+bool is_digit(char letter) { return letter >= '0' && letter <= '9'; }
+
+std::string lowered(char digit)
+{
+    static constexpr std::array<std::string_view, 10> digits{"₀", "₁", "₂", "₃", "₄", "₅", "₆", "₇", "₈", "₉"};
+    return std::string(digits.at(static_cast<std::size_t>(digit - '0')));
+}
+
 } // namespace
+
+std::string with_deltas(const std::string& text)
+{
+    constexpr std::string_view name = "delta";
+    std::string written;
+    for (std::size_t at = 0; at < text.size();) {
+        if (text.compare(at, name.size(), name) != 0) {
+            written += text[at++];
+            continue;
+        }
+        written += "δ";
+        at += name.size();
+        const bool has_index = at + 1 < text.size() && text[at] == '_' && is_digit(text[at + 1]);
+        if (has_index) ++at;
+        while (has_index && at < text.size() && is_digit(text[at])) written += lowered(text[at++]);
+    }
+    return written;
+}
 
 std::string with_raised_powers(std::string text)
 {
@@ -57,10 +83,10 @@ std::string symbol_text(const std::string& symbol, const ui::Catalogue& tr)
 
 MatrixBlock::MatrixBlock(const femoop::derivation::NamedMatrix& matrix, Kind kind, const DerivationLook& look,
                          const ui::Fonts& fonts, double em)
-    : symbol_(symbol_text(matrix.symbol, look.tr)), kind_(kind), look_(look), fonts_(fonts), em_(em)
+    : symbol_(with_deltas(symbol_text(matrix.symbol, look.tr))), kind_(kind), look_(look), fonts_(fonts), em_(em)
 {
     for (const std::string& name : matrix.rows) rows_.push_back(symbol_text(name, look.tr));
-    for (const std::string& name : matrix.columns) columns_.push_back(symbol_text(name, look.tr));
+    for (const std::string& name : matrix.columns) columns_.push_back(with_deltas(symbol_text(name, look.tr)));
     if (columns_.size() == 1 && columns_.front() == symbol_) columns_.front().clear(); // it stands there already
     widths_.assign(columns_.size(), 0.0);
     const auto width = [&](const std::string& text) { return fonts.measure(text, em).width; };

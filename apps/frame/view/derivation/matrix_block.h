@@ -41,6 +41,8 @@ private:
 
 /// L³ for L^3, Tᵀ for T^T.
 std::string with_raised_powers(std::string text);
+/// δ₁₀ for delta_10.
+std::string with_deltas(const std::string& text);
 /// What people read: 12 EI/L³ for 12 EI/L^3, and the words among the symbols in their language.
 std::string symbol_text(const std::string& symbol, const ui::Catalogue& tr);
 

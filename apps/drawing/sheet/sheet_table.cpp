@@ -1,0 +1,164 @@
+#include "apps/drawing/sheet/sheet_table.h"
+
+#include "ui/text/number_format.h"
+
+#include <algorithm>
+#include <array>
+
+namespace drawing {
+
+namespace {
+
+constexpr std::array sizes{1.0, 0.92, 0.84, 0.76, 0.7, 0.64, 0.58}; // of the theme's normal type
+constexpr std::size_t indented_to = 2;                              // the column below which stands what is folded
+constexpr double spacing = 1.45;                                    // of lines, of the type's size
+
+/// A name that has the room of the empty cells behind it, too.
+bool goes_beyond(const tabular::Row& row, std::size_t column)
+{
+    return column == 0 && row.cells.size() > 2 && row.cells[1].shown.empty() && row.cells[2].shown.empty();
+}
+
+/// So many columns below the others rather than a smaller type.
+struct Fold {
+    std::size_t n_columns;
+    double least_size; ///< of the theme's normal type
+};
+
+/// What a cell says; the first column has names.
+std::string text_of(const tabular::Row& row, std::size_t column)
+{
+    const std::string& shown = row.cells[column].shown;
+    return column == 0 ? shown : ui::with_minus_signs(shown);
+}
+
+} // namespace
+
+SheetTable::SheetTable(const TableOfRows& table, const TableRoom& room, const ui::Theme& theme, const ui::Fonts& fonts)
+    : room_(room), theme_(theme)
+{
+    constexpr std::size_t all = 1000, least = 2;
+    table_ = table(all);
+    for (const Fold fold : {Fold{0, 0.84}, Fold{1, 0.7}, Fold{room.folded.size(), sizes.back()}}) {
+        n_folded_ = std::min(fold.n_columns, room.folded.size());
+        for (const double size : sizes) {
+            if (size < fold.least_size) break;
+            size_ = size * theme.type().normal;
+            lay_out(fonts);
+            if (width_ <= room.width) break;
+        }
+        if (width_ <= room.width) break;
+    }
+    const double lines_per_row = n_folded_ > 0 ? 2.0 : 1.0;
+    const double n_lines = room.height / line_height() - 3.5; // headings, sum, and free above
+    const auto most = static_cast<std::size_t>(std::max(n_lines / lines_per_row, static_cast<double>(least)));
+    if (table_.rows.size() - table_.n_sums <= most) return;
+    table_ = table(most);
+    lay_out(fonts);
+}
+
+bool SheetTable::is_in_line(std::size_t column) const
+{
+    const auto end = room_.folded.begin() + static_cast<std::ptrdiff_t>(n_folded_);
+    return std::find(room_.folded.begin(), end, column) == end;
+}
+
+/// "F f = 3 x   ∫ F f dx = 12"; what is an equation already has no heading.
+std::string SheetTable::folded_text(const tabular::Row& row) const
+{
+    std::string text;
+    for (std::size_t i = 0; i < n_folded_; ++i) {
+        const std::size_t column = room_.folded[i];
+        const std::string cell = text_of(row, column);
+        if (cell.empty()) continue;
+        const bool is_equation = cell.find('=') != std::string::npos;
+        text += (text.empty() ? "" : "   ") + (is_equation ? "" : table_.columns[column].heading + " = ") + cell;
+    }
+    return text;
+}
+
+double SheetTable::line_height() const { return spacing * size_; }
+
+std::size_t SheetTable::lines_of(const tabular::Row& row) const { return folded_text(row).empty() ? 1 : 2; }
+
+std::size_t SheetTable::n_lines() const
+{
+    std::size_t n = 1;
+    for (const tabular::Row& row : table_.rows) n += lines_of(row);
+    return n;
+}
+
+double SheetTable::height() const { return line_height() * (static_cast<double>(n_lines()) + 1.7); }
+
+ui::TextStyle SheetTable::style(bool is_heading, ui::Anchor anchor) const
+{
+    ui::TextStyle style = theme_.text(is_heading ? ui::Role::FaintLabel : ui::Role::Label, anchor);
+    style.size = size_;
+    return style;
+}
+
+void SheetTable::lay_out(const ui::Fonts& fonts)
+{
+    const double gap = 1.1 * size_;
+    lefts_.assign(table_.columns.size(), 0.0);
+    widths_ = lefts_;
+    const ui::TextStyle type = style(false, ui::Anchor::Left);
+    double left = 0.0;
+    for (std::size_t i = 0; i < table_.columns.size(); ++i) {
+        double width = fonts.measure(table_.columns[i].label(), type).width;
+        for (const tabular::Row& row : table_.rows)
+            if (!goes_beyond(row, i)) width = std::max(width, fonts.measure(text_of(row, i), type).width);
+        lefts_[i] = left;
+        widths_[i] = width;
+        if (is_in_line(i)) left += width + gap;
+    }
+    width_ = left - gap;
+    for (const tabular::Row& row : table_.rows)
+        if (const std::string below = folded_text(row); !below.empty())
+            width_ = std::max(width_, lefts_[indented_to] + fonts.measure(below, type).width);
+}
+
+void SheetTable::draw_rule(ui::Painter& painter, ui::Point at) const
+{
+    ui::Stroke stroke = theme_.stroke(ui::Role::Dimension);
+    stroke.width = 0.8;
+    painter.line(at, at + ui::Point{width_, 0.0}, stroke);
+}
+
+void SheetTable::draw_row(ui::Painter& painter, const tabular::Row& row, ui::Point at, bool is_sum) const
+{
+    for (std::size_t i = 0; i < row.cells.size(); ++i) {
+        const std::string text = text_of(row, i);
+        if (text.empty() || !is_in_line(i)) continue;
+        const bool is_right = alignment(table_, i) == tabular::Alignment::Right;
+        ui::TextStyle type = style(false, is_right ? ui::Anchor::TopRight : ui::Anchor::TopLeft);
+        if (is_sum) type.weight = ui::Weight::Bold;
+        painter.text(at + ui::Point{lefts_[i] + (is_right ? widths_[i] : 0.0), 0.0}, text, type);
+    }
+    const std::string below = folded_text(row);
+    if (!below.empty())
+        painter.text(at + ui::Point{lefts_[indented_to], line_height()}, below, style(false, ui::Anchor::TopLeft));
+}
+
+void SheetTable::draw(ui::Painter& painter, ui::Point corner) const
+{
+    const ui::LayerScope layer(painter, ui::Layer::Overlay);
+    ui::Point at = corner;
+    for (std::size_t i = 0; i < table_.columns.size(); ++i) {
+        if (!is_in_line(i)) continue;
+        const bool is_right = alignment(table_, i) == tabular::Alignment::Right;
+        painter.text(at + ui::Point{lefts_[i] + (is_right ? widths_[i] : 0.0), 0.0}, table_.columns[i].label(),
+                     style(true, is_right ? ui::Anchor::TopRight : ui::Anchor::TopLeft));
+    }
+    at.y += line_height() + 0.3 * size_;
+    draw_rule(painter, at - ui::Point{0.0, 0.3 * size_});
+    for (std::size_t i = 0; i < table_.rows.size(); ++i) {
+        const bool is_sum = i + table_.n_sums >= table_.rows.size();
+        if (is_sum) at.y += 0.4 * size_;
+        if (is_sum) draw_rule(painter, at - ui::Point{0.0, 0.3 * size_});
+        draw_row(painter, table_.rows[i], at, is_sum);
+        at.y += line_height() * static_cast<double>(lines_of(table_.rows[i]));
+    }
+}
+
+} // namespace drawing

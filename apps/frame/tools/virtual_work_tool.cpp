@@ -1,0 +1,34 @@
+#include "apps/frame/tools/virtual_work_tool.h"
+
+#include "apps/frame/virtual_work/asked_work.h"
+#include "femoop/geometry/member_geometry.h"
+
+namespace frame {
+
+std::optional<Change> VirtualWorkTool::press(const Work& work, const Aim& at)
+{
+    const femoop::Model& model = work.document.model;
+    if (at.node) work.virtual_work->ask(model, *at.node);
+    else if (at.support) work.virtual_work->ask(model, at.support->node);
+    else if (at.cut) {
+        held_ = at.cut->member;
+        const double length = femoop::geometry_of(model, model[*held_]).length;
+        work.virtual_work->ask(model, Cut{*held_, round_section(at.cut->x, length, at)});
+    }
+    return std::nullopt;
+}
+
+std::optional<Change> VirtualWorkTool::move(const Work& work, const Aim& to)
+{
+    if (const auto section = held_ ? section_under(work.document.model, *held_, to) : std::nullopt)
+        work.virtual_work->ask(work.document.model, *section);
+    return std::nullopt;
+}
+
+std::optional<Change> VirtualWorkTool::release(const Work&, const Aim&)
+{
+    held_.reset();
+    return std::nullopt;
+}
+
+} // namespace frame

@@ -1,0 +1,22 @@
+#pragma once
+
+#include <optional>
+
+#include "apps/frame/tools/tool.h"
+
+namespace frame {
+
+/// Asks for a displacement by virtual work: of the node that is clicked, or of the section of a member, which goes along
+/// with the hand while the button is held.
+class VirtualWorkTool : public Tool {
+public:
+    std::optional<Change> press(const Work& work, const Aim& at) override;
+    std::optional<Change> move(const Work& work, const Aim& to) override;
+    std::optional<Change> release(const Work& work, const Aim& at) override;
+    bool snaps() const override { return false; }
+
+private:
+    std::optional<femoop::MemberId> held_; ///< whose section the hand moves
+};
+
+} // namespace frame

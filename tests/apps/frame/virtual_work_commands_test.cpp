@@ -1,0 +1,101 @@
+// The displacement that is looked at as virtual work: how it is asked for, and how it follows what changes.
+#include "apps/frame/session/virtual_work_commands.h"
+
+#include <doctest/doctest.h>
+
+#include <string>
+
+#include "apps/frame/document/command.h"
+#include "femoop/io/virtual_work/virtual_work_text.h"
+#include "tests/apps/frame/example_workspace.h"
+
+using namespace frame;
+using frame_test::run;
+using frame_test::workspace_with;
+
+namespace {
+
+const femoop::virtual_work::VirtualWork& worked(const Session& session)
+{
+    const drawing::WorkPicture* const picture = shown_work(session);
+    REQUIRE(picture != nullptr);
+    return picture->work;
+}
+
+femoop::MemberId member(const Session& session, const std::string& name) { return *session.model().find_member(name); }
+
+} // namespace
+
+TEST_SUITE("frame session")
+{
+    TEST_CASE(
+        "The middle of a member that is selected is asked for at once, and its work is the analysis' displacement")
+    {
+        Workspace workspace = workspace_with("portal.json");
+        Session& session = workspace.session;
+        CHECK(run(workspace, "view.virtual_work.next") ==
+              "no virtual work is shown; press Shift+P and click a node or a member");
+        session.selection = Part(member(session, "BC"));
+        CHECK_FALSE(run(workspace, "draw.virtual_work"));
+        CHECK(worked(session).displacement.component == femoop::MemberComponent::v);
+        CHECK(worked(session).sum == doctest::Approx(worked(session).value));
+        CHECK(worked(session).unit_model.load_cases.size() == 1);
+        CHECK_FALSE(run(workspace, "view.virtual_work.next"));
+        CHECK(worked(session).displacement.component == femoop::MemberComponent::u); // round from the last one
+        CHECK_FALSE(run(workspace, "view.virtual_work.close"));
+        CHECK(shown_work(session) == nullptr);
+    }
+
+    TEST_CASE("What is found by virtual work follows the document and the case, and is told in words")
+    {
+        Workspace workspace = workspace_with("portal.json");
+        Session& session = workspace.session;
+        session.virtual_work.ask(session.model(), *session.model().find_node("C"));
+        session.virtual_work.choose(session.virtual_work.choices(session.model()).front());
+        const double sway = worked(session).sum;
+        session.view.load_case = *session.model().find_case("W");
+        CHECK(worked(session).sum != doctest::Approx(sway));
+        CHECK(worked(session).sum == doctest::Approx(worked(session).value));
+        CHECK(description(session).find("ux(C) = ") != std::string::npos);
+        session.change({"", [](Document& document) { document.model.nodes[2].at[0] = femoop::Quantity(9.3); }});
+        CHECK(worked(session).sum == doctest::Approx(worked(session).value));
+        session.hidden = ShowSet{};
+        CHECK(shown_work(session) == nullptr);
+    }
+
+    TEST_CASE("A couple on a node that nothing keeps from turning has no virtual work, and it is said why")
+    {
+        Workspace workspace = workspace_with("gerber_beam.json");
+        Session& session = workspace.session;
+        session.virtual_work.ask(session.model(), *session.model().find_node("E"));
+        session.virtual_work.choose(session.virtual_work.choices(session.model()).back());
+        CHECK(shown_work(session) == nullptr);
+        CHECK_FALSE(session.virtual_work.why_none().empty());
+        CHECK(description(session).find("No virtual work: ") != std::string::npos);
+    }
+
+    TEST_CASE("The table of a sheet has the exact product and its integral in every row, and all of the sum")
+    {
+        Workspace workspace = workspace_with("portal.json");
+        Session& session = workspace.session;
+        session.virtual_work.ask(session.model(), drawing::Cut{member(session, "BC"), 4.0});
+        const auto whole = work_table(worked(session), session.model(), ui::Catalogue(), 100);
+        const std::size_t n_parts = worked(session).work.integrals.size();
+        CHECK(whole.rows.size() == n_parts + 1);
+        for (std::size_t i = 0; i < n_parts; ++i) {
+            const auto& one = worked(session).work.integrals[i];
+            const double L = one.to - one.from;
+            const auto product = femoop::virtual_work::product(one);
+            REQUIRE(product);
+            double integral = 0.0, power = L;
+            for (std::size_t k = 0; k < product->n_terms(); ++k, power *= L)
+                integral += (*product)[k] * power / static_cast<double>(k + 1);
+            CHECK(one.value == doctest::Approx(one.flexibility * integral));
+            CHECK(integral_of_product(one) == doctest::Approx(integral));
+        }
+        const auto few = work_table(worked(session), session.model(), ui::Catalogue(), 3);
+        CHECK(few.rows.size() == 4); // two that work most, the rest of them, and the sum
+        CHECK(few.rows[2].cells.front().shown == std::to_string(n_parts - 2) + " more that work less");
+        CHECK(few.rows.back().cells == whole.rows.back().cells);
+    }
+}
