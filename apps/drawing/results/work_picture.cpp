@@ -2,6 +2,7 @@
 
 #include "apps/drawing/results/influence_picture.h"
 #include "apps/drawing/results/solved_case.h"
+#include "femoop/io/virtual_work/virtual_work_text.h"
 #include "femoop/model/dof.h"
 
 #include <array>
@@ -30,7 +31,10 @@ std::vector<std::string> work_sentences(const WorkPicture& picture, const femoop
                                         const ui::DisplayUnits& units, const ui::Catalogue& tr)
 {
     const femoop::MovingEffect& displacement = picture.work.displacement;
-    const auto text = [&](double value) { return ui::with_minus_signs(units.text(value, measure_of(displacement))); };
+    const auto text = [&](double value) {
+        const double told = femoop::virtual_work::without_round_off(value, picture.work.work);
+        return ui::with_minus_signs(units.text(told, measure_of(displacement)));
+    };
     return {
         tr("1 · {displacement} = the sum of the work = {sum}; the analysis has {value}",
            {{"displacement", effect_text(model, units, displacement)},

@@ -220,7 +220,8 @@ PanelHead diagram_head(const Scene& scene, const std::vector<Diagram>& diagrams)
     for (const Diagram& diagram : diagrams)
         symbols += (symbols.empty() ? "" : ", ") + std::string(femoop::name(diagram.component, scene.model.analysis));
     const ui::DisplayUnit unit = scene.units.unit(measure_of(first.component));
-    head.name = capitalized(diagram_name(scene, first.component)) + " " + symbols + " [" + unit.name + "]";
+    head.name = capitalized(diagram_name(scene, first.component)) + " " + symbols +
+                (unit.name.empty() ? "" : " [" + unit.name + "]");
     head.note = first.largest > 0.0 ? sign_note(scene, first.component) : scene.options.tr("zero everywhere");
     const bool is_truss_force = femoop::is_truss(scene.model.analysis) && first.component == MemberComponent::N;
     if (first.is_zero() || is_truss_force) return head;

@@ -37,7 +37,7 @@ std::string text_of(const tabular::Row& row, std::size_t column)
 SheetTable::SheetTable(const TableOfRows& table, const TableRoom& room, const ui::Theme& theme, const ui::Fonts& fonts)
     : room_(room), theme_(theme)
 {
-    constexpr std::size_t all = 1000, least = 2;
+    constexpr std::size_t all = 1000, least = 3;
     table_ = table(all);
     for (const Fold fold : {Fold{0, 0.84}, Fold{1, 0.7}, Fold{room.folded.size(), sizes.back()}}) {
         n_folded_ = std::min(fold.n_columns, room.folded.size());

@@ -626,7 +626,7 @@ const Subject::UnitSide& Subject::unit_side() const
 // The diagrams keep the larger part of what heads and foot leave.
 const SheetTable& Subject::work_table(ui::Size sheet, const ui::Fonts& fonts) const
 {
-    constexpr double share_of_diagrams = 0.4; // of the sheet's height
+    constexpr double share_of_diagrams = 0.45; // of the sheet's height
     if (work_table_) return *work_table_;
     const auto rows = [this](std::size_t most) {
         return femoop::virtual_work::work_table(input_.work->work, input_.model, options_.tr, most);

@@ -43,6 +43,7 @@ void AskedWork::ask(const femoop::Model& model, const MovingEffect& displacement
     last_component_ = displacement.component ? displacement.component : last_component_;
     last_dof_ = displacement.dof ? displacement.dof : last_dof_;
     subject_.reset();
+    ++number_;
 }
 
 void AskedWork::ask(const femoop::Model& model, const drawing::Cut& cut)
@@ -64,6 +65,7 @@ void AskedWork::choose(const MovingEffect& displacement)
     asked_->effect.component = last_component_ = displacement.component;
     asked_->effect.dof = last_dof_ = displacement.dof;
     subject_.reset();
+    ++number_;
 }
 
 std::optional<MovingEffect> AskedWork::displacement(const femoop::Model& model) const

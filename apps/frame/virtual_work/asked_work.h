@@ -22,7 +22,7 @@ class AskedWork {
 public:
     bool is_on(const femoop::Model& model) const { return displacement(model).has_value(); }
     void clear();
-    /// Grows whenever it is cleared.
+    /// Grows whenever another one is asked for: its picture needs another room.
     std::size_t number() const { return number_; }
 
     /// Of a section along the axis that was asked for last, else across the member.

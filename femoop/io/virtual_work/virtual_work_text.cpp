@@ -98,7 +98,16 @@ private:
     /// Over a stiffness that varies it is no part of the work.
     std::string product_integral(const WorkIntegral& on) const
     {
-        return on.stiffness.n_terms() > 1 ? "–" : six_digits(integral_of_product(on), tr_);
+        if (on.stiffness.n_terms() > 1) return "–";
+        const double bound = largest(on.real, on) * largest(on.unit, on) * (on.to - on.from);
+        return six_digits(without_rounding(integral_of_product(on), bound), tr_);
+    }
+    /// No value of the polynomial is greater.
+    static double largest(const Polynomial& p, const WorkIntegral& on)
+    {
+        double sum = 0.0, power = 1.0;
+        for (std::size_t i = 0; i < p.n_terms(); ++i, power *= on.to - on.from) sum += std::abs(p[i]) * power;
+        return sum;
     }
 
     Part part(const WorkIntegral& one) const
@@ -213,6 +222,8 @@ private:
 };
 
 } // namespace
+
+double without_round_off(double value, const Work& work) { return without_rounding(value, size_of(work)); }
 
 std::string free_rotation_text(const Model& model, NodeId node, const Translator& tr)
 {

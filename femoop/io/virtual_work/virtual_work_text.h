@@ -21,6 +21,9 @@ std::string work_text(const Work& work, const WorkCaptions& captions, const Mode
 /// The integrals stretch by stretch with their formulas, then joints and supports, and their sum.
 std::string virtual_work_text(const VirtualWork& work, const Model& model, const Translator& tr);
 
+/// The number, or 0 where it is round-off beside the largest part of the work.
+double without_round_off(double value, const Work& work);
+
 /// Why a node has no rotation that a unit couple could work on: its members turn there each by themselves.
 std::string free_rotation_text(const Model& model, NodeId node, const Translator& tr);
 

@@ -63,6 +63,18 @@ TEST_SUITE("frame session")
         CHECK(shown_work(session) == nullptr);
     }
 
+    TEST_CASE("By symmetry the middle of a beam does not move along it, and no rounding is told of it")
+    {
+        Workspace workspace = workspace_with("portal.json");
+        Session& session = workspace.session;
+        session.virtual_work.ask(session.model(), drawing::Cut{member(session, "BC"), 4.0});
+        session.virtual_work.choose(session.virtual_work.choices(session.model()).front());
+        const std::string sentence = work_sentences(*shown_work(session), session.model(), session.units(), {}).front();
+        CHECK(sentence == "1 · u(BC, 4 m) = the sum of the work = 0 mm; the analysis has 0 mm");
+        for (const tabular::Row& row : work_table(worked(session), session.model(), ui::Catalogue(), 100).rows)
+            for (const tabular::Cell& cell : row.cells) CHECK(cell.shown.find("e-1") == std::string::npos);
+    }
+
     TEST_CASE("A couple on a node that nothing keeps from turning has no virtual work, and it is said why")
     {
         Workspace workspace = workspace_with("gerber_beam.json");

@@ -165,7 +165,10 @@ private:
         Point pen{panel_margin, head_height() + 0.5 * em};
         double row_height = 0.0;
         right_ = 0.0;
-        for (const NamedMatrix& matrix : step_.matrices) {
+        // What a superposition finds stands first: redundants, reactions, moments.
+        const bool is_reversed = step_.kind == StepKind::StateSuperposition;
+        for (std::size_t i = 0; i < step_.matrices.size(); ++i) {
+            const NamedMatrix& matrix = step_.matrices[is_reversed ? step_.matrices.size() - 1 - i : i];
             const MatrixBlock& block = blocks_.emplace_back(matrix, kind_of(step_, matrix), look_, fonts_, em);
             const ui::Size size = block.size();
             if (pen.x > panel_margin && pen.x + size.width > room_right()) {
