@@ -2,23 +2,11 @@
 
 #include <optional>
 
+#include "topology/geometry/flat_point.h"
 #include "topology/geometry/vector.h"
 #include "topology/halfedge/solid.h"
 
 namespace topology {
-
-/// A place in a plane, by its two coordinates there.
-struct FlatPoint {
-    double x = 0.0, y = 0.0;
-
-    friend bool operator==(const FlatPoint&, const FlatPoint&) = default;
-};
-
-/// Twice the area of the triangle a b c, positive where it is counter-clockwise.
-inline double turn(const FlatPoint& a, const FlatPoint& b, const FlatPoint& c)
-{
-    return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
-}
 
 /// A plane with two axes of unit length at a right angle. It is looked at from where u x v points.
 struct Frame {
