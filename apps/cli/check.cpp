@@ -10,6 +10,7 @@
 
 #include "apps/cli/argument.h"
 #include "apps/cli/model_input.h"
+#include "apps/cli/plane_input.h"
 #include "apps/frame/document/companion/companion_file.h"
 #include "femoop/analysis/linear_static.h"
 #include "femoop/io/counting/counting_text.h"
@@ -70,7 +71,10 @@ struct SoundFile {
 /// A reading of either kind.
 SoundFile contents_of(const std::string& file, femoop::AnyReading reading)
 {
-    if (auto* plane = std::get_if<femoop::plane::PlaneReading>(&reading)) return {file, std::move(plane->faults), {}};
+    if (auto* plane = std::get_if<femoop::plane::PlaneReading>(&reading)) {
+        drawing_of(*plane);
+        return {file, std::move(plane->faults), {}};
+    }
     auto& members = std::get<femoop::ModelReading>(reading);
     return {file, std::move(members.faults), std::move(members.model)};
 }

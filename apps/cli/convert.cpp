@@ -13,6 +13,7 @@
 #include "apps/cli/model_input.h"
 #include "apps/cli/output_file.h"
 #include "apps/cli/picture.h"
+#include "apps/cli/plane_input.h"
 #include "apps/cli/solid_file.h"
 #include "femoop/io/results/results_csv.h"
 #include "femoop/model/quantity/in_units.h"
@@ -30,7 +31,7 @@ public:
 
 private:
     ExitStatus to_json(const femoop::Model& model, Console& console) const;
-    ExitStatus to_json(const femoop::plane::PlaneReading& reading, const std::string& kind, Console& console) const;
+    ExitStatus to_json(femoop::plane::PlaneReading& reading, const std::string& kind, Console& console) const;
     ExitStatus to_csv(const femoop::Model& model, Console& console) const;
     ExitStatus solids(Console& console) const;
     void deliver(const std::string& text, Console& console) const;
@@ -129,9 +130,10 @@ ExitStatus Convert::to_json(const femoop::Model& model, Console& console) const
 }
 
 /// A plane model is tidied; its other forms are not built yet.
-ExitStatus Convert::to_json(const femoop::plane::PlaneReading& reading, const std::string& kind, Console& console) const
+ExitStatus Convert::to_json(femoop::plane::PlaneReading& reading, const std::string& kind, Console& console) const
 {
     const ui::Catalogue& tr = console.tr();
+    drawing_of(reading);
     console.report(display_name(in_, tr), reading.faults);
     if (!reading.is_sound()) return ExitStatus::BadInput;
     if (kind != ".json" || units_ || combinations_)
@@ -181,7 +183,7 @@ ExitStatus Convert::run(Console& console)
                             {{"file", out_}, {"kind", "\"" + kind + "\""}}));
     if (out_ != "-") require_writable(out_, tr);
     femoop::AnyReading reading = examine_any(in_, tr);
-    if (const auto* plane = std::get_if<femoop::plane::PlaneReading>(&reading)) return to_json(*plane, kind, console);
+    if (auto* plane = std::get_if<femoop::plane::PlaneReading>(&reading)) return to_json(*plane, kind, console);
     auto& members = std::get<femoop::ModelReading>(reading);
     console.report(display_name(in_, tr), members.faults);
     if (!members.is_sound()) return ExitStatus::BadInput;

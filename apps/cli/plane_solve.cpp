@@ -8,6 +8,7 @@
 
 #include "apps/cli/analysis_run.h"
 #include "apps/cli/argument.h"
+#include "apps/cli/plane_input.h"
 #include "femoop/io/plane/plane_output.h"
 #include "femoop/plane/analysis/plane_analysis.h"
 
@@ -70,7 +71,10 @@ void PlaneSolve::require_none(const ui::Catalogue& tr) const
 ExitStatus PlaneSolve::solve(const Question& question, const femoop::AnalysisOptions& options, Console& console) const
 {
     const ui::Catalogue& tr = console.tr();
-    const auto& [reading, file, case_name, is_json] = question;
+    auto& [reading, file, case_name, is_json] = question;
+    drawing_of(reading);
+    if (reading.model.is_drawn && reading.is_sound())
+        reading.faults.push_back({femoop::FaultKind::PlaneDrawingNotBuilt, {}});
     console.report(file, reading.faults);
     if (!reading.is_sound()) return ExitStatus::BadInput;
     fp::PlaneSelection selection{

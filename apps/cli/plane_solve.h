@@ -18,7 +18,7 @@ namespace cli {
 class PlaneSolve {
 public:
     struct Question {
-        const femoop::plane::PlaneReading& reading;
+        femoop::plane::PlaneReading& reading;
         std::string file;      ///< as messages call it
         std::string case_name; ///< of --case
         bool is_json = false;

@@ -64,7 +64,7 @@ private:
                             const ui::Catalogue& tr) const;
     void require_one_output(const ui::Catalogue& tr) const;
     std::string trace(const Model& model, const ui::Catalogue& tr) const;
-    ExitStatus solve_plane(const femoop::plane::PlaneReading& reading, const femoop::AnalysisOptions& options,
+    ExitStatus solve_plane(femoop::plane::PlaneReading& reading, const femoop::AnalysisOptions& options,
                            Console& console) const;
     CaseId followed_case(const Model& model, const ui::Catalogue& tr) const;
     std::string derivation(const Model& model, const Results& results, const ui::Catalogue& tr) const;
@@ -373,7 +373,7 @@ void report_time(const Phases& phases, const femoop::AnalysisStatistics& statist
           statistics.backward_error);
 }
 
-ExitStatus Solve::solve_plane(const femoop::plane::PlaneReading& reading, const femoop::AnalysisOptions& options,
+ExitStatus Solve::solve_plane(femoop::plane::PlaneReading& reading, const femoop::AnalysisOptions& options,
                               Console& console) const
 {
     const ui::Catalogue& tr = console.tr();
@@ -400,8 +400,7 @@ ExitStatus Solve::run(Console& console)
     Phases phases;
     femoop::Stopwatch watch;
     femoop::AnyReading reading = examine_any(file_, tr);
-    if (const auto* plane = std::get_if<femoop::plane::PlaneReading>(&reading))
-        return solve_plane(*plane, options, console);
+    if (auto* plane = std::get_if<femoop::plane::PlaneReading>(&reading)) return solve_plane(*plane, options, console);
     plane_.require_none(tr);
     auto& members = std::get<femoop::ModelReading>(reading);
     console.report(display_name(file_, tr), members.faults);

@@ -6,6 +6,7 @@
 #include "apps/cli/cross.h"
 #include "apps/cli/euler.h"
 #include "apps/cli/influence.h"
+#include "apps/cli/mesh.h"
 #include "apps/cli/mohr.h"
 #include "apps/cli/render.h"
 #include "apps/cli/solve.h"
@@ -28,6 +29,7 @@ std::vector<std::unique_ptr<Subcommand>> all_subcommands()
     all.push_back(euler_command());
     all.push_back(train_command());
     all.push_back(truss_command());
+    all.push_back(mesh_command());
     all.push_back(mohr_command());
     all.push_back(bench_command());
     return all;

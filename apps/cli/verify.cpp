@@ -11,6 +11,7 @@
 #include "apps/cli/analysis_run.h"
 #include "apps/cli/argument.h"
 #include "apps/cli/model_input.h"
+#include "apps/cli/plane_input.h"
 #include "apps/frame/document/companion/companion_file.h"
 #include "femoop/io/json/json_writer.h"
 #include "femoop/io/plane/plane_verify.h"
@@ -68,7 +69,7 @@ public:
 
 private:
     FileOutcome verify_file(const std::string& file, const Console& console) const;
-    void verify_plane(const femoop::plane::PlaneReading& reading, FileOutcome& outcome, const Console& console) const;
+    void verify_plane(femoop::plane::PlaneReading& reading, FileOutcome& outcome, const Console& console) const;
     void print_lines(const std::vector<FileOutcome>& files, Console& console) const;
     void print_json(const std::vector<FileOutcome>& files, Console& console) const;
 
@@ -100,7 +101,7 @@ FileOutcome Verify::verify_file(const std::string& file, const Console& console)
 {
     FileOutcome outcome{display_name(file, console.tr()), ExitStatus::Done, {}};
     femoop::AnyReading reading = examine_any(file, console.tr());
-    if (const auto* plane = std::get_if<femoop::plane::PlaneReading>(&reading)) {
+    if (auto* plane = std::get_if<femoop::plane::PlaneReading>(&reading)) {
         verify_plane(*plane, outcome, console);
         return outcome;
     }
@@ -130,15 +131,11 @@ FileOutcome Verify::verify_file(const std::string& file, const Console& console)
     return outcome;
 }
 
-/// A drawing to be meshed is not built yet: its checks are named and skipped.
-void Verify::verify_plane(const femoop::plane::PlaneReading& reading, FileOutcome& outcome,
-                          const Console& console) const
+/// Of a drawing counts and areas are compared; its mesh is not built yet, so that results are named and skipped.
+void Verify::verify_plane(femoop::plane::PlaneReading& reading, FileOutcome& outcome, const Console& console) const
 {
     const femoop::Translator tr = is_json_ ? femoop::english : femoop::Translator(console.tr());
-    if (reading.is_drawn) {
-        outcome.checks = femoop::plane::skipped_checks(reading);
-        return;
-    }
+    const auto drawing = drawing_of(reading);
     console.report(outcome.file, reading.faults);
     outcome.status = ExitStatus::BadInput;
     if (!reading.is_sound()) return;
@@ -148,7 +145,9 @@ void Verify::verify_plane(const femoop::plane::PlaneReading& reading, FileOutcom
             results = femoop::plane::analyse(reading.model);
             console.report(outcome.file, results->warnings());
         }
-        outcome.checks = femoop::plane::verify(reading.model, results, tr);
+        femoop::plane::DrawingReader read;
+        if (drawing) read = [&](const femoop::plane::PlaneExpected& check) { return drawing->read(check); };
+        outcome.checks = femoop::plane::verify(reading.model, results, read, tr);
         outcome.status = femoop::count(outcome.checks).failed > 0 ? ExitStatus::No : ExitStatus::Done;
     } catch (const femoop::ModelError& error) {
         outcome.status = report_unsolved(error, outcome.file, console);

@@ -180,6 +180,32 @@ PLANE_BAD = [
 ]
 
 
+DRAWN_SOUND = {
+    "cremona": 1,
+    "analysis": "plane_stress",
+    "units": {"length": "mm", "force": "N"},
+    "points": [{"id": "A", "at": [0, 0]}],
+    "curves": [
+        {"id": "l", "kind": "line", "points": ["A", [3, 0]], "divide": [{"n": 2, "ratio": 3}]},
+        {"id": "c", "kind": "circle", "center": "A", "radius": 1},
+    ],
+    "regions": [{"id": "r", "at": [0.1, 0.1], "hole": True}],
+}
+
+DRAWN_BAD = [
+    (["curves", 0, "kind"], "edges"),
+    (["curves", 0, "kind"], "polyline"),
+    (["curves", 0, "points"], ["A"]),
+    (["curves", 0, "points", 1], [3]),
+    (["curves", 0, "divide"], 0),
+    (["curves", 0, "center"], "A"),
+    (["curves", 1, "radius"], 0),
+    (["curves", 1, "center"], None),
+    (["regions", 0, "at"], [1]),
+    (["regions", 0, "hole"], "yes"),
+]
+
+
 class PlaneSchema(unittest.TestCase):
     validator = Draft202012Validator(PLANE_SCHEMA)
 
@@ -187,7 +213,9 @@ class PlaneSchema(unittest.TestCase):
         Draft202012Validator.check_schema(PLANE_SCHEMA)
 
     def test_it_accepts_every_case_and_the_file_that_says_everything(self):
-        files = [*(ROOT / "tests/cases/plane").glob("*.json"), ROOT / "tests/femoop/plane/everything_plane.json"]
+        files = [*(ROOT / "tests/cases/plane").glob("*.json"), *(ROOT / "tests/cases/regions").glob("*.json")]
+        files += [ROOT / f"tests/femoop/plane/everything_{what}.json" for what in ("plane", "drawn")]
+        files.append(ROOT / "examples/plate.json")
         self.assertGreater(len(files), 10)
         for file in files:
             with self.subTest(file=file.name):
@@ -198,6 +226,10 @@ class PlaneSchema(unittest.TestCase):
         for path, value in PLANE_BAD:
             with self.subTest(path=path, value=value):
                 self.assertFalse(self.validator.is_valid(changed(path, value, PLANE_SOUND)))
+        self.validator.validate(DRAWN_SOUND)
+        for path, value in DRAWN_BAD:
+            with self.subTest(path=path, value=value):
+                self.assertFalse(self.validator.is_valid(changed(path, value, DRAWN_SOUND)))
 
 
 if __name__ == "__main__":

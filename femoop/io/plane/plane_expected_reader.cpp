@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <utility>
 
 #include "femoop/io/plane/plane_names.h"
@@ -59,6 +60,11 @@ void PlaneReader::read_component(PlaneExpected& check, JsonValue component, cons
         return;
     }
     const std::vector<PlaneComponent> known = components_of(check.quantity);
+    const auto has = [&](PlaneComponent each) { return std::ranges::find(known, each) != known.end(); };
+    if (component.is(JsonKind::String) && component.text() == "srt" && has(PlaneComponent::trt)) {
+        check.component = PlaneComponent::trt; // another name of it
+        return;
+    }
     std::vector<std::string_view> words;
     for (const PlaneComponent each : known) words.push_back(name(each));
     if (known.empty()) reader_.unknown_key(component, {"quantity", "value", "case", "rtol", "atol", "source"}, place);

@@ -22,29 +22,6 @@ JsonValue key_of(JsonValue object, std::string_view key)
     return {};
 }
 
-/// What an entry of `expected` asks for, in the file's words: "case P: stress sx".
-std::string asked_for(JsonValue check)
-{
-    std::string words;
-    const auto add = [&](std::string_view key, std::string_view before, std::string_view behind) {
-        const JsonValue value = key_of(check, key);
-        if (!value.is(JsonKind::String)) return;
-        words += (words.empty() ? "" : " ") + std::string(before) + std::string(value.text()) + std::string(behind);
-    };
-    add("case", "case ", ":");
-    for (const std::string_view key : {"analysis", "quantity", "component", "which"}) add(key, "", "");
-    return words;
-}
-
-PlaneReading drawn_model(JsonValue file, std::vector<Fault> faults)
-{
-    PlaneReading reading{.model = {}, .faults = std::move(faults), .drawn_checks = {}, .is_drawn = true};
-    reading.faults.push_back({FaultKind::PlaneDrawingNotBuilt, {}});
-    if (const JsonValue checks = key_of(file, "expected"); checks.is(JsonKind::Array))
-        for (const JsonValue check : checks) reading.drawn_checks.push_back(asked_for(check));
-    return reading;
-}
-
 } // namespace
 
 bool PlaneReading::is_sound() const
@@ -61,9 +38,8 @@ bool is_plane_model(JsonValue file)
 
 PlaneReading examine_plane_model(JsonValue file, std::vector<Fault> faults)
 {
-    if (!key_of(file, "elements").is_present()) return drawn_model(file, std::move(faults));
     PlaneReader reader(file, std::move(faults));
-    PlaneReading reading{.model = std::move(reader.model), .faults = reader.faults(), .drawn_checks = {}};
+    PlaneReading reading{.model = std::move(reader.model), .faults = reader.faults()};
     std::ranges::move(check(reading.model, reader.unreadable()), std::back_inserter(reading.faults));
     return reading;
 }
@@ -71,7 +47,7 @@ PlaneReading examine_plane_model(JsonValue file, std::vector<Fault> faults)
 PlaneReading examine_plane_model(std::string_view text)
 {
     JsonReading json = parse_json(text);
-    if (!json.document) return {.model = {}, .faults = std::move(json.faults), .drawn_checks = {}};
+    if (!json.document) return {.model = {}, .faults = std::move(json.faults)};
     return examine_plane_model(json.document->root(), std::move(json.faults));
 }
 

@@ -24,11 +24,6 @@ namespace femoop::plane {
 struct PlaneReading {
     PlaneModel model;
     std::vector<Fault> faults;
-    /// Of a file without `elements`, whose geometry is to be meshed: what it would be checked for, entry by entry. It is
-    /// refused (FaultKind::PlaneDrawingNotBuilt).
-    std::vector<std::string> drawn_checks;
-    bool is_drawn = false;
-
     bool is_sound() const;
 };
 

@@ -18,6 +18,7 @@ inline constexpr std::array methods{"auto"sv,     "mapped"sv, "trilateral"sv, "s
 inline constexpr std::array diagonals{"right"sv, "left"sv, "cross"sv, "shortest"sv};
 inline constexpr std::array curves{"edges"sv};
 inline constexpr std::array drawn_curves{"line"sv, "arc"sv, "circle"sv, "ellipse"sv, "bezier"sv, "spline"sv};
+inline constexpr std::array turns{"ccw"sv, "cw"sv};
 inline constexpr std::array curve_loads{"traction"sv, "line"sv, "pressure"sv};
 inline constexpr std::array region_loads{"body"sv, "temperature"sv, "rotation"sv};
 inline constexpr std::array along{"x"sv, "y"sv, "r"sv, "s"sv};

@@ -11,9 +11,10 @@ namespace femoop::plane {
 
 namespace {
 
-constexpr Keys<14> file_keys{{"cremona", "analysis", "units", "points", "elements", "regions", "title", "notes",
-                              "materials", "snap", "mesh", "curves", "load_cases", "combinations"},
-                             6};
+constexpr Keys<15> mesh_file_keys{{"cremona", "analysis", "units", "points", "elements", "regions", "title", "notes",
+                                   "materials", "snap", "mesh", "curves", "load_cases", "combinations", "expected"},
+                                  6};
+constexpr Keys<15> drawing_keys{mesh_file_keys.names, 3};
 constexpr Keys<4> point_keys{{"id", "at", "support", "size"}, 2};
 constexpr Keys<5> curve_keys{{"id", "kind", "points", "support", "tie"}, 3};
 constexpr Keys<4> region_keys{{"id", "material", "thickness", "mesh"}, 2};
@@ -39,14 +40,12 @@ bool is_drawn_kind(JsonValue kind)
 
 PlaneReader::PlaneReader(JsonValue file, std::vector<Fault> faults)
 {
-    constexpr std::size_t n = file_keys.names.size();
-    Keys<n + 1> keys{{}, file_keys.n_needed};
-    std::copy(file_keys.names.begin(), file_keys.names.end(), keys.names.begin());
-    keys.names[n] = "expected";
+    model.is_drawn = !field(file, "elements").is_present();
     for (Fault& fault : faults) reader_.add(std::move(fault));
     const Place top;
     const auto [cremona, analysis, units, points, elements, regions, title, notes, materials, snap, mesh, curves,
-                load_cases, combinations, expected_list] = reader_.fields(file, keys, top);
+                load_cases, combinations,
+                expected_list] = reader_.fields(file, model.is_drawn ? drawing_keys : mesh_file_keys, top);
     model.title = reader_.text(title, top).value_or("");
     model.notes = reader_.text(notes, top).value_or("");
     read_header(cremona, analysis, units);
@@ -57,8 +56,8 @@ PlaneReader::PlaneReader(JsonValue file, std::vector<Fault> faults)
     regions_.add(regions);
     cases_.add(load_cases);
     cases_.add(combinations, load_cases.size());
-    points_.is_lost = !points.is(JsonKind::Array); // without these lists a file has that fault already
-    regions_.is_lost = !regions.is(JsonKind::Array);
+    points_.is_lost = !model.is_drawn && !points.is(JsonKind::Array); // which the file has as a fault already
+    regions_.is_lost = !model.is_drawn && !regions.is(JsonKind::Array);
     model.mesh = mesh_options(mesh, top);
     read_parts(materials, {}, model.materials, unreadable_.materials, &PlaneReader::own_material);
     read_parts(points, {}, model.points, unreadable_.points, &PlaneReader::point);
@@ -115,6 +114,11 @@ PlanePoint PlaneReader::point(JsonValue value, const Place& place)
 
 PlaneCurve PlaneReader::curve(JsonValue value, const Place& place)
 {
+    return model.is_drawn ? drawn_curve(value, place) : mesh_curve(value, place);
+}
+
+PlaneCurve PlaneReader::mesh_curve(JsonValue value, const Place& place)
+{
     PlaneCurve curve;
     const JsonValue kind = field(value, "kind");
     if (is_drawn_kind(kind)) { // its other keys are those of another kind
@@ -133,6 +137,7 @@ PlaneCurve PlaneReader::curve(JsonValue value, const Place& place)
 
 PlaneRegion PlaneReader::region(JsonValue value, const Place& place)
 {
+    if (model.is_drawn) return drawn_region(value, place);
     const auto [id, material_name, thickness, mesh] = reader_.fields(value, region_keys, place);
     PlaneRegion region;
     region.id = reader_.id(id, place);

@@ -34,6 +34,7 @@ private:
     Combination own_combination(JsonValue value, const Place& place);
     PlanePoint point(JsonValue value, const Place& place);
     PlaneCurve curve(JsonValue value, const Place& place);
+    PlaneCurve mesh_curve(JsonValue value, const Place& place);
     PlaneRegion region(JsonValue value, const Place& place);
     PlaneElement element(JsonValue value, const Place& place);
     MeshOptions mesh_options(JsonValue value, const Place& place);
@@ -41,6 +42,17 @@ private:
     std::optional<PlaneSupport> support(JsonValue value, Holder holder, const Place& place);
     std::vector<Quantity> location(JsonValue value, const Place& place); ///< x and y; empty when absent
     template <class Id> std::vector<Id> references(JsonValue value, NameTable& names, const Place& place);
+
+    // drawing_reader.cpp
+    PlaneCurve drawn_curve(JsonValue value, const Place& place);
+    void read_shape(PlaneCurve& curve, JsonValue value, const Place& place);
+    std::vector<DrawnPlace> drawn_places(JsonValue value, const Place& place);
+    DrawnPlace drawn_place(JsonValue value, const Place& here);
+    void read_axes(DrawnShape& shape, JsonValue value, const Place& place);
+    void read_divide(DrawnShape& shape, JsonValue value, const Place& place);
+    std::optional<Division> division(JsonValue value, const Place& here);
+    PlaneRegion drawn_region(JsonValue value, const Place& place);
+    void read_places_of_region(PlaneRegion& region, JsonValue value, const Place& place);
 
     // plane_load_reader.cpp
     PlaneLoadCase load_case(JsonValue value, const Place& place);

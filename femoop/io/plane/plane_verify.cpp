@@ -67,16 +67,24 @@ double tolerance_of(const PlaneExpected& check)
 
 } // namespace
 
-bool needs_linear_analysis(const PlaneModel& model) { return std::ranges::any_of(model.expected, is_linear); }
+bool needs_linear_analysis(const PlaneModel& model)
+{
+    return !model.is_drawn && std::ranges::any_of(model.expected, is_linear);
+}
 
 std::vector<CheckOutcome> verify(const PlaneModel& model, const std::optional<PlaneResults>& results,
-                                 const Translator& tr)
+                                 const DrawingReader& drawing, const Translator& tr)
 {
     std::vector<CheckOutcome> outcomes;
     std::map<CaseId, PlaneCase> cases; // what is recovered once serves all checks of a case
     for (const PlaneExpected& check : model.expected) {
         const std::string what = described(model, check, tr);
-        if (!is_linear(check)) {
+        const bool is_of_drawing = check.quantity == PlaneQuantity::Count || check.quantity == PlaneQuantity::Area;
+        if (const auto found = is_of_drawing && drawing ? drawing(check) : std::nullopt) {
+            outcomes.push_back(compared(what, check.value, *found, tolerance_of(check)));
+            continue;
+        }
+        if (!is_linear(check) || model.is_drawn) {
             outcomes.push_back({.what = what,
                                 .expected = check.value,
                                 .tolerance = tolerance_of(check),
@@ -89,14 +97,6 @@ std::vector<CheckOutcome> verify(const PlaneModel& model, const std::optional<Pl
         if (known == cases.end()) known = cases.emplace(id, (*results)[id]).first;
         outcomes.push_back(compared(what, check.value, value_of(*results, known->second, check), tolerance_of(check)));
     }
-    return outcomes;
-}
-
-std::vector<CheckOutcome> skipped_checks(const PlaneReading& drawing)
-{
-    std::vector<CheckOutcome> outcomes;
-    for (const std::string& what : drawing.drawn_checks)
-        outcomes.push_back({.what = what, .skipped = SkipReason::AnalysisNotBuilt});
     return outcomes;
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -13,13 +14,13 @@ namespace femoop::plane {
 
 bool needs_linear_analysis(const PlaneModel& model);
 
+/// What a check of a count or of an area finds in the model's drawing; nothing where there is none.
+using DrawingReader = std::function<std::optional<double>(const PlaneExpected& check)>;
+
 /// Compares every `expected` entry of the model with its results, in file order, as `femoop::verify` does those of
-/// structures of members. Modes, and counts and areas of a drawing, are skipped by name.
+/// structures of members. Modes, and results of a drawing that is not meshed, are skipped by name.
 /// \pre `check(model)` finds no error; `results` are the model's own, or nothing if no check needs them
 std::vector<CheckOutcome> verify(const PlaneModel& model, const std::optional<PlaneResults>& results,
-                                 const Translator& tr = english);
-
-/// The checks of a drawing to be meshed: all skipped.
-std::vector<CheckOutcome> skipped_checks(const PlaneReading& drawing);
+                                 const DrawingReader& drawing, const Translator& tr = english);
 
 } // namespace femoop::plane

@@ -82,12 +82,43 @@ std::string text_of(const PlanePoint& point)
     return object.str();
 }
 
+std::string text_of(const DrawnPlace& place, const PlaneModel& model)
+{
+    if (place.point) return quoted_json(model.points.at(place.point->index).id);
+    return json_list({json_text(place.at[0]), json_text(place.at[1])});
+}
+
+std::string text_of(const Division& division)
+{
+    if (!division.ratio) return std::to_string(division.n);
+    return ObjectText().add("n", std::to_string(division.n)).add("ratio", *division.ratio).str();
+}
+
+void add_shape(ObjectText& object, const DrawnShape& shape, const PlaneModel& model)
+{
+    Lines places, parts;
+    for (const DrawnPlace& place : shape.places) places.push_back(text_of(place, model));
+    for (const Division& division : shape.divide) parts.push_back(text_of(division));
+    object.add("kind", word(names::drawn_curves, shape.kind));
+    if (shape.center) object.add("center", text_of(*shape.center, model));
+    add_if(object, "radius", shape.radius);
+    if (!shape.axes.empty()) object.add("axes", list_of(shape.axes));
+    add_if(object, "angle", shape.angle);
+    if (!places.empty()) object.add("points", json_list(places));
+    if (shape.is_closed) object.add("closed", "true");
+    if (shape.is_clockwise) object.add("turn", word(names::turns, *shape.is_clockwise ? 1 : 0));
+    if (shape.is_divided_by_piece) object.add("divide", json_list(parts));
+    else if (!parts.empty()) object.add("divide", parts.front());
+}
+
 std::string text_of(const PlaneCurve& curve, const PlaneModel& model)
 {
     Lines points;
     for (const NodeId point : curve.points) points.push_back(quoted_json(model.points.at(point.index).id));
     ObjectText object;
-    object.add_text("id", curve.id).add("kind", word(names::curves, 0)).add("points", json_list(points));
+    object.add_text("id", curve.id);
+    if (curve.shape) add_shape(object, *curve.shape, model);
+    else object.add("kind", word(names::curves, 0)).add("points", json_list(points));
     if (curve.support) object.add("support", text_of(*curve.support));
     if (!curve.tie.is_empty()) object.add("tie", femoop::text_of(curve.tie));
     return object.str();
@@ -109,7 +140,13 @@ void add_mesh(ObjectText& object, const MeshOptions& mesh, const PlaneModel& mod
 std::string text_of(const PlaneRegion& region, const PlaneModel& model)
 {
     ObjectText object, mesh;
-    object.add_text("id", region.id).add_text("material", model.materials.at(region.material.index).id);
+    object.add_text("id", region.id);
+    Lines places;
+    for (const auto& [x, y] : region.at) places.push_back(json_list({json_text(x), json_text(y)}));
+    if (region.is_listed) object.add("at", json_list(places));
+    else if (!places.empty()) object.add("at", places.front());
+    if (region.is_hole) object.add("hole", "true");
+    else object.add_text("material", model.materials.at(region.material.index).id);
     add_if(object, "thickness", region.thickness);
     add_mesh(mesh, region.mesh, model);
     if (!mesh.is_empty()) object.add("mesh", mesh.str());
@@ -230,10 +267,16 @@ std::string write_plane_model(const PlaneModel& model)
     if (model.snap) file.add("snap", json_text(*model.snap));
     if (!mesh.is_empty()) file.add("mesh", mesh.str());
     file.add_list_if("materials", model.materials, [](const Material& part) { return femoop::text_of(part); });
-    file.add_list("points", model.points, alone);
-    file.add_list_if("curves", model.curves, in_model);
-    file.add_list("regions", model.regions, in_model);
-    file.add_list("elements", model.elements, in_model);
+    if (model.is_drawn) {
+        file.add_list_if("points", model.points, alone);
+        file.add_list_if("curves", model.curves, in_model);
+        file.add_list_if("regions", model.regions, in_model);
+    } else {
+        file.add_list("points", model.points, alone);
+        file.add_list_if("curves", model.curves, in_model);
+        file.add_list("regions", model.regions, in_model);
+        file.add_list("elements", model.elements, in_model);
+    }
     file.add_list_if("load_cases", model.load_cases, in_model);
     file.add_list_if("combinations", model.combinations, [&](const Combination& part) {
         return combination_text(part, [&](CaseId id) { return model.case_name(id); });

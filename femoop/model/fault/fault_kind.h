@@ -248,6 +248,33 @@ enum class FaultKind : std::uint16_t {
     // plane models
     PlaneModelElsewhere, ///< {0} place, {1} analysis
     PlaneDrawingNotBuilt,
+    EdgesWithoutElements, ///< {0} place
+    CurvePlace,           ///< {0} place
+    EllipseAxes,          ///< {0} place
+    BadDivision,          ///< {0} place, {1} what was found
+    DrawnPlaceCount,      ///< {0} place, {1} how many, {2} the kind and how many it wants
+    CurveWithoutLength,   ///< {0} place
+    ArcPlacesInLine,      ///< {0} place
+    ArcRadiiDiffer,       ///< {0} place, {1} and {2} radii
+    EllipsePlaceOff,      ///< {0} place, {1} how far
+    CurvesRunTogether,    ///< {0} place, {1} curve
+    CurveTooNear,         ///< {0} place
+    SnapTooSmall,         ///< {0} what was found, {1} least
+    DivisionsOfPieces,    ///< {0} place, {1} divisions, {2} pieces
+    HoleWithMaterial,     ///< {0} place
+    RegionPlaceOutside,   ///< {0} place, {1} place in the plane
+    RegionPlaceOnCurve,   ///< {0} place, {1} place in the plane, {2} curve
+    RegionPlaceTaken,     ///< {0} place, {1} place in the plane, {2} the other's place
+    SecondRestOfFaces,    ///< {0} place, {1} the other's place
+    NoFaceLeft,           ///< {0} place
+    FaceWithoutRegion,    ///< {0} place in the plane, {1} area
+    DrawnPointAlone,      ///< {0} place
+    CurveDangles,         ///< {0} place
+    SharpCorner,          ///< {0} place in the plane, {1} degrees
+    TouchesNoMaterial,    ///< {0} place, {1} curve or point
+    CheckFaceOutside,     ///< {0} place, {1} place in the plane
+    CheckFaceRank,        ///< {0} place, {1} rank, {2} faces
+    CheckFacePlace,       ///< {0} place, {1} quantity
     NoSuchPoint,
     NoSuchPointNear,
     NoSuchCurve,

@@ -422,7 +422,49 @@ std::string_view pattern(FaultKind kind)
     case FaultKind::PlaneModelElsewhere:
         return "{0}: {1} is a plane model, for which this is not built yet; check, solve, verify and convert read it";
     case FaultKind::PlaneDrawingNotBuilt:
-        return "a plane model drawn by curves and regions, of which a mesh is to be made, is not built yet; give the mesh: \"elements\", with curves of kind edges";
+        return "a mesh of a drawing, which is to be made of its curves and regions, is not built yet; give the mesh: \"elements\", with curves of kind edges";
+    case FaultKind::EdgesWithoutElements:
+        return "{0}: found the kind edges without \"elements\", wanted line, arc, circle, ellipse, bezier or spline; draw the curve, or give the mesh";
+    case FaultKind::CurvePlace: return "{0}: is no place of a curve; name a point or write [x, y], like [2.5, 0]";
+    case FaultKind::EllipseAxes: return "{0}: an ellipse has two half axes; write [a, b], like [3, 2]";
+    case FaultKind::BadDivision:
+        return "{0}: found {1}, wanted a whole number of parts from 1 to 1000000; write 8, or {\"n\": 8, \"ratio\": 2}";
+    case FaultKind::DrawnPlaceCount: return "{0}: found a list of {1} places, wanted {2}; add some or take some away";
+    case FaultKind::CurveWithoutLength:
+        return "{0}: a part of this curve has no length: its places are one to within snap; move one or take it away";
+    case FaultKind::ArcPlacesInLine:
+        return "{0}: its three places lie in one line, so that no circle goes through them; move one, or draw a line";
+    case FaultKind::ArcRadiiDiffer:
+        return "{0}: its ends are {1} and {2} from the centre, wanted one radius; move an end or the centre";
+    case FaultKind::EllipsePlaceOff: return "{0}: an end lies {1} off the ellipse; move it, or change the axes";
+    case FaultKind::CurvesRunTogether:
+        return "{0}: runs along curve \"{1}\" for a stretch, which only straight lines and arcs of one circle may do; end it there";
+    case FaultKind::CurveTooNear:
+        return "{0}: comes so near to other curves, a few times snap, that the regions there cannot be told apart; move it, or give a smaller \"snap\"";
+    case FaultKind::SnapTooSmall:
+        return "snap: found {0}, wanted {1} or more, below which the drawing's coordinates are not told apart; give a larger one";
+    case FaultKind::DivisionsOfPieces:
+        return "{0}: \"divide\" lists {1} entries for {2} pieces from vertex to vertex; give one of each, or one for all";
+    case FaultKind::HoleWithMaterial: return "{0}: a hole is left empty; take its material or \"hole\" away";
+    case FaultKind::RegionPlaceOutside:
+        return "{0}: no face of the drawing is at {1}; give a place inside closed curves";
+    case FaultKind::RegionPlaceOnCurve: return "{0}: {1} lies on curve \"{2}\"; give a place inside a face";
+    case FaultKind::RegionPlaceTaken: return "{0}: the face at {1} is that of {2} already; give another place";
+    case FaultKind::SecondRestOfFaces:
+        return "{0}: takes all the rest of the faces, as {1} does; give one of them a place \"at\"";
+    case FaultKind::NoFaceLeft: return "{0}: no face is left for it; close an outline or delete the region";
+    case FaultKind::FaceWithoutRegion:
+        return "the face at {0}, of area {1}, is in no region and is left empty; give it a region, or a hole";
+    case FaultKind::DrawnPointAlone: return "{0}: no curve goes through this point; use it or delete it";
+    case FaultKind::CurveDangles: return "{0}: a part of this curve bounds nothing; let it go on, or delete it";
+    case FaultKind::SharpCorner:
+        return "the corner at {0} has an angle of {1} degrees, so that elements there are poor; widen it";
+    case FaultKind::TouchesNoMaterial:
+        return "{0}: \"{1}\" touches no material, so that nothing takes it; put a region beside it or take it away";
+    case FaultKind::CheckFaceOutside: return "{0}: no face of the drawing is at {1}; give a place inside closed curves";
+    case FaultKind::CheckFaceRank: return "{0}: asks for face {1} of {2}; give a smaller number";
+    case FaultKind::CheckFacePlace:
+        return "{0}: a check of {1} needs to know of what; give \"at\", \"region\" or \"which\"";
     case FaultKind::NoSuchPoint: return "{0}: no point \"{1}\"; add the point or name another";
     case FaultKind::NoSuchPointNear: return "{0}: no point \"{1}\"; did you mean \"{2}\"?";
     case FaultKind::NoSuchCurve: return "{0}: no curve \"{1}\"; add the curve or name another";
@@ -531,6 +573,10 @@ Severity severity(FaultKind kind)
     case FaultKind::MemberPassesNode:
     case FaultKind::MoreCrossings:
     case FaultKind::LonePoint:
+    case FaultKind::FaceWithoutRegion:
+    case FaultKind::DrawnPointAlone:
+    case FaultKind::CurveDangles:
+    case FaultKind::SharpCorner:
     case FaultKind::RegionWithoutElements:
     case FaultKind::NearlyIncompressible:
     case FaultKind::EmptyLoad: return Severity::Warning;

@@ -59,9 +59,14 @@ std::vector<Fault> PlaneChecker::run()
     check_materials();
     check_points();
     check_regions();
-    check_elements();
-    check_curves();
-    const bool is_mesh_sound = !has_errors() && !unreadable_.is_incomplete;
+    if (model_.is_drawn) {
+        check_drawn_regions();
+        check_drawn_curves();
+    } else {
+        check_elements();
+        check_curves();
+    }
+    const bool is_mesh_sound = !model_.is_drawn && !has_errors() && !unreadable_.is_incomplete;
     if (is_mesh_sound) {
         curves_.emplace(model_, edges_);
         supports_.emplace(model_, *curves_);
@@ -126,8 +131,7 @@ void PlaneChecker::check_points()
             add(FaultKind::PointLeftOfAxis, place, {shown(point.at[0], dimension::length)});
         if (!point.support) continue;
         check_support(*point.support, false, place);
-        if (regions_of_point_[i].empty() && !unreadable_.is_incomplete)
-            add(FaultKind::PointWithoutElements, place, {point.id});
+        if (has_no_elements(NodeId(i))) add(FaultKind::PointWithoutElements, place, {point.id});
     }
 }
 
@@ -157,6 +161,7 @@ void PlaneChecker::check_regions()
         const PlaneRegion& region = model_.regions[i];
         const Entry place{"regions", i, region.id};
         is_partial_ = flag(unreadable_.regions, i);
+        if (region.is_hole) continue;
         require_entry(place, "materials", region.material.index, model_.materials.size());
         if (region.thickness) require_positive(place, "thickness", *region.thickness, dimension::length);
         if (region.thickness && model_.analysis == StressState::Axisymmetric)
@@ -217,15 +222,19 @@ void PlaneChecker::check_curves()
         is_partial_ = flag(unreadable_.curves, i);
         for (const NodeId point : curve.points) require_entry(place, "points", point.index, model_.points.size());
         if (curve.support) check_support(*curve.support, true, place);
-        for (const Dof dof : all_dofs)
-            if (curve.tie.contains(dof) && !plane_displacements.contains(dof))
-                add(FaultKind::FixedDofLacking, place,
-                    {std::string(name(dof)), analysis(), names_of(plane_displacements)});
+        check_tied(curve, place);
         if (is_partial_ || unreadable_.is_incomplete) continue;
         if (curve.points.size() < 2) add(FaultKind::CurveTooShort, place, {std::to_string(curve.points.size())});
         if (const auto gap = edges_along(model_, edges_, curve).gap)
             add(FaultKind::CurveWithoutEdge, place, {model_[curve.points[*gap]].id, model_[curve.points[*gap + 1]].id});
     }
+}
+
+void PlaneChecker::check_tied(const PlaneCurve& curve, const Entry& place)
+{
+    for (const Dof dof : all_dofs)
+        if (curve.tie.contains(dof) && !plane_displacements.contains(dof))
+            add(FaultKind::FixedDofLacking, place, {std::string(name(dof)), analysis(), names_of(plane_displacements)});
 }
 
 void PlaneChecker::check_ties()

@@ -23,6 +23,11 @@ private:
     // plane_checker.cpp
     bool has_errors() const;
     std::string analysis() const { return std::string(name(model_.analysis)); }
+    /// Of a mesh that could be read: nothing takes what is put on the point.
+    bool has_no_elements(NodeId point) const
+    {
+        return !model_.is_drawn && !unreadable_.is_incomplete && regions_of_point_[point.index].empty();
+    }
     bool is_readable(MaterialId id) const
     {
         return id.index < model_.materials.size() && !flag(unreadable_.materials, id.index);
@@ -35,7 +40,18 @@ private:
     void check_elements();
     void check_element(const PlaneElement& element, const Entry& place);
     void check_curves();
+    void check_tied(const PlaneCurve& curve, const Entry& place);
     void check_ties(); ///< \pre the mesh is sound
+
+    // drawing_check.cpp
+    void check_drawn_curves();
+    void check_shape(const DrawnShape& shape, const Entry& place);
+    void check_places(const DrawnShape& shape, const Entry& place);
+    void check_place(const DrawnPlace& drawn, const Entry& place);
+    void check_drawn_regions();
+    void check_face_asked(const PlaneExpected& check, const Entry& place);
+
+    // plane_checker.cpp, of the whole
     void check_use();
     void warn_of_locking();
 

@@ -80,6 +80,7 @@ void PlaneChecker::check_asked(const PlaneExpected& check, const Entry& place)
         add(FaultKind::CheckGaussPlace, place, {});
     if (check.quantity == PlaneQuantity::Resultant && model_.analysis == StressState::Axisymmetric)
         add(FaultKind::CutOfRevolution, place, {});
+    if (check.quantity == PlaneQuantity::Count || check.quantity == PlaneQuantity::Area) check_face_asked(check, place);
     if (!supports_ || model_.elements.empty()) return;
     if (is_at_place(check.quantity)) check_place(check, place);
     if (check.quantity == PlaneQuantity::Resultant) check_cut(check, place);

@@ -70,7 +70,7 @@ void PlaneChecker::check_load(const NodeLoad& load, const Entry& place)
         require_finite(place, force_name(part.dof), part.value);
         is_loaded = is_loaded || part.value.value() != 0.0;
     }
-    if (is_loaded && has_point && regions_of_point_[load.node.index].empty() && !unreadable_.is_incomplete)
+    if (is_loaded && has_point && has_no_elements(load.node))
         add(FaultKind::PointWithoutElements, place, {model_[load.node].id});
 }
 

@@ -12,6 +12,7 @@
 #include "femoop/model/node.h"
 #include "femoop/model/property.h"
 #include "femoop/model/quantity/units.h"
+#include "femoop/plane/model/drawn_curve.h"
 #include "femoop/plane/model/plane_expected.h"
 #include "femoop/plane/model/plane_load.h"
 #include "femoop/shape/shape.h"
@@ -40,7 +41,7 @@ struct PlaneSupport {
     friend bool operator==(const PlaneSupport&, const PlaneSupport&) = default;
 };
 
-/// A point of the file: a node of the mesh.
+/// A point of the file: a node of the mesh, or a place of the drawing.
 struct PlanePoint {
     std::string id;
     std::array<Quantity, 2> at;
@@ -50,10 +51,11 @@ struct PlanePoint {
     friend bool operator==(const PlanePoint&, const PlanePoint&) = default;
 };
 
-/// A curve of kind `edges`: edges of elements one after the other, corner by corner.
+/// A curve: of a mesh, edges of elements one after the other, corner by corner; of a drawing, what it is drawn by.
 struct PlaneCurve {
     std::string id;
-    std::vector<NodeId> points; ///< in its direction; middle nodes may be left out
+    std::vector<NodeId> points;        ///< of a mesh, in its direction; middle nodes may be left out
+    std::optional<DrawnShape> shape{}; ///< of a drawing
     std::optional<PlaneSupport> support;
     DofSet tie; ///< all its nodes have one displacement
 
@@ -79,7 +81,10 @@ struct MeshOptions {
 /// A part of the body with one material and thickness.
 struct PlaneRegion {
     std::string id;
-    MaterialId material;
+    MaterialId material;                       ///< of no entry where it is a hole
+    std::vector<std::array<Quantity, 2>> at{}; ///< of a drawing: a place in each of its faces; none: all the rest
+    bool is_listed = false;                    ///< its places were a list
+    bool is_hole = false;                      ///< of a drawing: it is left empty
     std::optional<Quantity> thickness;
     MeshOptions mesh; ///< over the model's, key by key
 
@@ -95,8 +100,8 @@ struct PlaneElement {
     friend bool operator==(const PlaneElement&, const PlaneElement&) = default;
 };
 
-/// A plate, a slice of a long body or a body of revolution with its mesh, its loads and what is expected of it: a plain
-/// value, as `Model` is for members. `check` (femoop/plane/check/plane_check.h) says what is wrong with it, `analyse`
+/// A plate, a slice of a long body or a body of revolution with its mesh, or with the drawing that a mesh is to be made
+/// of, its loads and what is expected of it: a plain value, as `Model` is for members. `check` (femoop/plane/check/plane_check.h) says what is wrong with it, `analyse`
 /// (femoop/plane/analysis/plane_analysis.h) solves it.
 ///
 /// Signs  x right, y up, tension positive. Axisymmetric: x is the radius, y the axis
@@ -104,6 +109,7 @@ struct PlaneElement {
 struct PlaneModel {
     std::string title;
     std::string notes;
+    bool is_drawn = false; ///< it has curves and faces, and no elements yet
     StressState analysis = StressState::PlaneStress;
     Units units;
     std::optional<Quantity> snap;

@@ -1,6 +1,7 @@
 #include <doctest/doctest.h>
 
 #include <nlohmann/json.hpp>
+#include <numbers>
 #include <string>
 
 #include "tests/apps/cli/run_cremona.h"
@@ -49,15 +50,39 @@ TEST_CASE("A plane model is solved to the JSON that programs read")
     CHECK(M["equilibrium"]["sum_loads"][2].get<double>() == doctest::Approx(100.0));
 }
 
-TEST_CASE("A drawing to be meshed is refused by name, and its checks are skipped by name")
+TEST_CASE("A drawing is looked at, its counts are compared, and its mesh is refused by name")
 {
     const Run solved = cli_test::cremona({"solve", "-"}, drawing()),
+              meshed = cli_test::cremona({"mesh", "-"}, drawing()),
               verified = cli_test::cremona({"verify", "-"}, drawing());
-    CHECK(solved.status == 2);
-    CHECK(has(solved.err, "is not built yet"));
+    for (const Run& run : {solved, meshed}) {
+        CHECK(run.status == 2);
+        CHECK(has(run.err, "is not built yet"));
+    }
     CHECK(verified.status == 0);
-    CHECK(has(verified.out, "count regions: skipped"));
-    CHECK(has(verified.out, "0 passed, 0 failed, 1 skipped"));
+    CHECK(has(verified.out, "count regions = 1, expected 1 within 1e-06: passed"));
+    CHECK(has(verified.out, "1 passed, 0 failed, 0 skipped"));
+}
+
+TEST_CASE("mesh --regions prints the faces of a drawing, for people and for programs")
+{
+    const Run text = cli_test::cremona({"mesh", "--regions", "examples/plate.json"});
+    CHECK(text.status == 0);
+    CHECK(has(text.out, "8 vertices, 10 edges, 3 regions, 1 components"));
+    const json out = json::parse(cli_test::cremona({"mesh", "--regions", "--json", "examples/plate.json"}).out);
+    CHECK(out["vertices"] == 8);
+    REQUIRE(out["faces"].size() == 3);
+    CHECK(out["faces"][0]["region"] == "plate");
+    const double hole = std::numbers::pi * 100.0 / 4.0, right = 1250.0; // a quarter of the circle, half of the square
+    CHECK(out["faces"][0]["area"].get<double>() + out["faces"][1]["area"].get<double>() ==
+          doctest::Approx(2500.0 - hole).epsilon(1e-12));
+    CHECK(out["faces"][0]["area"].get<double>() == doctest::Approx(right).epsilon(1e-12));
+}
+
+TEST_CASE("mesh wants a drawing")
+{
+    CHECK(has(cli_test::cremona({"mesh", "examples/portal.json"}).err, "has no regions; give a plane model"));
+    CHECK(has(cli_test::cremona({"mesh", bending}).err, "the file has its mesh already"));
 }
 
 TEST_CASE("A plane body that can move is refused with status 3 and the region that moves")

@@ -41,15 +41,15 @@ TEST_CASE("Who wants a structure of members and gets a plane model is told so, a
           std::vector{Fault{FaultKind::PlaneModelElsewhere, {"analysis", "plane_stress"}}});
 }
 
-TEST_CASE("A drawing to be meshed is refused by name, and what it expects is named")
+TEST_CASE("A drawing that is written reads back bit for bit, and is written the same again")
 {
-    const PlaneReading reading = examine_plane_model(
-        R"({"cremona": 1, "analysis": "plane_stress", "curves": [{"id": "c", "kind": "circle"}],
-            "expected": [{"case": "P", "quantity": "stress", "component": "sx", "point": "E", "value": 3}]})");
-    CHECK(reading.is_drawn);
-    CHECK(!reading.is_sound());
-    CHECK(reading.faults == std::vector{Fault{FaultKind::PlaneDrawingNotBuilt, {}}});
-    CHECK(reading.drawn_checks == std::vector<std::string>{"case P: stress sx"});
+    const std::string drawn = file_text(source_folder() + "/tests/femoop/plane/everything_drawn.json").text;
+    const PlaneReading reading = examine_plane_model(drawn);
+    for (const Fault& fault : reading.faults) FAIL_CHECK(message(fault));
+    CHECK(reading.model.is_drawn);
+    CHECK(reading.model.curves.size() == 9);
+    CHECK(read_plane_model(write_plane_model(reading.model)) == reading.model);
+    CHECK(write_plane_model(reading.model) == drawn);
 }
 
 TEST_CASE("Middle nodes of edges may stand in a curve or be left out")
