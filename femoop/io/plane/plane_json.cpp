@@ -19,7 +19,7 @@ namespace {
 using Layout = JsonWriter::Layout;
 
 constexpr std::array shown_extremes{PlaneComponent::sx, PlaneComponent::sy, PlaneComponent::sz,   PlaneComponent::txy,
-                                    PlaneComponent::s1, PlaneComponent::s2, PlaneComponent::mises};
+                                    PlaneComponent::s1, PlaneComponent::s2, PlaneComponent::Mises};
 
 void write_pair(JsonWriter& json, std::string_view key, const Eigen::Vector2d& value)
 {

@@ -125,7 +125,7 @@ private:
         for (std::size_t r = 0; r < model_.regions.size(); ++r) {
             if (sizes[r].n_elements == 0) continue;
             for (const PlaneComponent which :
-                 {PlaneComponent::sx, PlaneComponent::sy, PlaneComponent::txy, PlaneComponent::mises}) {
+                 {PlaneComponent::sx, PlaneComponent::sy, PlaneComponent::txy, PlaneComponent::Mises}) {
                 ExtremeQuestion question{.component = which, .region = RegionId(r)};
                 const PlaneExtreme max = extreme(result_, question);
                 question.which = ExtremeKind::Min;

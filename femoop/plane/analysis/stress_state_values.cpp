@@ -51,8 +51,8 @@ double component(const PlaneStress& s, PlaneComponent which, const Eigen::Vector
     case PlaneComponent::s1: return principal(s).s1;
     case PlaneComponent::s2: return principal(s).s2;
     case PlaneComponent::tmax: return 0.5 * (principal(s).s1 - principal(s).s2);
-    case PlaneComponent::mises: return von_mises(s);
-    case PlaneComponent::tresca: return tresca(s);
+    case PlaneComponent::Mises: return von_mises(s);
+    case PlaneComponent::Tresca: return tresca(s);
     case PlaneComponent::sr: return s.sx * c * c + s.sy * si * si + 2.0 * s.txy * c * si;
     case PlaneComponent::st: return s.sx * si * si + s.sy * c * c - 2.0 * s.txy * c * si;
     case PlaneComponent::trt: return (s.sy - s.sx) * c * si + s.txy * (c * c - si * si);

@@ -30,7 +30,7 @@ std::vector<PlaneComponent> components_of(PlaneQuantity quantity)
     switch (quantity) {
     case PlaneQuantity::Displacement: return {ux, uy, ur, ut};
     case PlaneQuantity::Stress:
-    case PlaneQuantity::Extreme: return {sx, sy, sz, txy, s1, s2, tmax, mises, tresca, sr, st, trt};
+    case PlaneQuantity::Extreme: return {sx, sy, sz, txy, s1, s2, tmax, Mises, Tresca, sr, st, trt};
     case PlaneQuantity::Strain: return {ex, ey, ez, gxy};
     case PlaneQuantity::Reaction: return {fx, fy, mz};
     case PlaneQuantity::Resultant: return {N, V, M};
