@@ -173,6 +173,13 @@ FlatVector Curve::second_derivative(double t) const
     return std::visit([&](const auto& shape) { return acceleration(shape, t); }, shape_);
 }
 
+double Curve::most_bent(Span span) const
+{
+    if (const EllipticArc* of = arc())
+        return of->sweep * of->sweep * std::max(topology::length(of->p), topology::length(of->q));
+    return std::max(topology::length(second_derivative(span.from)), topology::length(second_derivative(span.to)));
+}
+
 FlatVector Curve::direction(Span span) const
 {
     const FlatVector d = (span.to < span.from ? -1.0 : 1.0) * derivative(span.from);

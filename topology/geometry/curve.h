@@ -54,6 +54,7 @@ public:
     FlatPoint at(double t) const;
     FlatVector derivative(double t) const; ///< with respect to t
     FlatVector second_derivative(double t) const;
+    double most_bent(Span span) const; ///< what its length does not exceed along the span
     /// Of unit length, the way it leaves the span's beginning; where the derivative is 0 there, a little further on.
     FlatVector direction(Span span) const;
 

@@ -148,10 +148,7 @@ private:
     static double bulge(const Curve& curve, Span span)
     {
         const double h = span.to - span.from;
-        const double bend = std::max({length(curve.second_derivative(span.from)),
-                                      length(curve.second_derivative(span.middle())),
-                                      length(curve.second_derivative(span.to))});
-        return 0.125 * h * h * bend;
+        return 0.125 * h * h * curve.most_bent(span);
     }
 
     void look(Span ta, Span tb, int depth)

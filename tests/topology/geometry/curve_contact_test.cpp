@@ -9,12 +9,12 @@ using doctest::Approx;
 
 namespace {
 
-constexpr double pi = std::numbers::pi;
+constexpr double straight_angle = std::numbers::pi;
 constexpr double snap = 1e-9;
 
 Curve ellipse(const FlatPoint& center, double a, double b)
 {
-    return EllipticArc{center, {a, 0.0}, {0.0, b}, 0.0, 2.0 * pi};
+    return EllipticArc{center, {a, 0.0}, {0.0, b}, 0.0, 2.0 * straight_angle};
 }
 Curve circle(const FlatPoint& center, double r) { return ellipse(center, r, r); }
 Curve line(const FlatPoint& a, const FlatPoint& b) { return Segment{a, b}; }
@@ -54,6 +54,20 @@ TEST_SUITE("where curves meet")
         REQUIRE(found.places.size() == 3);
         for (int i = 0; i < 3; ++i)
             CHECK(found.places[static_cast<std::size_t>(i)].at.x == Approx(i - 1.0).epsilon(1e-12));
+    }
+
+    TEST_CASE("Slender ellipses are found to cross wherever they turn sharply")
+    {
+        const auto turned = [](const FlatPoint& center, double a, double b) {
+            const double c = std::cos(straight_angle / 6.0), s = std::sin(straight_angle / 6.0);
+            return Curve(EllipticArc{center, {a * c, a * s}, {-b * s, b * c}, 0.0, 2.0 * straight_angle});
+        };
+        CHECK(contacts(turned({6.5, 7.0}, 1.0, 18.0), turned({1.0, 4.0}, 8.0, 17.0), snap).places.size() % 2 == 0);
+        for (double angle = 0.0; angle < 3.0; angle += 0.1) { // a slender one through the middle of a circle
+            const FlatVector p{20.0 * std::cos(angle), 20.0 * std::sin(angle)}, q{-0.1 * std::sin(angle), 0.1 * std::cos(angle)};
+            CHECK(contacts(EllipticArc{{0.0, 0.0}, p, q, 0.0, 2.0 * straight_angle}, ellipse({0.0, 0.0}, 3.0, 2.0), snap)
+                      .places.size() == 4);
+        }
     }
 
     TEST_CASE("What touches to within snap has one contact, also where it crosses twice by less")
