@@ -4,8 +4,10 @@
 #include <algorithm>
 
 #include "apps/cli/asked_effect.h"
+#include "femoop/io/derivation/derivation_text.h"
 #include "femoop/io/force_method/force_method_text.h"
 #include "femoop/methods/force_method/force_method.h"
+#include "femoop/methods/force_method/force_steps.h"
 
 namespace cli {
 
@@ -47,10 +49,15 @@ std::vector<femoop::MovingEffect> AskedRedundants::redundants(const femoop::Mode
 }
 
 std::string AskedRedundants::output(const femoop::Model& model, const femoop::Results& results,
-                                    femoop::CaseId load_case, bool is_json, const ui::Catalogue& tr) const
+                                    femoop::CaseId load_case, StepFormat format, const ui::Catalogue& tr) const
 {
     const auto method = femoop::force_method::solve(model, results, load_case, redundants(model, tr));
-    return is_json ? force_method_json(method, model, tr) : force_method_text(method, model, tr);
+    switch (format) {
+    case StepFormat::Json: return force_method_json(method, model, tr);
+    case StepFormat::Latex: return derivation_latex(femoop::force_method::steps(method, model), model, tr);
+    case StepFormat::Text: break;
+    }
+    return force_method_text(method, model, tr);
 }
 
 } // namespace cli

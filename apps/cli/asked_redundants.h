@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -9,6 +10,9 @@
 
 namespace cli {
 
+/// As what steps are printed.
+enum class StepFormat : std::uint8_t { Text, Json, Latex };
+
 /// The force method with the redundants that `solve --force-method WHAT` asks for, once for each, or `automatic`.
 class AskedRedundants {
 public:
@@ -16,10 +20,10 @@ public:
 
     bool are_asked() const { return !what_.empty(); }
 
-    /// In words, or as JSON. \throws UsageError, ModelError where what was typed is none of the model's or cannot be
+    /// \throws UsageError, ModelError where what was typed is none of the model's or cannot be
     /// released, MechanismError where the structure can move without
     std::string output(const femoop::Model& model, const femoop::Results& results, femoop::CaseId load_case,
-                       bool is_json, const ui::Catalogue& tr) const;
+                       StepFormat format, const ui::Catalogue& tr) const;
 
 private:
     std::vector<femoop::MovingEffect> redundants(const femoop::Model& model, const ui::Catalogue& tr) const;

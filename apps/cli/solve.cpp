@@ -77,7 +77,7 @@ private:
 
     std::string file_, case_ = "all", stations_ = std::to_string(femoop::usual_n_stations), solver_ = "automatic";
     std::optional<std::string> csv_folder_, traced_member_, asked_number_, worked_displacement_;
-    bool is_json_ = false, is_timed_ = false, is_refined_ = false, is_described_ = false;
+    bool is_json_ = false, is_latex_ = false, is_timed_ = false, is_refined_ = false, is_described_ = false;
     SolverTraceOptions solver_trace_;
     AskedBody body_;
     AskedFunicular funicular_;
@@ -104,6 +104,8 @@ HelpText Solve::help(const ui::Catalogue& tr) const
           tr("How member BC enters the system: its stiffness, its rotation, its fixed-end forces, its places.")},
          {"cremona solve examples/portal.json --why member=BC,at=50%,component=M",
           tr("Where this moment comes from, step by step from the data: matrices, equations, end forces.")},
+         {"cremona solve examples/portal.json --why node=A,component=fx --latex > why.tex",
+          tr("The same steps for a reaction, for a LaTeX document.")},
          {"cremona solve examples/portal.json --virtual-work node=C,component=ux",
           tr("The sway as the work of a unit load's forces on the strains: integrals of M m / EI and their sum.")},
          {"cremona solve examples/portal.json --force-method automatic",
@@ -129,6 +131,10 @@ void Solve::declare(CLI::App& app, const ui::Catalogue& tr)
                       "the largest and smallest of all, with the case that governs"))
         ->option_text("ID|all|envelope");
     app.add_flag("--json", is_json_, tr("print JSON with every digit instead of tables"));
+    app.add_flag(
+        "--latex", is_latex_,
+        tr("with --why or --force-method: print the body of a LaTeX document instead of text, its matrices by the "
+           "package amsmath"));
     app.add_option("--stations", stations_,
                    tr("how many evenly spaced places along each member JSON and CSV have (default 21); "
                       "load points are always there too, and a jump gives two"))
@@ -216,6 +222,9 @@ void Solve::require_one_output(const ui::Catalogue& tr) const
                              Output{body_.is_asked(), "--free-body", true, false},
                              Output{funicular_.is_asked(), "--funicular", true, false},
                              Output{is_described_, "--describe", true, true}};
+    refuse(is_json_ && is_latex_, "--json", "--latex");
+    if (is_latex_ && !asked_number_ && !redundants_.are_asked())
+        throw needs_too("--latex", "--why, --force-method", tr);
     for (std::size_t i = 0; i < outputs.size(); ++i) {
         const auto& [is_given, option, is_of_a_case, has_csv] = outputs[i];
         for (std::size_t j = i + 1; j < outputs.size(); ++j)
@@ -260,6 +269,7 @@ std::string Solve::derivation(const Model& model, const Results& results, const 
                             "would, and is not written as steps yet; give it a stiffness to see them",
                             {{"member", model[*member].id}}));
     const auto derivation = femoop::derivation::derive(model, results, followed_case(model, tr), effect);
+    if (is_latex_) return derivation_latex(derivation, model, tr);
     return is_json_ ? derivation_json(derivation, model, tr) : derivation_text(derivation, model, tr);
 }
 
@@ -294,7 +304,10 @@ std::string Solve::output(const Model& model, const Results& results, const Sele
     if (traced_member_) return trace(model, tr);
     if (asked_number_) return derivation(model, results, tr);
     if (worked_displacement_) return virtual_work(model, results, tr);
-    if (redundants_.are_asked()) return redundants_.output(model, results, followed_case(model, tr), is_json_, tr);
+    if (redundants_.are_asked()) {
+        const StepFormat format = is_latex_ ? StepFormat::Latex : is_json_ ? StepFormat::Json : StepFormat::Text;
+        return redundants_.output(model, results, followed_case(model, tr), format, tr);
+    }
     if (body_.is_asked()) return body_.output(model, results, followed_case(model, tr), is_json_, tr);
     if (funicular_.is_asked()) return funicular_.output(model, followed_case(model, tr), is_json_, tr);
     if (is_described_) return description(model, results, selection, tr);

@@ -1,7 +1,11 @@
 #include "femoop/io/derivation/derivation_text.h"
 
+#include <algorithm>
+#include <array>
 #include <cstddef>
 #include <optional>
+#include <string_view>
+#include <utility>
 #include <vector>
 
 #include "femoop/io/results/matrix_table.h"
@@ -15,6 +19,12 @@
 namespace femoop::derivation {
 
 namespace {
+
+constexpr std::array words{translatable("data"),       translatable("entries"), translatable("place"),
+                           translatable("factors"),    translatable("factor"),  translatable("value"),
+                           translatable("extremes"),   translatable("max"),     translatable("min"),
+                           translatable("foundation"), translatable("spring"),  translatable("p at the node"),
+                           translatable("sum")};
 
 constexpr std::size_t indent = 2;
 constexpr double trusted = 1e-6; // of the numbers that a sum is made of
@@ -37,17 +47,89 @@ std::string equations_sentence(const Step& step, const Translator& tr)
     return text;
 }
 
+std::vector<std::string> symbol_texts(const std::vector<std::string>& symbols, const Translator& tr)
+{
+    std::vector<std::string> texts;
+    for (const std::string& symbol : symbols) texts.push_back(symbol_text(symbol, tr));
+    return texts;
+}
+
 /// One column bears its name, or the matrix'; more stand below that.
 std::string matrix_text(const NamedMatrix& matrix, const Translator& tr)
 {
     const bool is_column = matrix.columns.size() == 1;
-    std::vector<std::string> columns = matrix.columns;
-    if (is_column && columns[0].empty()) columns[0] = matrix.symbol;
-    return (is_column ? std::string() : matrix.symbol + "\n") +
-           tabular::plain_text(matrix_table(matrix.rows, columns, matrix.values), {indent, decimal_mark(tr)});
+    std::vector<std::string> columns = symbol_texts(matrix.columns, tr);
+    const std::string symbol = symbol_text(matrix.symbol, tr);
+    if (is_column && columns[0].empty()) columns[0] = symbol;
+    return (is_column ? std::string() : symbol + "\n") +
+           tabular::plain_text(matrix_table(symbol_texts(matrix.rows, tr), columns, matrix.values),
+                               {indent, decimal_mark(tr)});
 }
 
-/// What is to be said where the sums on paper have fewer digits than the analysis.
+} // namespace
+
+Notation notation_of(const Step& step, const NamedMatrix& matrix)
+{
+    const bool is_last = &matrix == &step.matrices.back();
+    switch (step.kind) {
+    case StepKind::LocalStiffness: return is_last ? Notation::Matrix : Notation::List;
+    case StepKind::Stiffness: return is_last ? Notation::List : Notation::Matrix;
+    case StepKind::Combination: return is_last ? Notation::Sum : Notation::List;
+    case StepKind::StiffnessRow:
+    case StepKind::LoadRow:
+    case StepKind::Superposition:
+    case StepKind::Reaction:
+    case StepKind::TurnedSupport:
+    case StepKind::Flexibility: return Notation::Sum;
+    case StepKind::Extreme:
+    case StepKind::Member:
+    case StepKind::EndForces:
+    case StepKind::NodeForces:
+    case StepKind::Redundants:
+    case StepKind::State:
+    case StepKind::StateSuperposition: return Notation::List;
+    default: return Notation::Matrix;
+    }
+}
+
+bool is_system(const Step& step)
+{
+    return step.kind == StepKind::Equations || step.kind == StepKind::RedundantEquations;
+}
+
+bool is_lit(const Step& step, const NamedMatrix& matrix, std::size_t row, std::size_t column)
+{
+    if (step.kind == StepKind::Stiffness && notation_of(step, matrix) == Notation::Matrix) {
+        const Eigen::VectorXd places = step.matrices.back().values.col(0);
+        return places[static_cast<Eigen::Index>(row)] > 0.0 && places[static_cast<Eigen::Index>(column)] > 0.0;
+    }
+    if (step.kind != StepKind::Equations || !step.is_whole) return false;
+    const auto is_meant = [&](std::size_t i) {
+        return std::ranges::find(step.rows, static_cast<Eigen::Index>(i)) != step.rows.end();
+    };
+    return is_meant(row) && (matrix.columns.size() == 1 || !step.member || is_meant(column));
+}
+
+std::string symbol_text(const std::string& symbol, const Translator& tr)
+{
+    if (std::ranges::find(words, symbol) != words.end()) return tr(symbol);
+    std::string text = symbol; // M(BC, 2,25): what stands behind the comma is a number
+    const std::size_t place = text.rfind(", ");
+    const std::size_t point = place == std::string::npos ? place : text.find('.', place);
+    if (point != std::string::npos) text[point] = decimal_mark(tr);
+    return text;
+}
+
+std::string with_raised_powers(std::string text)
+{
+    constexpr std::array<std::pair<std::string_view, std::string_view>, 3> powers{
+        {{"^2", "²"}, {"^3", "³"}, {"^T", "ᵀ"}}};
+    for (const auto& [written, raised] : powers)
+        for (std::size_t at = text.find(written); at != std::string::npos; at = text.find(written, at + raised.size()))
+            text.replace(at, written.size(), raised);
+    return text;
+}
+
 std::string closing_text(const Derivation& derivation, const Translator& tr)
 {
     if (derivation.closing_error == 0.0) return {};
@@ -59,6 +141,8 @@ std::string closing_text(const Derivation& derivation, const Translator& tr)
                 {six_digits(derivation.closing_error, tr), six_digits(derivation.value, tr)}) +
            "\n";
 }
+
+namespace {
 
 std::string redundants_sentence(const Step& step, const Translator& tr)
 {
@@ -136,7 +220,7 @@ std::string sentence(const Step& step, const Model& model, const Translator& tr)
             tr("By how much release {0} opens in every state: the work of the forces of state {0} on the strains of "
                "each state, part by part."),
             {std::to_string(step.state)});
-    case StepKind::RedundantEquations: return tr("The redundants X close every release again: delta X = c - delta_0.");
+    case StepKind::RedundantEquations: return tr("The redundants X close every release again: δ X = c - δ0.");
     case StepKind::StateSuperposition:
         return tr(
             "The states add up, each times its redundant: S = S0 + X1 S1 + X2 S2 .. Below, the redundants beside those "

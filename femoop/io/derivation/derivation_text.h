@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cstddef>
+#include <cstdint>
 #include <string>
 
 #include "femoop/methods/derivation/derivation.h"
@@ -19,10 +21,35 @@ std::string derivation_title(const Derivation& derivation, const Model& model, c
 /// In which units its matrices are.
 std::string derivation_units(const Model& model, const Translator& tr);
 
+/// How a step's numbers are written on paper.
+enum class Notation : std::uint8_t {
+    Matrix, ///< in brackets
+    List,   ///< named numbers beside one another
+    Sum     ///< named numbers below one another, the last row their sum
+};
+/// \pre the matrix is one of the step's
+Notation notation_of(const Step& step, const NamedMatrix& matrix);
+
+/// K u = f: its matrices stand in one line.
+bool is_system(const Step& step);
+/// Is this number one that the step is about: of k one that has a place in K, of K and f one of the step's rows?
+bool is_lit(const Step& step, const NamedMatrix& matrix, std::size_t row, std::size_t column);
+
+/// What people read of a symbol, or of a name beside a row: the words among them in the language of `tr`, and its
+/// decimal mark in places, "M(BC, 2,25)".
+std::string symbol_text(const std::string& symbol, const Translator& tr);
+
+/// L³ for L^3, Tᵀ for T^T.
+std::string with_raised_powers(std::string text);
+
 /// The steps one below the other: sentence, then numbers with their names.
 std::string derivation_text(const Derivation& derivation, const Model& model, const Translator& tr);
 
-/// The same as a part of a LaTeX document: a section*, and a paragraph with tables for each step.
+/// What is to be said where the sums on paper have fewer digits than the analysis; else nothing.
+std::string closing_text(const Derivation& derivation, const Translator& tr);
+
+/// The same as a part of a LaTeX document that uses the package amsmath: a section*, and a paragraph for each step with
+/// matrices as bmatrix, what the step is about in bold, and named numbers as tabular.
 std::string derivation_latex(const Derivation& derivation, const Model& model, const Translator& tr);
 
 /// The same for a program, with every digit; the sentences are in the language of `tr`.

@@ -20,7 +20,7 @@ std::string work_of_gap(const ForceMethod& method, std::size_t i, std::size_t j,
     const double spring = j == i + 1 ? method.primary.releases[i].flexibility : 0.0;
     const virtual_work::WorkCaptions captions{fill(tr("state {0}, F"), {std::to_string(j)}),
                                               fill(tr("state {0}, f"), {std::to_string(i + 1)})};
-    std::string text = "\ndelta_" + std::to_string(i + 1) + std::to_string(j) + " = " + six_digits(gap, tr) + "\n" +
+    std::string text = "\nδ" + std::to_string(i + 1) + std::to_string(j) + " = " + six_digits(gap, tr) + "\n" +
                        work_text(method.work[i][j], captions, method.primary.model, tr);
     if (spring > 0.0)
         text += "\n" + fill(tr("The spring that it goes through: 1/k = {0}."), {six_digits(spring, tr)}) + "\n";

@@ -196,8 +196,8 @@ Step flexibility_step(const ForceMethod& method, std::size_t i)
     const Model& primary = method.primary.model;
     const std::vector<Work>& work = method.work[i];
     const std::string row = std::to_string(i + 1);
-    NamedMatrix gaps{"delta", {}, {}, {}};
-    for (std::size_t j = 0; j < work.size(); ++j) gaps.columns.push_back("delta_" + row + std::to_string(j));
+    NamedMatrix gaps{"δ", {}, {}, {}};
+    for (std::size_t j = 0; j < work.size(); ++j) gaps.columns.push_back("δ" + row + std::to_string(j));
     std::vector<Eigen::RowVectorXd> parts;
     const auto add = [&](const std::string& name, const Eigen::RowVectorXd& values) {
         if (values.isZero(0.0)) return;
@@ -240,9 +240,9 @@ Step equations_step(const ForceMethod& method)
         equations.push_back(std::to_string(i));
     }
     return {.kind = StepKind::RedundantEquations,
-            .matrices = {{"delta", equations, X, method.delta},
+            .matrices = {{"δ", equations, X, method.delta},
                          {"X", X, {""}, method.X},
-                         {"c - delta_0", equations, {""}, method.imposed - method.delta_0}},
+                         {"c - δ0", equations, {""}, method.imposed - method.delta_0}},
             .is_whole = true};
 }
 

@@ -27,31 +27,6 @@ constexpr double panel_margin = 12.0;
 constexpr double map_share = 0.34;                                  // of the sheet's width, at most
 constexpr std::array sizes{1.25, 1.12, 1.0, 0.92, 0.84, 0.76, 0.7}; // of the theme's type, the first that fits
 
-MatrixBlock::Kind kind_of(const Step& step, const NamedMatrix& matrix)
-{
-    using enum StepKind;
-    const bool is_last = &matrix == &step.matrices.back();
-    switch (step.kind) {
-    case Extreme:
-    case Member: return MatrixBlock::Kind::List;
-    case LocalStiffness: return is_last ? MatrixBlock::Kind::Matrix : MatrixBlock::Kind::List;
-    case Stiffness: return is_last ? MatrixBlock::Kind::List : MatrixBlock::Kind::Matrix;
-    case Combination: return is_last ? MatrixBlock::Kind::Sum : MatrixBlock::Kind::List;
-    case StiffnessRow:
-    case LoadRow:
-    case Superposition:
-    case Reaction:
-    case TurnedSupport: return MatrixBlock::Kind::Sum;
-    case EndForces: return MatrixBlock::Kind::List;
-    case NodeForces: return MatrixBlock::Kind::List;
-    case Redundants:
-    case State:
-    case StateSuperposition: return MatrixBlock::Kind::List;
-    case Flexibility: return MatrixBlock::Kind::Sum;
-    default: return MatrixBlock::Kind::Matrix;
-    }
-}
-
 /// One step laid out on a sheet.
 class StepSheet {
 public:
@@ -82,7 +57,7 @@ public:
         draw_head(painter);
         for (std::size_t i = 0; i < blocks_.size(); ++i) {
             blocks_[i].draw(painter, places_[i]);
-            const bool is_system = step_.kind == StepKind::Equations || step_.kind == StepKind::RedundantEquations;
+            const bool is_system = femoop::derivation::is_system(step_);
             if (is_system && i > 0) draw_sign(painter, i);
         }
         if (has_no_map()) return;
@@ -128,8 +103,8 @@ private:
     }
     std::vector<std::string> sentence_lines() const
     {
-        const std::string words = with_raised_powers(femoop::derivation::sentence(step_, model_, look_.tr));
-        return lines(step_.kind == StepKind::RedundantEquations ? with_deltas(words) : words, sentence_style());
+        return lines(femoop::derivation::with_raised_powers(femoop::derivation::sentence(step_, model_, look_.tr)),
+                     sentence_style());
     }
     double head_height() const
     {
@@ -169,7 +144,8 @@ private:
         const bool is_reversed = step_.kind == StepKind::StateSuperposition;
         for (std::size_t i = 0; i < step_.matrices.size(); ++i) {
             const NamedMatrix& matrix = step_.matrices[is_reversed ? step_.matrices.size() - 1 - i : i];
-            const MatrixBlock& block = blocks_.emplace_back(matrix, kind_of(step_, matrix), look_, fonts_, em);
+            const MatrixBlock& block = blocks_.emplace_back(matrix, femoop::derivation::notation_of(step_, matrix),
+                                                            look_, fonts_, em);
             const ui::Size size = block.size();
             if (pen.x > panel_margin && pen.x + size.width > room_right()) {
                 pen = {panel_margin, pen.y + row_height + 0.6 * em};

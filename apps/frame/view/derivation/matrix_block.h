@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "apps/frame/view/derivation/derivation_picture.h"
+#include "femoop/io/derivation/derivation_text.h"
 #include "ui/paint/geometry.h"
 #include "ui/paint/painter.h"
 
@@ -14,9 +15,8 @@ namespace frame {
 /// brackets. A list of named numbers has no brackets; where they are added up a line stands above the sum.
 class MatrixBlock {
 public:
-    enum class Kind : std::uint8_t { Matrix, List, Sum };
-    MatrixBlock(const femoop::derivation::NamedMatrix& matrix, Kind kind, const DerivationLook& look,
-                const ui::Fonts& fonts, double em);
+    MatrixBlock(const femoop::derivation::NamedMatrix& matrix, femoop::derivation::Notation notation,
+                const DerivationLook& look, const ui::Fonts& fonts, double em);
 
     ui::Size size() const;
     void draw(ui::Painter& painter, ui::Point corner) const;
@@ -30,7 +30,7 @@ private:
     ui::TextStyle style(ui::Role role, ui::Anchor anchor) const;
 
     std::string symbol_;
-    Kind kind_;
+    femoop::derivation::Notation notation_;
     const DerivationLook& look_;
     const ui::Fonts& fonts_;
     double em_;
@@ -38,12 +38,5 @@ private:
     std::vector<std::vector<std::string>> numbers_; ///< row by row
     std::vector<double> widths_;                    ///< of the columns
 };
-
-/// L³ for L^3, Tᵀ for T^T.
-std::string with_raised_powers(std::string text);
-/// δ₁₀ for delta_10.
-std::string with_deltas(const std::string& text);
-/// What people read: 12 EI/L³ for 12 EI/L^3, and the words among the symbols in their language.
-std::string symbol_text(const std::string& symbol, const ui::Catalogue& tr);
 
 } // namespace frame

@@ -269,14 +269,43 @@ TEST_SUITE("derivation")
         CHECK(found.renumbered.profile < found.on_paper.profile);
     }
 
-    TEST_CASE("As LaTeX a derivation has every step, its tables and no character that LaTeX would take amiss")
+    TEST_CASE("As LaTeX a derivation has every step, its matrices in brackets, and its own entries of K in bold")
     {
         const Model beam = propped_beam();
         const std::string text = derivation_latex(derived(beam, along(MemberComponent::Mz, Percent{50.0})), beam,
                                                   english);
-        CHECK(text.starts_with("\\section*{M(AB, 50\\%) = 12 kN\\ensuremath{\\cdot}m in "));
+        CHECK(text.starts_with("% \\usepackage{amsmath}\n\\section*{M(AB, 50\\%) = 12 kN\\ensuremath{\\cdot}m in "));
         CHECK(text.find("\\paragraph{9.}") != std::string::npos);
-        CHECK(text.find("EI/L\\textasciicircum{}3") != std::string::npos);
-        CHECK(text.find("\\begin{tabular}{lrrrrrr}") != std::string::npos);
+        CHECK(text.find("EI/L\\ensuremath{^3} & 3750") != std::string::npos);
+        CHECK(text.find("k' = \\begin{bmatrix}\n500000 & 0 & 0 & -500000 & 0 & 0") != std::string::npos);
+        // of k the rows of B.ux and B.rz go to K
+        CHECK(text.find("-500000 & 0 & 0 & \\mathbf{500000} & 0 & 0") != std::string::npos);
+        CHECK(text.find("0 & 7500 & 10000 & 0 & -7500 & \\mathbf{20000}") != std::string::npos);
+    }
+
+    TEST_CASE("LaTeX leaves no decimal comma that would be followed by a blank")
+    {
+        const Model beam = propped_beam();
+        const Translator comma = [](std::string_view text) {
+            return text == "." ? std::string(",") : std::string(text);
+        };
+        const std::string text = derivation_latex(derived(beam, along(MemberComponent::Mz, Percent{50.0})), beam,
+                                                  comma);
+        CHECK(text.find("\\mathbf{0{,}0008}") != std::string::npos); // q L^3 / 48 EI
+    }
+
+    TEST_CASE("What stands beside the numbers is in the reader's language, but for ids and letters of formulas")
+    {
+        const Model beam = propped_beam();
+        const Translator shouted = [](std::string_view text) {
+            return text == "data" ? "DATA" : text == "entries" ? "ENTRIES" : std::string(text);
+        };
+        const Derivation derivation = derived(beam, along(MemberComponent::Mz, Percent{50.0}));
+        for (const std::string& text :
+             {derivation_text(derivation, beam, shouted), derivation_latex(derivation, beam, shouted)}) {
+            CHECK(text.find("DATA") != std::string::npos);
+            CHECK(text.find("ENTRIES") != std::string::npos);
+            CHECK(text.find("entries") == std::string::npos);
+        }
     }
 }
