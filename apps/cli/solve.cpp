@@ -159,7 +159,7 @@ void Solve::declare(CLI::App& app, const ui::Catalogue& tr)
            tr("print where one number comes from, instead of the results: every step from the data to it. "
               "member=M,at=X,component=C asks for a section force or a displacement of a member (without at: its "
               "extreme), node=N,component=C for a reaction (fx ..) or a displacement (ux ..); of the first load "
-              "case, or that of --case"))
+              "case, or that of --case, of an envelope the one that governs"))
         ->option_text("WHAT");
     app.add_option("--virtual-work", worked_displacement_,
                    tr("print one displacement as virtual work, instead of the results: the forces of a unit load times "
@@ -212,11 +212,11 @@ void Solve::require_one_output(const ui::Catalogue& tr) const
     struct Output {
         bool is_given;
         std::string_view option;
-        bool is_of_a_case, has_csv;
+        bool is_of_a_case, has_csv, has_envelope = false;
     };
     const std::array outputs{Output{solver_trace_.are_given(), "--trace-solver", false, false},
                              Output{traced_member_.has_value(), "--trace", false, false},
-                             Output{asked_number_.has_value(), "--why", true, false},
+                             Output{asked_number_.has_value(), "--why", true, false, true},
                              Output{worked_displacement_.has_value(), "--virtual-work", true, false},
                              Output{redundants_.are_asked(), "--force-method", true, false},
                              Output{body_.is_asked(), "--free-body", true, false},
@@ -226,11 +226,11 @@ void Solve::require_one_output(const ui::Catalogue& tr) const
     if (is_latex_ && !asked_number_ && !redundants_.are_asked())
         throw needs_too("--latex", "--why, --force-method", tr);
     for (std::size_t i = 0; i < outputs.size(); ++i) {
-        const auto& [is_given, option, is_of_a_case, has_csv] = outputs[i];
+        const auto& [is_given, option, is_of_a_case, has_csv, has_envelope] = outputs[i];
         for (std::size_t j = i + 1; j < outputs.size(); ++j)
             refuse(is_given && outputs[j].is_given, option, outputs[j].option);
         refuse(is_given && !is_of_a_case && case_ != "all", option, "--case");
-        refuse(is_given && is_of_a_case && case_ == "envelope", option, "--case envelope");
+        refuse(is_given && is_of_a_case && !has_envelope && case_ == "envelope", option, "--case envelope");
         refuse(is_given && !has_csv && csv_folder_, option, "--csv");
     }
 }
@@ -264,11 +264,10 @@ std::string Solve::derivation(const Model& model, const Results& results, const 
     asked.set("--why", *asked_number_, tr);
     asked.require_sensible(tr, AskedEffect::Place::Optional);
     const femoop::MovingEffect effect = asked.sound_effect(model, tr);
-    if (const auto member = femoop::derivation::constrained_member(model))
-        throw UsageError(tr("--why: member {member} is inextensible or rigid: a constraint stands where its stiffness "
-                            "would, and is not written as steps yet; give it a stiffness to see them",
-                            {{"member", model[*member].id}}));
-    const auto derivation = femoop::derivation::derive(model, results, followed_case(model, tr), effect);
+    const bool is_of_envelope = case_ == "envelope" && !model.find_case("envelope") && model.n_cases() > 0;
+    const auto derivation = is_of_envelope
+                                ? femoop::derivation::derive_governing(model, results, all_cases(model), effect)
+                                : femoop::derivation::derive(model, results, followed_case(model, tr), effect);
     if (is_latex_) return derivation_latex(derivation, model, tr);
     return is_json_ ? derivation_json(derivation, model, tr) : derivation_text(derivation, model, tr);
 }

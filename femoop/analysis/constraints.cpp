@@ -47,27 +47,6 @@ std::vector<ElementVector> prescribed(const Assembler& assembler, std::size_t me
     return all;
 }
 
-std::vector<ConstraintRow> constraint_rows(const Assembler& assembler, const std::vector<CaseLoads>& loads)
-{
-    std::vector<std::vector<double>> settlements;
-    for (const CaseLoads& each : loads) settlements.push_back(assembler.settlements(each));
-    std::vector<ConstraintRow> rows;
-    for (std::size_t i = 0; i < assembler.structure().members.size(); ++i) {
-        const StraightMember& member = assembler.elements()[MemberId(i)];
-        if (!member.is_constrained()) continue;
-        const StraightMember::ConstraintRows own = member.constraint_rows();
-        const Eigen::MatrixXd C = assembler.in_node_axes(i, own.C);
-        const Eigen::MatrixXd strains = imposed(MemberId(i), loads);
-        const std::vector<ElementVector> moved = prescribed(assembler, i, settlements);
-        for (Eigen::Index r = 0; r < C.rows(); ++r) {
-            rows.push_back(over_unknowns(C.row(r), assembler.equations().of_element(i), moved,
-                                         own.strain[r] * strains.col(0) + own.curvature[r] * strains.col(1)));
-            rows.back().member = MemberId(i);
-        }
-    }
-    return rows;
-}
-
 /// Makes translations and rotations comparable: a rotation counts as the displacement that it gives over a typical
 /// member.
 Eigen::VectorXd typical_displacements(const Discretisation& structure, const Equations& equations)
@@ -89,6 +68,27 @@ Eigen::VectorXd typical_displacements(const Discretisation& structure, const Equ
 }
 
 } // namespace
+
+std::vector<ConstraintRow> constraint_rows(const Assembler& assembler, const std::vector<CaseLoads>& loads)
+{
+    std::vector<std::vector<double>> settlements;
+    for (const CaseLoads& each : loads) settlements.push_back(assembler.settlements(each));
+    std::vector<ConstraintRow> rows;
+    for (std::size_t i = 0; i < assembler.structure().members.size(); ++i) {
+        const StraightMember& member = assembler.elements()[MemberId(i)];
+        if (!member.is_constrained()) continue;
+        const StraightMember::ConstraintRows own = member.constraint_rows();
+        const Eigen::MatrixXd C = assembler.in_node_axes(i, own.C);
+        const Eigen::MatrixXd strains = imposed(MemberId(i), loads);
+        const std::vector<ElementVector> moved = prescribed(assembler, i, settlements);
+        for (Eigen::Index r = 0; r < C.rows(); ++r) {
+            rows.push_back(over_unknowns(C.row(r), assembler.equations().of_element(i), moved,
+                                         own.strain[r] * strains.col(0) + own.curvature[r] * strains.col(1)));
+            rows.back().member = MemberId(i);
+        }
+    }
+    return rows;
+}
 
 Elimination eliminate_constraints(const Assembler& assembler, const std::vector<CaseLoads>& loads)
 {

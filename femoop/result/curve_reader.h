@@ -1,5 +1,7 @@
 #pragma once
 
+#include <array>
+#include <cstdint>
 #include <memory>
 
 #include "femoop/result/curve.h"
@@ -11,6 +13,13 @@ namespace detail {
 class AnyReader;
 }
 
+/// What the forces and displacements of a member that a constraint ties are made of; they add up.
+enum class CurvePart : std::uint8_t {
+    Motion,    ///< of its ends, against its elastic stiffness
+    Loads,     ///< between held ends, with its own stiffness along what the constraint takes too
+    Constraint ///< forces that tie the ends
+};
+
 /// Reads the curves of many members of one case, one after the other, without allocating for each.
 /// Two readers of one case may work at the same time, each in a thread of its own.
 class CurveReader {
@@ -21,6 +30,14 @@ public:
     CurveReader& operator=(const CurveReader&) = delete;
 
     const Curve& read(MemberId member); ///< valid until the next read
+
+    /// How its own two ends move, and what its nodes do to them, in its own axes.
+    std::array<NodeVector, 2> end_displacements(MemberId member);
+    std::array<NodeVector, 2> end_forces(MemberId member);
+
+    /// A part of them. \pre a constraint ties the member
+    const Curve& read(MemberId member, CurvePart part); ///< valid until the next read
+    std::array<NodeVector, 2> end_forces(MemberId member, CurvePart part);
 
 private:
     std::shared_ptr<const detail::Solution> solution_;

@@ -120,9 +120,42 @@ public:
         return s;
     }
 
-    void write(Curve& curve) const
+    /// \pre a constraint ties the member
+    MemberState state(CurvePart part) const
     {
-        const MemberState s = state();
+        const Element elastic(*properties_, geometry_, end_conditions_, elastic_actions(*end_conditions_));
+        const Element tied(*properties_, geometry_, end_conditions_, constrained_actions(*end_conditions_));
+        MemberState s;
+        switch (part) {
+        case CurvePart::Motion:
+            s.d = ends(Part::Elastic);
+            unpack(strain_forces(elastic, pack(s.d), Part::Elastic), s.p);
+            break;
+        case CurvePart::Loads:
+            unpack(elastic.rigid_joint_forces(loading_) + tied.rigid_joint_forces(loading_.without_strain()), s.p);
+            if (is_bar()) add_simple_span(s);
+            break;
+        case CurvePart::Constraint:
+            unpack(strain_forces(tied, pack(ends(Part::Constraint)), Part::Constraint), s.p);
+            break;
+        }
+        if (is_unstressed_) s.p = {Vector6::Zero(), Vector6::Zero()};
+        return s;
+    }
+
+    void write(Curve& curve) const { write(curve, state()); }
+
+    /// Of a part; the loads go with one of them alone.
+    void write(Curve& curve, CurvePart part)
+    {
+        const MemberState s = state(part);
+        if (part != CurvePart::Loads) properties_->xy.cut(loading_, geometry_.length, {});
+        write(curve, s);
+    }
+
+private:
+    void write(Curve& curve, const MemberState& s) const
+    {
         const Curve::Law law = this->law(s);
         curve.begin(law);
         Curve::State at = first_state(s);
@@ -136,7 +169,6 @@ public:
         }
     }
 
-private:
     bool is_plain() const { return end_conditions_ == nullptr && !is_precise_; }
 
     bool has_no_end_conditions_like_last(MemberId member) const
@@ -374,6 +406,9 @@ class AnyReader {
 public:
     virtual ~AnyReader() = default;
     virtual void write_curve(MemberId member, Curve& curve) = 0;
+    virtual void write_curve(MemberId member, CurvePart part, Curve& curve) = 0;
+    virtual MemberState state(MemberId member) = 0;
+    virtual MemberState state(MemberId member, CurvePart part) = 0;
 };
 
 namespace {
@@ -385,6 +420,21 @@ public:
     {
         reader_.read(member);
         reader_.write(curve);
+    }
+    void write_curve(MemberId member, CurvePart part, Curve& curve) override
+    {
+        reader_.read(member);
+        reader_.write(curve, part);
+    }
+    MemberState state(MemberId member) override
+    {
+        reader_.read(member);
+        return reader_.state();
+    }
+    MemberState state(MemberId member, CurvePart part) override
+    {
+        reader_.read(member);
+        return reader_.state(part);
     }
 
 private:
@@ -398,6 +448,13 @@ MemberState state_of(const Solution& solution, std::size_t case_index, MemberId 
         reader.read(member);
         return reader.state();
     });
+}
+
+std::array<NodeVector, 2> node_vectors(const std::array<Vector6, 2>& ends)
+{
+    std::array<NodeVector, 2> vectors{};
+    for (std::size_t end = 0; end < 2; ++end) std::ranges::copy(ends[end], vectors[end].begin());
+    return vectors;
 }
 
 } // namespace
@@ -433,6 +490,27 @@ const Curve& CurveReader::read(MemberId member)
 {
     reader_->write_curve(member, curve_);
     return curve_;
+}
+
+const Curve& CurveReader::read(MemberId member, CurvePart part)
+{
+    reader_->write_curve(member, part, curve_);
+    return curve_;
+}
+
+std::array<NodeVector, 2> CurveReader::end_displacements(MemberId member)
+{
+    return detail::node_vectors(reader_->state(member).d);
+}
+
+std::array<NodeVector, 2> CurveReader::end_forces(MemberId member)
+{
+    return detail::node_vectors(reader_->state(member).p);
+}
+
+std::array<NodeVector, 2> CurveReader::end_forces(MemberId member, CurvePart part)
+{
+    return detail::node_vectors(reader_->state(member, part).p);
 }
 
 } // namespace femoop

@@ -5,7 +5,6 @@
 #include <utility>
 
 #include "femoop/solver/index.h"
-#include "femoop/solver/ordering.h"
 
 namespace femoop {
 
@@ -45,11 +44,11 @@ EliminationPlan plan_elimination(SolverKind wanted, const BlockGraph& graph, con
         std::vector<std::int32_t> narrow = elimination_order(adjacency, Ordering::CuthillMcKee);
         const double work = profile_work(graph, adjacency, narrow);
         if (wanted == SolverKind::Skyline || (wanted == SolverKind::Automatic && work <= most_work))
-            return {.solver = SolverKind::Skyline, .order = std::move(narrow)};
+            return {.solver = SolverKind::Skyline, .order = std::move(narrow), .ordering = Ordering::CuthillMcKee};
         is_wide = work > wide * wide * static_cast<double>(n);
     }
     const Ordering ordering = is_wide ? Ordering::NestedDissection : Ordering::MinimumDegree;
-    return {.solver = sparse, .order = elimination_order(adjacency, ordering, graph.positions)};
+    return {.solver = sparse, .order = elimination_order(adjacency, ordering, graph.positions), .ordering = ordering};
 }
 
 } // namespace femoop

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "femoop/solver/block_graph.h"
+#include "femoop/solver/ordering.h"
 #include "femoop/solver/solver_kind.h"
 
 namespace femoop {
@@ -12,6 +13,7 @@ namespace femoop {
 struct EliminationPlan {
     SolverKind solver = SolverKind::Skyline; ///< never Automatic
     std::vector<std::int32_t> order;         ///< blocks in the order of elimination
+    Ordering ordering = Ordering::Natural;   ///< which it is; of nested dissection a postorder
 };
 
 /// The solver that is wanted with the order that suits it; where it is Automatic, whichever solves the system fastest.

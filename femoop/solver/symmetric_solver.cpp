@@ -138,10 +138,15 @@ std::unique_ptr<SymmetricSolver> make_solver(const SolverOptions& options)
     return solver;
 }
 
-std::unique_ptr<SymmetricSolver> solver_for(const SparseMatrix& K, const SolverOptions& options)
+EliminationPlan plan_elimination(SolverKind wanted, const SparseMatrix& K)
 {
     const BlockGraph graph = graph_of(K);
-    const EliminationPlan plan = plan_elimination(options.kind, graph, BlockAdjacency(graph));
+    return plan_elimination(wanted, graph, BlockAdjacency(graph));
+}
+
+std::unique_ptr<SymmetricSolver> solver_for(const SparseMatrix& K, const SolverOptions& options)
+{
+    const EliminationPlan plan = plan_elimination(options.kind, K);
     SolverOptions chosen = options;
     chosen.kind = plan.solver;
     std::unique_ptr<SymmetricSolver> solver = make_solver(chosen);

@@ -10,6 +10,7 @@
 #include <string_view>
 #include <utility>
 
+#include "femoop/solver/elimination_plan.h"
 #include "femoop/solver/solver_options.h"
 #include "femoop/solver/system_pattern.h"
 
@@ -117,6 +118,9 @@ private:
 /// A solver of a kind. \throws std::invalid_argument for Automatic (see SystemPattern::solver and solver_for) and for a
 /// kind that the library is built without.
 std::unique_ptr<SymmetricSolver> make_solver(const SolverOptions& options);
+
+/// Who solves such a system (lower triangle) fastest, and in which order: `solver_for` takes it.
+EliminationPlan plan_elimination(SolverKind wanted, const SparseMatrix& K);
 
 /// A solver with the symbolic analysis of matrices that have their nonzeros where K (lower triangle) has.
 std::unique_ptr<SymmetricSolver> solver_for(const SparseMatrix& K, const SolverOptions& options = {});

@@ -31,8 +31,9 @@ struct BottomView {
     bool is_open = false;
     TableKind table = TableKind::Nodes; ///< where it is one
     BottomContent content = BottomContent::Table;
-    std::optional<WantedCell> wanted{}; ///< until the panel has gone there
-    bool asks_for_keyboard = false;     ///< until the panel has it
+    std::optional<WantedCell> wanted{};   ///< until the panel has gone there
+    bool asks_for_keyboard = false;       ///< until the panel has it
+    std::optional<BottomContent> under{}; ///< of a derivation: what it was asked of there, and goes back to
 
     bool shows(BottomContent what) const { return is_open && content == what; }
 };

@@ -88,6 +88,9 @@ struct Workspace : ui::Workspace {
     std::optional<Cut> menu_cut{};                        ///< where the context menu was asked for, on a member
     std::optional<femoop::MovingEffect> menu_number{};    ///< on which number of the results it was asked for
     std::optional<femoop::MovingEffect> pointed_number{}; ///< under the pointer, in the picture or in a table
+    /// Of a number that a table shows: the case that it is of; else it is of what is shown.
+    std::optional<femoop::CaseId> menu_case{}, pointed_case{};
+    std::optional<NamedEffect> asked_number{}; ///< that W or Shift+W was pressed at, until the pointer moves
     Topic topic = Topic::Properties;
     BottomView bottom{};
     SolverShow solver{};                             ///< what the panel at the bottom shows of it

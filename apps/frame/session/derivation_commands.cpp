@@ -27,14 +27,24 @@ std::optional<femoop::MovingEffect> pinned_number(const Session& session)
 std::optional<femoop::MovingEffect> meant_number(const Workspace& workspace)
 {
     if (workspace.menu_number) return workspace.menu_number;
-    return workspace.pointed_number ? workspace.pointed_number : pinned_number(workspace.session);
+    if (workspace.pointed_number) return workspace.pointed_number;
+    // The panel that opened may have pushed the picture away from under the pointer.
+    if (workspace.asked_number)
+        if (auto asked = effect_in(workspace.session.model(), *workspace.asked_number)) return asked;
+    return pinned_number(workspace.session);
+}
+
+/// Of the number that is meant, where a table says so.
+std::optional<femoop::CaseId> meant_case(const Workspace& workspace)
+{
+    return workspace.menu_number ? workspace.menu_case : workspace.pointed_case;
 }
 
 Reason why_not_explain(const Workspace& workspace)
 {
     if (const auto reason = workspace.session.why_no_results()) return reason;
-    if (workspace.session.view.is_envelope)
-        return translatable("an envelope has the numbers of several cases; choose one of them first");
+    if (workspace.session.shows_train_envelope() && !meant_case(workspace))
+        return translatable("an envelope of trains is of many positions; choose a load case first");
     if (meant_number(workspace)) return std::nullopt;
     return translatable("point at a number of the picture or of a table of results first");
 }
@@ -77,6 +87,7 @@ bool is_same_force(const femoop::Model& model, const femoop::MovingEffect& a, co
 void release_or_hold(Workspace& workspace)
 {
     const femoop::MovingEffect force = *meant_number(workspace);
+    workspace.asked_number = NamedEffect(workspace.session.model(), force);
     std::vector<femoop::MovingEffect> redundants;
     if (const auto* const method = workspace.derivation.force_method(); method && shows_derivation(workspace))
         redundants = method->redundants;
@@ -96,10 +107,15 @@ void release_or_hold(Workspace& workspace)
 
 void open_player(Workspace& workspace)
 {
+    const BottomView& now = workspace.bottom;
+    const bool is_derivation = now.shows(BottomContent::Derivation);
+    std::optional<BottomContent> under = is_derivation ? now.under : std::nullopt;
+    if (now.is_open && is_table_or_member(now.content)) under = now.content;
     workspace.bottom = {.is_open = true,
-                        .table = workspace.bottom.table,
+                        .table = now.table,
                         .content = BottomContent::Derivation,
-                        .asks_for_keyboard = true};
+                        .asks_for_keyboard = true,
+                        .under = under};
 }
 
 std::function<void(Workspace&)> on_show(void (*move)(DerivationShow&))
@@ -117,10 +133,11 @@ std::function<void(Workspace&)> asks_for(Request request)
 
 } // namespace
 
-void explain(Workspace& workspace, const femoop::MovingEffect& effect)
+void explain(Workspace& workspace, const femoop::MovingEffect& effect, std::optional<femoop::CaseId> of)
 {
     workspace.refused_release.reset();
-    workspace.derivation.ask(workspace.session, effect);
+    workspace.asked_number = NamedEffect(workspace.session.model(), effect);
+    workspace.derivation.ask(workspace.session, effect, of);
     open_player(workspace);
 }
 
@@ -134,8 +151,9 @@ void explain_force_method(Workspace& workspace, std::span<const femoop::MovingEf
 void close_derivation(Workspace& workspace)
 {
     if (!shows_derivation(workspace)) return;
-    workspace.bottom.is_open = false;
-    workspace.bottom.content = BottomContent::Table;
+    workspace.bottom.is_open = workspace.bottom.under.has_value();
+    workspace.bottom.content = workspace.bottom.under.value_or(BottomContent::Table);
+    workspace.bottom.under.reset();
     workspace.derivation.clear();
 }
 
@@ -144,7 +162,8 @@ void add_derivation_commands(CommandTable& table)
     Menu menu(table, translatable("View"));
     menu.step(
         {"view.why", translatable("Why this number?"), {{Key::W, {}}}},
-        [](Workspace& workspace) { explain(workspace, *meant_number(workspace)); }, why_not_explain);
+        [](Workspace& workspace) { explain(workspace, *meant_number(workspace), meant_case(workspace)); },
+        why_not_explain);
     menu.step({"view.release", translatable("Release this force, or hold it again"), {{Key::W, ui::shift}}},
               release_or_hold, why_not_release_force);
     menu.step(

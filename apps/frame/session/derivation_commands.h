@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <span>
 
 #include "apps/frame/session/commands.h"
@@ -9,8 +10,9 @@ namespace frame {
 /// "Why this number?": the player of the way from the data to a number, and its steps.
 void add_derivation_commands(CommandTable& table);
 
-/// Opens the player for a number of the results.
-void explain(Workspace& workspace, const femoop::MovingEffect& effect);
+/// Opens the player for a number of the results. \param of  its case; nothing: what is shown, of an envelope the one
+/// that governs
+void explain(Workspace& workspace, const femoop::MovingEffect& effect, std::optional<femoop::CaseId> of = {});
 /// Opens it for the force method with these redundants; none: those that the program chooses.
 void explain_force_method(Workspace& workspace, std::span<const femoop::MovingEffect> redundants);
 /// Closes the panel, where it shows one.

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "apps/drawing/results/envelope_cases.h"
 #include "femoop/methods/force_method/force_steps.h"
 #include "femoop/methods/influence/effect_name.h"
 #include "femoop/methods/influence/usual_path.h"
@@ -24,6 +25,15 @@ std::vector<MovingEffect> numbers_of_node(const femoop::Model& model, femoop::No
     return numbers;
 }
 
+/// A bar of a truss has a transverse force and a moment only where it carries loads between its nodes.
+bool carries_loads_across(const femoop::Model& model, femoop::MemberId member)
+{
+    return std::ranges::any_of(model.load_cases, [&](const femoop::LoadCase& one) {
+        return one.self_weight ||
+               std::ranges::find(one.members, member, &femoop::MemberLoad::member) != one.members.end();
+    });
+}
+
 std::vector<MovingEffect> numbers_of_member(const femoop::Model& model, MovingEffect effect)
 {
     std::vector<MovingEffect> numbers;
@@ -35,7 +45,10 @@ std::vector<MovingEffect> numbers_of_member(const femoop::Model& model, MovingEf
             numbers.push_back(effect);
         }
     };
-    add(ExpectedQuantity::SectionForce, femoop::section_force_components(model.analysis));
+    const bool has_axial_force_alone = is_truss(model.analysis) && !carries_loads_across(model, *effect.member) &&
+                                       effect.component == femoop::MemberComponent::N;
+    add(ExpectedQuantity::SectionForce, has_axial_force_alone ? std::vector{femoop::MemberComponent::N}
+                                                              : femoop::section_force_components(model.analysis));
     add(ExpectedQuantity::Displacement, femoop::local_displacement_components(model.analysis));
     return numbers;
 }
@@ -45,11 +58,15 @@ std::optional<ui::Message> why_no_numbers(const Session& session)
 {
     if (const auto reason = session.why_no_results()) return reason;
     if (session.model().n_cases() == 0) return translatable("The model has no load case.");
-    if (session.view.is_envelope)
-        return translatable(
-            "An envelope has the numbers of several cases; choose the one that governs to see where its number comes "
-            "from.");
     return std::nullopt;
+}
+
+/// The force method is of one case.
+std::optional<ui::Message> why_no_states(const Session& session)
+{
+    if (auto reason = why_no_numbers(session)) return reason;
+    if (!session.view.is_envelope) return std::nullopt;
+    return translatable("An envelope has the numbers of several cases; choose one of them for the force method.");
 }
 
 ui::Message sentences(const std::vector<femoop::Fault>& faults, const ui::Catalogue& tr)
@@ -69,7 +86,7 @@ femoop::force_method::ForceMethod solved(const Session& session, std::span<const
 
 std::optional<RefusedRelease> refused_release(const Session& session, std::span<const MovingEffect> redundants)
 {
-    if (auto reason = why_no_numbers(session)) return RefusedRelease{*reason};
+    if (auto reason = why_no_states(session)) return RefusedRelease{*reason};
     const std::string place = session.tr()("force method");
     const auto faults = femoop::force_method::check_redundants(session.model(), redundants, place);
     if (!faults.empty()) return RefusedRelease{sentences(faults, session.tr())};
@@ -92,9 +109,15 @@ std::vector<MovingEffect> numbers_beside(const femoop::Model& model, const Movin
     return effect.member ? numbers_of_member(model, effect) : numbers_of_node(model, *effect.node);
 }
 
-void DerivationShow::ask(const Session& session, const MovingEffect& effect)
+std::optional<femoop::CaseId> DerivationShow::asked_case(const femoop::Model& model) const
+{
+    return asked_case_ ? model.find_case(*asked_case_) : std::nullopt;
+}
+
+void DerivationShow::ask(const Session& session, const MovingEffect& effect, std::optional<femoop::CaseId> of)
 {
     redundants_.reset();
+    asked_case_ = of ? std::optional(session.model().case_name(*of)) : std::nullopt;
     asked_ = NamedEffect(session.model(), effect);
     session_ = session.number();
     made_for_.reset();
@@ -119,13 +142,7 @@ std::optional<ui::Message> DerivationShow::why_not_derive(const Session& session
 {
     if (!is_asked()) return translatable("Point at a number of the results and press W.");
     if (session_ != session.number()) return translatable("The number that is explained belongs to another tab.");
-    if (auto reason = why_no_numbers(session)) return reason;
-    if (redundants_) return std::nullopt;
-    const auto constrained = femoop::derivation::constrained_member(session.model());
-    if (!constrained) return std::nullopt;
-    return ui::Message(translatable("Member {member} is inextensible or rigid: a constraint stands where its stiffness "
-                                    "would, and no number is derived; give it a stiffness to see the steps."),
-                       {{"member", session.model()[*constrained].id}});
+    return redundants_ ? why_no_states(session) : why_no_numbers(session);
 }
 
 DerivationShow::MadeFor DerivationShow::state_of(const Session& session)
@@ -159,7 +176,13 @@ void DerivationShow::derive_number(const Session& session)
     is_lost_ = !effect || std::ranges::find(choices_, *effect) == choices_.end();
     if (is_lost_ || why_none_) return;
     const femoop::Model model = solved_model(session.model(), session.solution());
-    derivation_ = femoop::derivation::derive(model, *session.solution().results, session.view.load_case, *effect);
+    const femoop::Results& results = *session.solution().results;
+    const auto of = asked_case(model);
+    if (of || !session.view.is_envelope)
+        derivation_ = femoop::derivation::derive(model, results, of.value_or(session.view.load_case), *effect);
+    else
+        derivation_ = femoop::derivation::derive_governing(model, results, envelope_cases(model, session.view),
+                                                           *effect);
 }
 
 void DerivationShow::derive_force_method(const Session& session)

@@ -21,8 +21,10 @@ namespace frame {
 /// by step. It follows the document and the load case that is shown; a step that is no more there becomes the last one.
 class DerivationShow {
 public:
-    /// From its first step. \pre the effect is one of the session's model
-    void ask(const Session& session, const femoop::MovingEffect& effect);
+    /// From its first step. \param of  its case; nothing: that which is shown, of an envelope the one that governs
+    /// \pre the effect is one of the session's model
+    void ask(const Session& session, const femoop::MovingEffect& effect, std::optional<femoop::CaseId> of = {});
+    std::optional<femoop::CaseId> asked_case(const femoop::Model& model) const; ///< if one was named
     /// The force method with these redundants, from its first step; none: those that the program chooses.
     /// \pre they are forces of the session's model
     void ask_force_method(const Session& session, std::span<const femoop::MovingEffect> redundants);
@@ -72,6 +74,7 @@ private:
     void choose(std::size_t forward);
 
     std::optional<NamedEffect> asked_;
+    std::optional<std::string> asked_case_;              ///< its name
     std::optional<std::vector<NamedEffect>> redundants_; ///< of the force method; empty: the program chooses
     std::optional<NamedEffect> gone_;                    ///< the redundant whose part is lost
     std::shared_ptr<const femoop::force_method::ForceMethod> force_method_;

@@ -115,7 +115,7 @@ public:
             begin_row(MemberId(i), shown_.model.members[i].id);
             for (const MemberComponent component : components()) {
                 const GoverningExtremes found = all.extremes(MemberId(i), component);
-                for (const GoverningExtreme& extreme : {found.max, found.min}) add(extreme, measure_of(component));
+                for (const GoverningExtreme& extreme : {found.max, found.min}) add(extreme, MemberId(i), component);
             }
         }
         return std::move(table_);
@@ -138,7 +138,9 @@ public:
             for (const Dof dof : list) {
                 const GoverningRange range = all.reaction(NodeId(i), dof);
                 for (const Governing& bound : {range.max, range.min}) {
-                    add(bound.value, force_measures.of(dof), bound.load_case);
+                    add(bound.value, force_measures.of(dof), bound.load_case,
+                        of_node(ExpectedQuantity::Reaction, NodeId(i), dof));
+                    table_.rows.back().cells.back().of_case = bound.load_case;
                     add_name(bound.load_case);
                 }
             }
@@ -192,9 +194,12 @@ private:
         add(drawing::resultant(reaction), Measure::Force, shown_.load_case);
     }
 
-    void add(const GoverningExtreme& extreme, Measure measure)
+    void add(const GoverningExtreme& extreme, MemberId member, MemberComponent component)
     {
-        add(extreme.value, measure, extreme.load_case);
+        const Curve curve = shown_.results[extreme.load_case].curve(member);
+        add(extreme.value, measure_of(component), extreme.load_case,
+            drawing::number_on_diagram(member, curve, component, extreme.x, extreme.value));
+        table_.rows.back().cells.back().of_case = extreme.load_case;
         add(extreme.x, Measure::Length, extreme.load_case);
         add_name(extreme.load_case);
     }

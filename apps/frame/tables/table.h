@@ -33,6 +33,7 @@ struct Cell {
     tabular::Cell value{}; ///< shown rounded with a true minus; exact for a spreadsheet, without a unit
     std::string typed = exact_text(value);
     std::optional<femoop::MovingEffect> number{}; ///< of the results, that it shows
+    std::optional<femoop::CaseId> of_case{};      ///< in an envelope: the one that governs
 };
 
 struct Row {

@@ -46,6 +46,12 @@ void hold_train(Aim& aim)
     aim.grip.reset();
 }
 
+// The panel of a number that was asked after may push the picture away from under a pointer that rests.
+std::optional<femoop::MovingEffect> still_meant(const Workspace& workspace)
+{
+    return workspace.asked_number ? effect_in(workspace.session.model(), *workspace.asked_number) : std::nullopt;
+}
+
 // While a line is kept from sight nothing stands on it.
 bool stands_train(const Session& session)
 {
@@ -452,7 +458,7 @@ void Canvas::follow(Workspace& workspace, const Pointer& pointer)
                      drawn_.grips);
     if (session.influence.standing() != nullptr) hold_train(aim);
     if (auto number = pointed_number(session, {plan_, drawn_.grips}, pointer.at, under, aim))
-        workspace.pointed_number = std::move(number);
+        workspace.pointed_number = still_meant(workspace).value_or(*number);
     workspace.tool_controller.point_at(aim);
     if (asks_for_menu) ask_for_menu(workspace, aim);
     if (is_moving_view()) return;
@@ -506,6 +512,7 @@ void Canvas::ask_for_menu(Workspace& workspace, const Aim& aim)
     else if (!selection.contains(*part)) selection = *part;
     workspace.menu_cut = aim.cut;
     workspace.menu_number = workspace.pointed_number;
+    workspace.menu_case.reset();
     if (aim.cut) workspace.session.pin = aim.cut; // "at this section" is said of it
     workspace.requests.push_back(Request::ContextMenu);
 }

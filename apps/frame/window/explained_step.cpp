@@ -38,6 +38,7 @@ std::vector<NodeNumbers> node_numbers(const Workspace& workspace)
     std::vector<std::string> texts(model.nodes.size() * dofs.size(), "0");
     const auto& unknowns = workspace.derivation.derivation()->system.unknowns;
     for (std::size_t i = 0; i < unknowns.size(); ++i) {
+        if (unknowns[i].end_of) continue; // an end of a member beside its node
         const auto dof = static_cast<std::size_t>(std::ranges::find(dofs, unknowns[i].dof) - dofs.begin());
         texts[unknowns[i].node.index * dofs.size() + dof] = std::to_string(i + 1);
     }

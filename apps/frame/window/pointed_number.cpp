@@ -42,7 +42,7 @@ std::optional<MovingEffect> pointed_number(const Session& session, const Numbers
                                            const Pick& under, const Aim& aim)
 {
     const femoop::Model& model = session.model();
-    const bool has_numbers = session.shown_results() != nullptr && !session.hidden && !session.view.is_envelope &&
+    const bool has_numbers = session.shown_results() != nullptr && !session.hidden && !session.shows_train_envelope() &&
                              !session.influence.is_on(model);
     if (!has_numbers) return std::nullopt;
     if (const auto written = written_number(picture.grips, at)) return written;

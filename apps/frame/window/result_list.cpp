@@ -73,6 +73,7 @@ void number_cell(Workspace& workspace, const std::string& text, const femoop::Mo
     if (!ImGui::IsMouseReleased(ImGuiMouseButton_Right)) return;
     workspace.session.selection = part;
     workspace.menu_number = number;
+    workspace.menu_case.reset();
     workspace.requests.push_back(Request::ContextMenu);
 }
 

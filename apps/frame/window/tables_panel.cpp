@@ -207,17 +207,30 @@ std::optional<femoop::MovingEffect> TablesPanel::number_in(
     return cell ? table_.rows[cell->first].cells[cell->second].number : std::nullopt;
 }
 
+// Where an envelope is shown a table's number is still of one case.
+std::optional<femoop::CaseId> TablesPanel::case_in(std::pair<std::size_t, std::size_t> cell,
+                                                   const Session& session) const
+{
+    if (const auto of = table_.rows[cell.first].cells[cell.second].of_case) return of;
+    return session.view.is_envelope ? std::optional(session.view.load_case) : std::nullopt;
+}
+
 // The number under the mouse, else, where the table has the keyboard, the one at its cursor.
 void TablesPanel::point_at_number(Workspace& workspace)
 {
     const auto under_mouse = number_in(grid_.cell_under_mouse());
-    if (under_mouse) workspace.pointed_number = under_mouse;
-    else if (has_keyboard_ && !workspace.pointed_number) workspace.pointed_number = number_in(grid_.cell_of_cursor());
+    const auto point_at = [&](const std::optional<std::pair<std::size_t, std::size_t>>& cell) {
+        workspace.pointed_number = number_in(cell);
+        if (workspace.pointed_number) workspace.pointed_case = case_in(*cell, workspace.session);
+    };
+    if (under_mouse) point_at(grid_.cell_under_mouse());
+    else if (has_keyboard_ && !workspace.pointed_number) point_at(grid_.cell_of_cursor());
     if (!under_mouse || !ImGui::IsMouseReleased(ImGuiMouseButton_Right)) return;
     has_keyboard_ = true;
     grid_.go_to_mouse();
     select_rows(workspace);
     workspace.menu_number = under_mouse;
+    workspace.menu_case = workspace.pointed_case;
     workspace.requests.push_back(Request::ContextMenu);
 }
 

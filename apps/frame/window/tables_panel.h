@@ -58,6 +58,7 @@ private:
     void show_table(Workspace& workspace);
     void show_member_tab(Workspace& workspace);
     std::optional<femoop::MovingEffect> number_in(const std::optional<std::pair<std::size_t, std::size_t>>& cell) const;
+    std::optional<femoop::CaseId> case_in(std::pair<std::size_t, std::size_t> cell, const Session& session) const;
     void point_at_number(Workspace& workspace);
     void show_footer(const Session& session) const;
     void select_rows(Workspace& workspace);

@@ -14,28 +14,12 @@ namespace {
 
 using Layout = JsonWriter::Layout;
 
-constexpr std::array<std::string_view, n_step_kinds> step_names{"combination",
-                                                                "extreme",
-                                                                "member",
-                                                                "local_stiffness",
-                                                                "transformation",
-                                                                "stiffness",
-                                                                "fixed_end",
-                                                                "stiffness_row",
-                                                                "load_row",
-                                                                "equations",
-                                                                "end_displacements",
-                                                                "end_forces",
-                                                                "node_forces",
-                                                                "superposition",
-                                                                "reaction",
-                                                                "turned_support",
-                                                                "held",
-                                                                "redundants",
-                                                                "state",
-                                                                "flexibility",
-                                                                "redundant_equations",
-                                                                "state_superposition"};
+constexpr std::array<std::string_view, n_step_kinds> step_names{
+    "governing",  "combination",     "extreme",       "member",       "local_stiffness",     "transformation",
+    "stiffness",  "fixed_end",       "stiffness_row", "load_row",     "equations",           "end_displacements",
+    "end_forces", "node_forces",     "superposition", "reaction",     "turned_support",      "held",
+    "numbering",  "right_hand_side", "ties",          "imposed_ties", "reduced_equations",   "tied_displacement",
+    "tie_forces", "redundants",      "state",         "flexibility",  "redundant_equations", "state_superposition"};
 
 void write_names(JsonWriter& json, std::string_view key, const std::vector<std::string>& names)
 {
@@ -60,6 +44,10 @@ void write_step(JsonWriter& json, const Step& step, const Model& model, const Tr
     if (step.node) json.member("node", model[*step.node].id);
     if (step.load_case) json.member("case", model.case_name(*step.load_case));
     if (step.kind == StepKind::State || step.kind == StepKind::Flexibility) json.member("state", step.state);
+    if (step.renumbering) {
+        json.member("solver", name(step.renumbering->solver));
+        json.member("ordering", name(step.renumbering->ordering));
+    }
     json.member("sentence", sentence(step, model, tr)).key("matrices").begin_array(Layout::Block);
     for (const NamedMatrix& matrix : step.matrices) write_matrix(json, matrix);
     json.end().end();

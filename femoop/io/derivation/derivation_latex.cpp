@@ -32,6 +32,11 @@ std::string formula(const std::string& symbol)
                                                       {"f", "f"},
                                                       {"u", "u"},
                                                       {"u'", "u'"},
+                                                      {"C", "C"},
+                                                      {"G", "G"},
+                                                      {"c", "c"},
+                                                      {"y", "y"},
+                                                      {"u0", "u_0"},
                                                       {"X", "X"},
                                                       {"c - δ0", "c - \\delta_0"},
                                                       {"δ", "\\delta"}});

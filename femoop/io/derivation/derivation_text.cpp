@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "femoop/io/results/matrix_table.h"
+#include "femoop/io/results/solver_trace_text.h"
 #include "femoop/methods/influence/effect_name.h"
 #include "femoop/model/fault/fault.h"
 #include "femoop/model/quantity/number_text.h"
@@ -24,7 +25,10 @@ constexpr std::array words{translatable("data"),       translatable("entries"), 
                            translatable("factors"),    translatable("factor"),  translatable("value"),
                            translatable("extremes"),   translatable("max"),     translatable("min"),
                            translatable("foundation"), translatable("spring"),  translatable("p at the node"),
-                           translatable("sum")};
+                           translatable("sum"),        translatable("number"),  translatable("given"),
+                           translatable("solver's"),   translatable("profile"), translatable("half bandwidth"),
+                           translatable("supports"),   translatable("ground"),  translatable("entries of L"),
+                           translatable("envelope")};
 
 constexpr std::size_t indent = 2;
 constexpr double trusted = 1e-6; // of the numbers that a sum is made of
@@ -54,6 +58,61 @@ std::vector<std::string> symbol_texts(const std::vector<std::string>& symbols, c
     return texts;
 }
 
+std::string reduced_sentence(const Step& step, const Translator& tr)
+{
+    std::string text =
+        step.is_whole ? tr("The equations that are left, G^T K G y = G^T (f - K u0), and the displacements y that "
+                           "solve them; the others follow: u = G y + u0.")
+                      : tr("Of the equations that are left, G^T K G y = G^T (f - K u0), the rows that matter here; "
+                           "y solves all of them at once, and the other displacements follow: u = G y + u0.");
+    if (has_empty_row(step)) text += " " + tr("A row of zeros: nothing resists that rotation, and it is taken as 0.");
+    return text;
+}
+
+/// What changes from the numbering on paper to that of the solver.
+std::string numbering_sentence(const Step& step, const Translator& tr)
+{
+    const Renumbering& order = *step.renumbering;
+    const std::vector<std::string> sizes{std::to_string(order.given.half_bandwidth),
+                                         std::to_string(order.solved.half_bandwidth),
+                                         std::to_string(order.given.factor), std::to_string(order.solved.factor)};
+    std::string text =
+        fill(tr("The equations are numbered as given, node after node; the solver ({0}) eliminates in {1} "
+                "order."),
+             {std::string(name(order.solver)), ordering_text(order.ordering, tr)}) +
+        " ";
+    if (order.is_same_order())
+        text += fill(tr("Here that is the same order: half bandwidth {0} before and after."), sizes);
+    else if (order.is_no_gain())
+        text += fill(tr("In a system so small that gains nothing: half bandwidth {0} before and after."), sizes);
+    else
+        text += fill(tr("Half bandwidth {0} before, {1} after; entries of the factor L {2} before, {3} after."), sizes);
+    return text + " " + tr("The half bandwidth counts the longest row of K from its first entry to the diagonal.");
+}
+
+std::string reaction_sentence(const Step& step, const std::string& node, const Translator& tr)
+{
+    const std::string text = fill(
+        tr("The support of node {0} brings what the members need there, less the load F on the node."), {node});
+    const bool has_spring = step.matrices.size() > 1, is_free = !step.rows.empty() && !has_spring;
+    if (has_spring) return text + " " + tr("Its spring k says the same of the displacement u.");
+    return is_free ? text + " " + tr("It leaves this direction free: members and load balance there by themselves.")
+                   : text;
+}
+
+bool is_tied(const Step& step, const Model& model)
+{
+    return step.member && (model[*step.member].inextensible || model[*step.member].rigid);
+}
+
+std::string member_sentence(const Member& member, const Translator& tr)
+{
+    std::string text = fill(tr("Member {0}: its length, and what it resists with."), {member.id});
+    if (member.rigid) text += " " + tr("It is rigid: its ends are tied, and nothing of it strains.");
+    else if (member.inextensible) text += " " + tr("It is inextensible: along its axis its ends are tied.");
+    return text;
+}
+
 /// One column bears its name, or the matrix'; more stand below that.
 std::string matrix_text(const NamedMatrix& matrix, const Translator& tr)
 {
@@ -74,15 +133,20 @@ Notation notation_of(const Step& step, const NamedMatrix& matrix)
     switch (step.kind) {
     case StepKind::LocalStiffness: return is_last ? Notation::Matrix : Notation::List;
     case StepKind::Stiffness: return is_last ? Notation::List : Notation::Matrix;
-    case StepKind::Combination: return is_last ? Notation::Sum : Notation::List;
+    case StepKind::Combination:
+    case StepKind::Reaction: return is_last ? Notation::Sum : Notation::List;
     case StepKind::StiffnessRow:
     case StepKind::LoadRow:
     case StepKind::Superposition:
-    case StepKind::Reaction:
+    case StepKind::TiedDisplacement:
     case StepKind::TurnedSupport:
     case StepKind::Flexibility: return Notation::Sum;
+    case StepKind::Governing:
     case StepKind::Extreme:
     case StepKind::Member:
+    case StepKind::Numbering:
+    case StepKind::RightHandSide:
+    case StepKind::TieForces:
     case StepKind::EndForces:
     case StepKind::NodeForces:
     case StepKind::Redundants:
@@ -94,7 +158,8 @@ Notation notation_of(const Step& step, const NamedMatrix& matrix)
 
 bool is_system(const Step& step)
 {
-    return step.kind == StepKind::Equations || step.kind == StepKind::RedundantEquations;
+    return step.kind == StepKind::Equations || step.kind == StepKind::ReducedEquations ||
+           step.kind == StepKind::RedundantEquations;
 }
 
 bool is_lit(const Step& step, const NamedMatrix& matrix, std::size_t row, std::size_t column)
@@ -133,7 +198,10 @@ std::string with_raised_powers(std::string text)
 std::string closing_text(const Derivation& derivation, const Translator& tr)
 {
     if (derivation.closing_error == 0.0) return {};
-    const double size = derivation.steps.back().matrices.back().values.cwiseAbs().maxCoeff();
+    const std::vector<Step>& steps = derivation.steps;
+    const bool has_forces_before = steps.size() > 1 && steps.back().kind == StepKind::Reaction; // on whole members
+    double size = steps.back().matrices.back().values.cwiseAbs().maxCoeff();
+    if (has_forces_before) size = std::max(size, steps[steps.size() - 2].matrices.front().values.cwiseAbs().maxCoeff());
     if (derivation.closing_error <= trusted * size) return {};
     return "\n" +
            fill(tr("The last sum is off by {0}: these numbers have 16 digits, and cancel. The analysis carries more of "
@@ -168,12 +236,17 @@ std::string sentence(const Step& step, const Model& model, const Translator& tr)
     const std::string member = step.member ? model[*step.member].id : std::string();
     const std::string node = step.node ? model[*step.node].id : std::string();
     switch (step.kind) {
+    case StepKind::Governing:
+        return fill(
+            tr("Of the envelope the largest value here is that of {0}, the smallest that of {1}; the greater in "
+               "magnitude is followed: {2}."),
+            {step.matrices[0].rows[0], step.matrices[0].rows[1], model.case_name(*step.load_case)});
     case StepKind::Combination: return tr("The combination adds up its load cases, each times its factor.");
     case StepKind::Extreme:
         return fill(tr("Along member {0} the value is largest and smallest here. The greater of both in magnitude is "
                        "followed."),
                     {member});
-    case StepKind::Member: return fill(tr("Member {0}: its length, and what it resists with."), {member});
+    case StepKind::Member: return member_sentence(model[*step.member], tr);
     case StepKind::LocalStiffness:
         return fill(
             tr("Stiffness k' of member {0} in its own axes: column by column the forces on its ends when one of "
@@ -195,19 +268,48 @@ std::string sentence(const Step& step, const Model& model, const Translator& tr)
             tr("The same row of f: the load F on node {0}, less the fixed-end forces f0 of its members, less what "
                "displacements imposed by supports bring."),
             {node});
+    case StepKind::Numbering: return numbering_sentence(step, tr);
+    case StepKind::RightHandSide:
+        return tr("The right-hand side f: loads F on the nodes, less the fixed-end forces f0 of all members, and what "
+                  "displacements imposed by supports bring.");
+    case StepKind::Ties:
+        return tr("Inextensible and rigid members tie displacements to one another, C u = c: a row for each tie, its "
+                  "member beside it. Solved for as many displacements as there are ties, u = G y + u0 of those that "
+                  "are left, y.");
+    case StepKind::ImposedTies:
+        return tr("What settlements and heat impose through the ties: c of C u = c, and with it u0 of u = G y + u0.");
+    case StepKind::ReducedEquations: return reduced_sentence(step, tr);
+    case StepKind::TiedDisplacement:
+        return tr("This displacement follows others, by its row of u = G y + u0: each that it follows, times its "
+                  "factor.");
+    case StepKind::TieForces:
+        return tr("What K u leaves of f: the ties carry it. It goes through the tied members, as if their stiffness "
+                  "were as much larger than all others as one likes.");
     case StepKind::Equations: return equations_sentence(step, tr);
     case StepKind::EndDisplacements:
         return fill(tr("The nodes of member {0} move by u, and its ends, in its own axes, by u' = T u."), {member});
-    case StepKind::EndForces: return fill(tr("Forces on the ends of member {0}: p' = k' u' + f0'."), {member});
+    case StepKind::EndForces:
+        return fill(is_tied(step, model)
+                        ? tr("Forces on the ends of member {0}: p' = k' u' + f0' + c', where c' is what "
+                             "ties its ends.")
+                        : tr("Forces on the ends of member {0}: p' = k' u' + f0'."),
+                    {member});
     case StepKind::NodeForces:
-        return fill(tr("Forces of the nodes on member {0}: p = k u + f0; below, what node {1} does, in global axes."),
-                    {member, node});
+        return fill(
+            is_tied(step, model)
+                ? tr("Forces of the nodes on member {0}: p = k u + f0 + c, where c is what ties its ends; below, "
+                     "what node {1} does, in global axes.")
+                : tr("Forces of the nodes on member {0}: p = k u + f0; below, what node {1} does, in global "
+                     "axes."),
+            {member, node});
     case StepKind::Superposition:
+        if (is_tied(step, model))
+            return tr(
+                "There the motion of the ends, u', brings one part, the loads between held ends, f0', another, and "
+                "the forces that tie the ends, c', the third.");
         return tr(
             "There the motion of the ends, u', brings one part, and the loads between held ends, f0', the other.");
-    case StepKind::Reaction:
-        return fill(tr("The support of node {0} brings what the members need there, less the load F on the node."),
-                    {node});
+    case StepKind::Reaction: return reaction_sentence(step, node, tr);
     case StepKind::TurnedSupport:
         return fill(tr("From the axes of the support of node {0}, which is turned, to the global ones."), {node});
     case StepKind::Redundants: return redundants_sentence(step, tr);

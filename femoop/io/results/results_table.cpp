@@ -280,7 +280,9 @@ tabular::Table fixed_end_table(const MemberTrace& trace, const MemberTrace::Fixe
     tabular::Table table({"", tr("own axes"), "", tr("axes of the nodes")});
     for (std::size_t i = 0; i < trace.dofs.size(); ++i) {
         const auto row = static_cast<Eigen::Index>(i);
-        table.add_row({trace.own_dofs[i], forces.local[row], trace.dofs[i], forces.global[row]});
+        const bool has_own = i < trace.own_dofs.size(); // the ends of a tied member behind joints come after them
+        table.add_row({has_own ? trace.own_dofs[i] : "", has_own ? tabular::Cell(forces.local[row]) : tabular::Cell(),
+                       trace.dofs[i], forces.global[row]});
     }
     table.silence_round_off({1, 3});
     return table;
@@ -289,10 +291,10 @@ tabular::Table fixed_end_table(const MemberTrace& trace, const MemberTrace::Fixe
 std::string constraint_text(Constraint constraint, const Translator& tr)
 {
     return constraint == Constraint::Rigid
-               ? tr("The member is rigid: a constraint ties its ends, "
-                    "and it has no stiffness and no fixed-end forces of its own.")
-               : tr("The member is inextensible: a constraint ties its ends along its axis, "
-                    "so that it has no stiffness and no fixed-end forces there.");
+               ? tr("The member is rigid: a constraint ties its ends in place of its stiffness; its loads go to its ends "
+                    "as that would send them.")
+               : tr("The member is inextensible: a constraint ties its ends along its axis in place of its stiffness; "
+                    "loads along it go to its ends as that would send them.");
 }
 
 std::string equations_text(const MemberTrace& trace, const Translator& tr)

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <optional>
+#include <set>
 #include <utility>
 
 #include "femoop/element/analysis_model.h"
@@ -10,16 +12,20 @@
 #include "femoop/methods/derivation/member_alone.h"
 #include "femoop/methods/derivation/member_steps.h"
 #include "femoop/methods/derivation/paper_system.h"
+#include "femoop/methods/derivation/system_steps.h"
 #include "femoop/methods/influence/effect_name.h"
 #include "femoop/methods/influence/influence_line.h"
 #include "femoop/methods/influence/train/train_analysis.h"
 #include "femoop/model/quantity/six_digits.h"
+#include "femoop/result/curve_reader.h"
 
 namespace femoop::derivation {
 
 namespace {
 
 using influence::effect_in;
+
+constexpr double round_off = 1e-12; ///< of the largest force on the ends of a member
 
 void append(std::vector<Step>& steps, std::vector<Step> more) { std::ranges::move(more, std::back_inserter(steps)); }
 
@@ -71,7 +77,7 @@ public:
     {
         const CaseResult result = results_[load_case];
         if (effect_.member) return along_member(load_case, result, is_first);
-        if (effect_.quantity == ExpectedQuantity::Reaction) return reaction(load_case, result);
+        if (effect_.quantity == ExpectedQuantity::Reaction) return reaction(load_case, result, is_first);
         return displacement(load_case, result, is_first);
     }
 
@@ -101,36 +107,51 @@ private:
     std::vector<Step> along_member(CaseId load_case, const CaseResult& result, bool is_first) const
     {
         const MemberSteps& member = members_.front();
+        const SystemSteps system(system_, member.rows(), about());
         std::vector<Step> steps;
-        if (is_first) steps = member.stiffness();
+        if (is_first) {
+            steps = member.stiffness();
+            append(steps, system.order());
+        }
         steps.push_back(member.fixed_end_forces(load_case));
-        steps.push_back(equations(member.rows(), load_case, result));
+        append(steps, system.solved(load_case, result));
+        append(steps, system.tie_forces(load_case, result));
         steps.push_back(member.end_displacements(load_case, result));
         steps.push_back(member.end_forces(load_case, result));
         steps.push_back(superposition(load_case, result));
         return steps;
     }
 
-    Step equations(const std::vector<Eigen::Index>& rows, CaseId load_case, const CaseResult& result) const
-    {
-        return {.kind = StepKind::Equations,
-                .member = effect_.member,
-                .node = effect_.node,
-                .load_case = load_case,
-                .matrices = system_.equations(rows, load_case, result),
-                .is_whole = system_.is_written_whole(),
-                .rows = rows};
-    }
+    /// A step that says which member or node it is about.
+    Step about() const { return {.member = effect_.member, .node = effect_.node, .matrices = {}}; }
 
     /// The member's nodes move and carry no loads, and the loads act while the nodes are held.
     Step superposition(CaseId load_case, const CaseResult& result) const
     {
+        if (members_.front().is_tied()) return tied_superposition(load_case, result);
         const MemberAlone alone = take_out(model_, *effect_.member, model_.load_cases[load_case.index], result);
         MovingEffect effect = effect_;
         effect.member = MemberAlone::member;
         Sum sum;
         sum.add("u'", effect_in(effect, alone.moved()));
         sum.add("f0'", effect_in(effect, alone.loaded()));
+        return {.kind = StepKind::Superposition,
+                .member = effect_.member,
+                .load_case = load_case,
+                .matrices = {sum.as(symbol())}};
+    }
+
+    /// Of a member that is tied too: what ties it goes through it.
+    Step tied_superposition(CaseId load_case, const CaseResult& result) const
+    {
+        CurveReader reader(result);
+        Sum sum;
+        const auto add = [&](const char* name, CurvePart part) {
+            sum.add(name, influence::effect_in(effect_, reader.read(*effect_.member, part)));
+        };
+        add("u'", CurvePart::Motion);
+        add("f0'", CurvePart::Loads);
+        add("c'", CurvePart::Constraint);
         return {.kind = StepKind::Superposition,
                 .member = effect_.member,
                 .load_case = load_case,
@@ -148,19 +169,74 @@ private:
     }
 
     /// The forces of all members that meet the node, less the loads on it, are what the support brings.
-    std::vector<Step> reaction(CaseId load_case, const CaseResult& result) const
+    std::vector<Step> reaction(CaseId load_case, const CaseResult& result, bool is_first) const
     {
         const NodeId node = *effect_.node;
+        const SystemSteps system(system_, rows_of_members(), about());
         std::vector<Step> steps;
+        if (is_first) {
+            for (const MemberSteps& member : members_) append(steps, member.stiffness());
+            append(steps, system.order());
+        }
+        for (const MemberSteps& member : members_) steps.push_back(member.fixed_end_forces(load_case));
+        for (const Dof dof : moved_by_support(load_case)) steps.push_back(held(dof, load_case, result));
+        append(steps, system.solved(load_case, result));
+        append(steps, system.tie_forces(load_case, result));
         Sum sum;
+        double largest = 0.0;
         for (const MemberSteps& member : members_) {
+            steps.push_back(member.end_displacements(load_case, result));
             steps.push_back(member.node_forces(node, load_case, result));
-            sum.add(member.trace().member, steps.back().matrices.back().values(place_of(*effect_.dof), 0));
+            largest = std::max(largest, steps.back().matrices.front().values.cwiseAbs().maxCoeff());
+            const double part = steps.back().matrices.back().values(place_of(*effect_.dof), 0);
+            sum.add(member.trace().member, std::abs(part) <= round_off * largest ? 0.0 : part);
         }
         sum.add("-F", -loads_on(node, load_case)[index(*effect_.dof)]);
-        steps.push_back(
-            {.kind = StepKind::Reaction, .node = node, .load_case = load_case, .matrices = {sum.as(symbol())}});
+        Step last{.kind = StepKind::Reaction, .node = node, .load_case = load_case, .matrices = {}};
+        if (auto spring = spring_force(load_case, result)) last.matrices.push_back(std::move(*spring));
+        last.matrices.push_back(sum.as(symbol()));
+        if (const auto row = system_.row_of(node, *effect_.dof)) last.rows = {*row};
+        steps.push_back(std::move(last));
         return steps;
+    }
+
+    /// Of all members that the number comes from, ascending.
+    std::vector<Eigen::Index> rows_of_members() const
+    {
+        std::set<Eigen::Index> rows;
+        for (const MemberSteps& member : members_)
+            for (const Eigen::Index row : member.rows()) rows.insert(row);
+        return {rows.begin(), rows.end()};
+    }
+
+    /// Directions in which the support of the node holds it and moves by itself.
+    std::vector<Dof> moved_by_support(CaseId load_case) const
+    {
+        std::vector<Dof> dofs;
+        for (const Dof dof : model_dofs(model_.analysis))
+            if (!system_.row_of(*effect_.node, dof) && settlement_of(*effect_.node, dof, load_case) != 0.0)
+                dofs.push_back(dof);
+        return dofs;
+    }
+
+    /// The same force from the spring's own law, where the direction asked for is one of the support's.
+    std::optional<NamedMatrix> spring_force(CaseId load_case, const CaseResult& result) const
+    {
+        const NodeId node = *effect_.node;
+        const Dof dof = *effect_.dof;
+        const double k = spring_at(node, dof);
+        if (k == 0.0 || own_dofs().size() > 1) return std::nullopt;
+        const double u = result.displacement(node)[index(dof)], ground = settlement_of(node, dof, load_case);
+        NamedMatrix matrix{"spring", {"k"}, {""}, {}};
+        std::vector<double> values{k};
+        if (ground != 0.0) {
+            matrix.rows.emplace_back("ground");
+            values.push_back(ground);
+        }
+        matrix.rows.insert(matrix.rows.end(), {"u", ground != 0.0 ? "k (ground - u)" : "-k u"});
+        values.insert(values.end(), {u, k * (ground - u)});
+        matrix.values = Eigen::Map<const Eigen::VectorXd>(values.data(), static_cast<Eigen::Index>(values.size()));
+        return matrix;
     }
 
     Eigen::Index place_of(Dof dof) const
@@ -178,16 +254,30 @@ private:
     std::vector<Step> displacement(CaseId load_case, const CaseResult& result, bool is_first) const
     {
         const NodeId node = *effect_.node;
-        std::vector<Step> steps;
+        std::vector<Step> steps, from_rows;
         std::vector<Eigen::Index> rows;
+        const bool has_ties = system_.trace().ties.has_value();
         for (const Dof dof : own_dofs())
             if (const auto row = system_.row_of(node, dof)) {
-                if (is_first) steps.push_back(stiffness_row(*row));
-                steps.push_back(load_row(*row, load_case, result));
+                if (is_first && !has_ties) steps.push_back(stiffness_row(*row));
+                if (!has_ties) from_rows.push_back(load_row(*row, load_case, result));
                 rows.push_back(*row);
-            } else steps.push_back(held(dof, load_case, result));
-        if (!rows.empty()) steps.push_back(equations(rows, load_case, result));
+            } else from_rows.push_back(held(dof, load_case, result));
+        const SystemSteps system(system_, rows, about());
+        if (is_first && !rows.empty()) append(steps, system.order());
+        append(steps, std::move(from_rows));
+        if (has_ties && !rows.empty()) append(steps, tied(system, rows, load_case, result));
+        else if (!rows.empty()) steps.push_back(system.equations(load_case, result));
         if (own_dofs().size() > 1) steps.push_back(turned(load_case, result));
+        return steps;
+    }
+
+    static std::vector<Step> tied(const SystemSteps& system, const std::vector<Eigen::Index>& rows, CaseId load_case,
+                                  const CaseResult& result)
+    {
+        std::vector<Step> steps = system.solved(load_case, result);
+        for (const Eigen::Index row : rows)
+            if (auto one = system.tied_displacement(row, load_case, result)) steps.push_back(std::move(*one));
         return steps;
     }
 
@@ -225,7 +315,7 @@ private:
     /// Row by row what the members that meet the node, and its spring, bring to K.
     Step stiffness_row(Eigen::Index row) const
     {
-        const auto [node, dof] = system_.trace().unknowns[static_cast<std::size_t>(row)];
+        const auto& [node, dof, end_of] = system_.trace().unknowns[static_cast<std::size_t>(row)];
         const std::vector<Eigen::Index> columns = system_.coupled_with(row);
         NamedMatrix shares{.symbol = "K", .rows = {}, .columns = {}, .values = {}};
         for (const Eigen::Index column : columns) shares.columns.push_back(system_.name_of(column));
@@ -258,7 +348,7 @@ private:
     /// Load on the node less what the members' loads take, and what imposed displacements bring.
     Step load_row(Eigen::Index row, CaseId load_case, const CaseResult& result) const
     {
-        const auto [node, dof] = system_.trace().unknowns[static_cast<std::size_t>(row)];
+        const auto& [node, dof, end_of] = system_.trace().unknowns[static_cast<std::size_t>(row)];
         Sum sum;
         sum.add("F", system_.in_node_axes(node, loads_on(node, load_case))[place_of(dof)]);
         for (const MemberSteps& member : members_) {
@@ -287,16 +377,20 @@ private:
         return force;
     }
 
-    /// By how much the ground of a spring moves.
-    double ground_of(NodeId node, Dof dof, CaseId load_case) const
+    /// By how much the ground of a support or of its spring moves.
+    double settlement_of(NodeId node, Dof dof, CaseId load_case) const
     {
         double moved = 0.0;
-        if (spring_at(node, dof) == 0.0) return moved;
         for (const Settlement& settlement : model_.load_cases[load_case.index].settlements)
             if (settlement.node == node)
                 for (const Component& component : settlement.components)
                     if (component.dof == dof) moved += component.value;
         return moved;
+    }
+
+    double ground_of(NodeId node, Dof dof, CaseId load_case) const
+    {
+        return spring_at(node, dof) == 0.0 ? 0.0 : settlement_of(node, dof, load_case);
     }
 
     const Model& model_;
@@ -334,18 +428,10 @@ bool ends_with_sum(const Derivation& derivation)
 {
     if (derivation.steps.empty()) return false; // a combination of nothing
     const StepKind last = derivation.steps.back().kind;
-    return last != StepKind::Equations && last != StepKind::Held;
+    return last != StepKind::Equations && last != StepKind::ReducedEquations && last != StepKind::Held;
 }
 
 } // namespace
-
-std::optional<MemberId> constrained_member(const Model& model)
-{
-    const auto is_constrained = [](const Member& member) { return member.inextensible || member.rigid; };
-    const auto found = std::ranges::find_if(model.members, is_constrained);
-    if (found == model.members.end()) return std::nullopt;
-    return MemberId(static_cast<std::size_t>(found - model.members.begin()));
-}
 
 Derivation derive(const Model& model, const Results& results, CaseId load_case, const MovingEffect& effect)
 {
@@ -366,6 +452,32 @@ Derivation derive(const Model& model, const Results& results, CaseId load_case, 
     if (ends_with_sum(derivation))
         derivation.closing_error = std::abs(derivation.steps.back().matrices.back().values.bottomRows(1)(0, 0) -
                                             derivation.value);
+    return derivation;
+}
+
+Derivation derive_governing(const Model& model, const Results& results, const std::vector<CaseId>& cases,
+                            const MovingEffect& effect)
+{
+    const auto value = [&](CaseId id) {
+        const MovingEffect at = effect.quantity == ExpectedQuantity::Extreme ? extreme_of(results[id], effect).effect
+                                                                             : effect;
+        return effect_in(at, results[id]);
+    };
+    std::vector<double> values;
+    std::ranges::transform(cases, std::back_inserter(values), value);
+    const auto min = std::ranges::min_element(values), max = std::ranges::max_element(values);
+    const auto case_of = [&](auto found) { return cases[static_cast<std::size_t>(found - values.begin())]; };
+    const CaseId governing = case_of(std::abs(*min) > std::abs(*max) ? min : max);
+    Derivation derivation = derive(model, results, governing, effect);
+    derivation.steps.insert(derivation.steps.begin(),
+                            {.kind = StepKind::Governing,
+                             .member = effect.member,
+                             .node = effect.node,
+                             .load_case = governing,
+                             .matrices = {{"envelope",
+                                           {model.case_name(case_of(max)), model.case_name(case_of(min))},
+                                           {"value"},
+                                           Eigen::Vector2d(*max, *min)}}});
     return derivation;
 }
 

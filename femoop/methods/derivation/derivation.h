@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "femoop/analysis/trace.h"
+#include "femoop/methods/derivation/renumbering.h"
 #include "femoop/model/model.h"
 #include "femoop/result/results.h"
 
@@ -15,6 +16,7 @@ namespace femoop::derivation {
 
 /// What a step of a derivation does, in the order in which they follow one another.
 enum class StepKind : std::uint8_t {
+    Governing,        ///< of an envelope: the cases of the largest and of the smallest value
     Combination,      ///< factors times the values of load cases
     Extreme,          ///< where along the member the value is largest and smallest
     Member,           ///< its length and what it resists with
@@ -32,6 +34,14 @@ enum class StepKind : std::uint8_t {
     Reaction,         ///< forces of the members on the node less the loads on it
     TurnedSupport,    ///< from the axes of a turned support to a global one
     Held,             ///< a displacement that a support imposes
+    Numbering,        ///< of the unknowns: as given, and as the solver eliminates
+    RightHandSide,    ///< what loads on nodes and on members, and supports, bring to rows of f
+    // of inextensible and rigid members, which tie displacements to one another
+    Ties,             ///< C u = c, and u = G y + u0 of the displacements y that are left
+    ImposedTies,      ///< c and u0 of a load case: what settlements and heat impose through them
+    ReducedEquations, ///< G' K G y = G' (f - K u0), as Equations
+    TiedDisplacement, ///< one that follows others: a row of u = G y + u0
+    TieForces,        ///< f - K u, which the constraints carry
     // of the force method (femoop/methods/force_method/force_method.h)
     Redundants,         ///< what is released, and how indeterminate the structure is without it
     State,              ///< forces of the primary structure under the loads, or under one redundant
@@ -39,7 +49,7 @@ enum class StepKind : std::uint8_t {
     RedundantEquations, ///< delta X = c - delta_0
     StateSuperposition  ///< S = S0 + X1 S1 + ..
 };
-inline constexpr std::size_t n_step_kinds = 22;
+inline constexpr std::size_t n_step_kinds = 30;
 
 /// Numbers as on paper, with what stands beside their rows and above their columns: names of displacements ("B.ux",
 /// "B.ux'"), of members, or symbols that courseware/reference/command-line.md explains.
@@ -55,9 +65,10 @@ struct Step {
     std::optional<NodeId> node;
     std::optional<CaseId> load_case; ///< whose numbers these are; none where loads do not matter
     std::vector<NamedMatrix> matrices;
-    bool is_whole = false;            ///< of equations: none is left out
-    std::vector<Eigen::Index> rows{}; ///< of the system, that it is about
-    std::size_t state = 0;            ///< of the force method: 0 of the loads, i of its i-th redundant
+    bool is_whole = false;                    ///< of equations: none is left out
+    std::vector<Eigen::Index> rows{};         ///< of the system, that it is about
+    std::size_t state = 0;                    ///< of the force method: 0 of the loads, i of its i-th redundant
+    std::optional<Renumbering> renumbering{}; ///< of Numbering
 };
 
 /// The way from the data to one number: every step with its numbers, the last of which is the number.
@@ -78,12 +89,14 @@ struct Derivation {
 /// Systems of no more unknowns are written as a whole.
 inline constexpr std::size_t most_unknowns_shown = 12;
 
-/// A member whose forces follow from a constraint, not from a stiffness, if the model has one: then nothing is derived.
-std::optional<MemberId> constrained_member(const Model& model);
-
 /// Through the same code that solves: femoop/analysis/trace.h, and `analyse` for a member between held ends.
 /// \param results  of the model
-/// \pre   no constrained member; the effect is sound (femoop/model/check/check.h, check_effect)
+/// \pre   the effect is sound (femoop/model/check/check.h, check_effect)
 Derivation derive(const Model& model, const Results& results, CaseId load_case, const MovingEffect& effect);
+
+/// The same of an envelope over these cases: of that whose value is the largest in magnitude; of equal ones the first.
+/// \pre   at least one case
+Derivation derive_governing(const Model& model, const Results& results, const std::vector<CaseId>& cases,
+                            const MovingEffect& effect);
 
 } // namespace femoop::derivation

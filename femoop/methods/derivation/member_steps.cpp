@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "femoop/element/analysis_model.h"
+#include "femoop/result/curve_reader.h"
 
 namespace femoop::derivation {
 
@@ -82,8 +83,10 @@ NamedMatrix MemberSteps::data() const
         if (is_stiff(value)) numbers.push_back({name, value});
     };
     if (!properties.xy.taper.is_prismatic()) return column("data", tapered_numbers(properties, trace_.length));
-    if (kind != AnalysisKind::Grillage) add("EA", properties.axial.EA);
-    if (!is_truss(kind)) {
+    if (kind != AnalysisKind::Grillage && !is_tied()) add("EA", properties.axial.EA);
+    if (trace_.constraint == Constraint::Rigid) {
+        add("foundation", properties.xy.foundation);
+    } else if (!is_truss(kind)) {
         if (twists) add("GJ", properties.torsion.EA);
         add(is_space ? "EIz" : "EI", properties.xy.EI);
         add(is_space ? "GAsy" : "GAs", 1.0 / properties.xy.shear_flexibility);
@@ -100,18 +103,19 @@ std::vector<NamedMatrix> MemberSteps::entries() const
     const MemberEndConditions* const ends = system_.structure().end_conditions_of(member_);
     const MemberProperties& properties = system_.structure().properties_of(member_);
     if ((ends != nullptr && ends->has_flexible_joint) || properties.xy.foundation > 0.0) return {};
-    if (!properties.xy.taper.is_prismatic()) return {};
+    if (!properties.xy.taper.is_prismatic() || trace_.constraint == Constraint::Rigid) return {};
     const AnalysisKind kind = system_.structure().kind;
     const bool is_bar = ends != nullptr && ends->is_bar;
     const double L = trace_.length;
     std::vector<NamedNumber> numbers;
-    if (kind != AnalysisKind::Grillage) numbers.push_back({"EA/L", properties.axial.EA / L});
+    if (kind != AnalysisKind::Grillage && !is_tied()) numbers.push_back({"EA/L", properties.axial.EA / L});
     if (!is_truss(kind) && !is_bar) {
         const bool twists = kind == AnalysisKind::Frame3d || kind == AnalysisKind::Grillage;
         if (twists && is_stiff(properties.torsion.EA)) numbers.push_back({"GJ/L", properties.torsion.EA / L});
         add_bending(numbers, properties.xy, L, is_3d(kind) ? "EIz" : "EI");
         if (is_3d(kind)) add_bending(numbers, properties.xz, L, "EIy");
     }
+    if (numbers.empty()) return {};
     return {column("entries", numbers)};
 }
 
@@ -119,7 +123,7 @@ std::vector<Step> MemberSteps::stiffness() const
 {
     std::vector<NamedMatrix> local = entries();
     local.push_back({"k'", trace_.own_dofs, trace_.own_dofs, trace_.local_stiffness});
-    NamedMatrix places{"place", trace_.dofs, {""}, Eigen::MatrixXd::Zero(2 * dofs_per_node(), 1)};
+    NamedMatrix places{"place", trace_.dofs, {""}, Eigen::MatrixXd(trace_.equations.size(), 1)};
     for (std::size_t i = 0; i < trace_.equations.size(); ++i)
         places.values(static_cast<Eigen::Index>(i), 0) = trace_.equations[i];
     return {{.kind = StepKind::Member, .member = member_, .matrices = {data()}},
@@ -143,14 +147,44 @@ Step MemberSteps::fixed_end_forces(CaseId load_case) const
             .rows = rows()};
 }
 
+Eigen::Index MemberSteps::dofs_per_node() const
+{
+    return static_cast<Eigen::Index>(model_dofs(system_.structure().kind).size());
+}
+
 Eigen::VectorXd MemberSteps::node_displacements(const CaseResult& result) const
 {
-    Eigen::VectorXd u(2 * dofs_per_node());
+    Eigen::VectorXd u(static_cast<Eigen::Index>(trace_.dofs.size()));
     for (Eigen::Index end = 0; end < 2; ++end) {
         const NodeId node = system_.model()[member_].nodes[static_cast<std::size_t>(end)];
         u.segment(end * dofs_per_node(), dofs_per_node()) = system_.in_node_axes(node, result.displacement(node));
     }
+    if (u.size() == 2 * dofs_per_node()) return u;
+    const Eigen::VectorXd unknowns = system_.unknowns_in(result);
+    for (Eigen::Index i = 2 * dofs_per_node(); i < u.size(); ++i)
+        u[i] = unknowns[trace_.equations[static_cast<std::size_t>(i)] - 1];
     return u;
+}
+
+Eigen::MatrixXd MemberSteps::end_force_parts(CaseId load_case, const CaseResult& result) const
+{
+    Eigen::MatrixXd parts(trace_.local_stiffness.rows(), is_tied() ? 4 : 3);
+    parts.col(0) = trace_.local_stiffness * (trace_.transformation * node_displacements(result));
+    parts.col(1) = trace_.fixed_end[load_case.index].local;
+    if (is_tied()) {
+        const auto tying = CurveReader(result).end_forces(member_, CurvePart::Constraint);
+        const Eigen::Index n = parts.rows() / 2;
+        const AnalysisKind kind = system_.structure().kind;
+        for (Eigen::Index end = 0; end < 2; ++end)
+            for (Eigen::Index i = 0; i < n; ++i) {
+                const auto place = static_cast<std::size_t>(i); // of a truss member x, y and z
+                const std::size_t axis = is_truss(kind) ? place : index(member_axes_of(kind)[place]);
+                parts(end * n + i, 2) = tying[static_cast<std::size_t>(end)][axis];
+            }
+    }
+    const Eigen::Index last = parts.cols() - 1;
+    parts.col(last) = parts.leftCols(last).rowwise().sum();
+    return parts;
 }
 
 Step MemberSteps::end_displacements(CaseId load_case, const CaseResult& result) const
@@ -166,14 +200,12 @@ Step MemberSteps::end_displacements(CaseId load_case, const CaseResult& result) 
 
 Step MemberSteps::end_forces(CaseId load_case, const CaseResult& result) const
 {
-    const Eigen::VectorXd moved = trace_.local_stiffness * (trace_.transformation * node_displacements(result));
-    const Eigen::VectorXd& loaded = trace_.fixed_end[load_case.index].local;
-    Eigen::MatrixXd values(moved.size(), 3);
-    values << moved, loaded, moved + loaded;
+    std::vector<std::string> columns{"k' u'", "f0'", "p'"};
+    if (is_tied()) columns = {"k' u'", "f0'", "c'", "p'"};
     return {.kind = StepKind::EndForces,
             .member = member_,
             .load_case = load_case,
-            .matrices = {{"p'", trace_.own_dofs, {"k' u'", "f0'", "p'"}, values}}};
+            .matrices = {{"p'", trace_.own_dofs, columns, end_force_parts(load_case, result)}}};
 }
 
 Eigen::Index MemberSteps::first_row(NodeId node) const
@@ -183,18 +215,24 @@ Eigen::Index MemberSteps::first_row(NodeId node) const
 
 Step MemberSteps::node_forces(NodeId node, CaseId load_case, const CaseResult& result) const
 {
-    const Eigen::VectorXd& loaded = trace_.fixed_end[load_case.index].global;
-    const Eigen::VectorXd moved = trace_.global_stiffness * node_displacements(result);
-    Eigen::MatrixXd values(moved.size(), 3);
-    values << moved, loaded, moved + loaded;
-    const Eigen::VectorXd part = values.col(2).segment(first_row(node), dofs_per_node());
-    std::vector<std::string> forces;
+    std::vector<std::string> forces, columns{"k u", "f0", "p"};
+    Eigen::MatrixXd values(2 * dofs_per_node(), 3);
+    if (is_tied()) {
+        columns = {"k u", "f0", "c", "p"};
+        values = trace_.to_nodes * end_force_parts(load_case, result);
+    } else {
+        const Eigen::VectorXd& loaded = trace_.fixed_end[load_case.index].global;
+        const Eigen::VectorXd moved = trace_.global_stiffness * node_displacements(result);
+        values << moved, loaded, moved + loaded;
+    }
+    const std::vector<std::string> rows(trace_.dofs.begin(), trace_.dofs.begin() + values.rows());
+    const Eigen::VectorXd part = values.rightCols(1).middleRows(first_row(node), dofs_per_node());
     for (const Dof dof : model_dofs(system_.structure().kind)) forces.emplace_back(force_name(dof));
     return {.kind = StepKind::NodeForces,
             .member = member_,
             .node = node,
             .load_case = load_case,
-            .matrices = {{"p", trace_.dofs, {"k u", "f0", "p"}, values},
+            .matrices = {{"p", rows, columns, values},
                          {"p at the node", forces, {""}, system_.in_global_axes(node, part)}}};
 }
 

@@ -22,14 +22,18 @@ public:
     /// Forces of the nodes on the member, and the part that one of them takes, both in global axes.
     Step node_forces(NodeId node, CaseId load_case, const CaseResult& result) const;
 
+    bool is_tied() const { return trace_.constraint != Constraint::None; } ///< inextensible or rigid
     const MemberTrace& trace() const { return trace_; }
     std::vector<Eigen::Index> rows() const; ///< of the system, that it has a part in
     /// Where a node's rows begin among the member's; a member may begin and end at other nodes alone.
     Eigen::Index first_row(NodeId node) const;
 
 private:
-    Eigen::Index dofs_per_node() const { return static_cast<Eigen::Index>(trace_.dofs.size() / 2); }
-    Eigen::VectorXd node_displacements(const CaseResult& result) const; ///< in the axes of the nodes
+    Eigen::Index dofs_per_node() const;
+    /// In the axes of the nodes; then of ends behind joints, of a tied member.
+    Eigen::VectorXd node_displacements(const CaseResult& result) const;
+    /// Forces on its ends along the rows of its own axes: of their motion, of loads, of what ties it; and their sum.
+    Eigen::MatrixXd end_force_parts(CaseId load_case, const CaseResult& result) const;
     NamedMatrix data() const;
     std::vector<NamedMatrix> entries() const;
 

@@ -4,26 +4,14 @@
 #include <array>
 #include <cstdint>
 #include <numeric>
-#include <vector>
 
-#include "femoop/solver/ordering.h"
+#include "femoop/solver/trace/elimination_walk.h"
 
 namespace femoop::derivation {
 
 namespace {
 
 using Places = std::vector<std::int32_t>; ///< of each unknown in the matrix
-
-/// The block of each unknown: those of one node stand one after the other.
-Places blocks_of(const SystemTrace& system)
-{
-    Places blocks;
-    for (std::size_t i = 0; i < system.unknowns.size(); ++i) {
-        const bool begins = i > 0 && system.unknowns[i].node != system.unknowns[i - 1].node;
-        blocks.push_back(i == 0 ? 0 : blocks.back() + (begins ? 1 : 0));
-    }
-    return blocks;
-}
 
 template <class Visit> void each_entry(const SparseMatrix& K, Visit&& visit)
 {
@@ -32,31 +20,36 @@ template <class Visit> void each_entry(const SparseMatrix& K, Visit&& visit)
             if (entry.value() != 0.0) visit(static_cast<std::size_t>(entry.row()), static_cast<std::size_t>(column));
 }
 
-BlockGraph graph_of(const SystemTrace& system, const Places& blocks)
+Places as_counted(std::size_t n)
+{
+    Places places(n);
+    std::iota(places.begin(), places.end(), 0);
+    return places;
+}
+
+Places inverse(const Places& places)
+{
+    Places order(places.size());
+    for (std::size_t i = 0; i < places.size(); ++i)
+        order[static_cast<std::size_t>(places[i])] = static_cast<std::int32_t>(i);
+    return order;
+}
+
+/// Every unknown a block of its own.
+BlockGraph graph_of(const SparseMatrix& K)
 {
     BlockGraph graph;
-    graph.block_sizes.assign(blocks.empty() ? 0 : static_cast<std::size_t>(blocks.back()) + 1, 0);
-    for (const std::int32_t block : blocks) ++graph.block_sizes[static_cast<std::size_t>(block)];
-    each_entry(system.K, [&](std::size_t row, std::size_t column) {
-        if (blocks[row] < blocks[column]) graph.add_clique(std::array{blocks[row], blocks[column]});
+    graph.block_sizes.assign(static_cast<std::size_t>(K.cols()), 1);
+    each_entry(K, [&](std::size_t row, std::size_t column) {
+        if (row > column)
+            graph.add_clique(std::array{static_cast<std::int32_t>(column), static_cast<std::int32_t>(row)});
     });
     return graph;
 }
 
-Places placed(const Places& blocks, const std::vector<std::int32_t>& order)
-{
-    Places places(blocks.size());
-    std::int32_t next = 0;
-    for (const std::int32_t block : order)
-        for (std::size_t i = 0; i < blocks.size(); ++i)
-            if (blocks[i] == block) places[i] = next++;
-    return places;
-}
-
 Reach reach(const SparseMatrix& K, const Places& places)
 {
-    std::vector<std::int32_t> first(places.size());
-    std::iota(first.begin(), first.end(), 0);
+    Places first = as_counted(places.size());
     each_entry(K, [&](std::size_t row, std::size_t column) {
         std::int32_t& least = first[static_cast<std::size_t>(places[row])];
         least = std::min(least, places[column]);
@@ -67,19 +60,50 @@ Reach reach(const SparseMatrix& K, const Places& places)
         reach.half_bandwidth = std::max(reach.half_bandwidth, length);
         reach.profile += length;
     }
+    const BlockGraph graph = graph_of(K);
+    reach.factor = walk_elimination(graph, BlockAdjacency(graph), inverse(places), WalkDetail::Counts).counts.n_entries;
     return reach;
+}
+
+SystemTrace ordered(const SystemTrace& system, const Places& places)
+{
+    const SparseMatrix K = system.solved_matrix();
+    Eigen::MatrixXd f = system.f;
+    if (system.ties) f = system.ties->G.transpose() * (system.f - system.K * system.ties->u0);
+    Eigen::PermutationMatrix<Eigen::Dynamic> to_order(K.rows());
+    SystemTrace other{.unknowns = std::vector<SystemTrace::Unknown>(places.size()), .K = {}, .f = {}};
+    for (std::size_t i = 0; i < places.size(); ++i) {
+        const std::size_t unknown = system.ties ? static_cast<std::size_t>(system.ties->independent[i]) : i;
+        other.unknowns[static_cast<std::size_t>(places[i])] = system.unknowns[unknown];
+        to_order.indices()[static_cast<Eigen::Index>(i)] = places[i];
+    }
+    other.f = to_order * f;
+    other.K = K.selfadjointView<Eigen::Lower>().twistedBy(to_order);
+    return other;
 }
 
 } // namespace
 
+bool Renumbering::is_same_order() const { return place == as_counted(place.size()); }
+
+bool Renumbering::is_no_gain() const
+{
+    return given.half_bandwidth == solved.half_bandwidth && given.profile == solved.profile &&
+           given.factor == solved.factor;
+}
+
 Renumbering renumbering_of(const SystemTrace& system)
 {
-    const Places blocks = blocks_of(system);
-    Places on_paper(blocks.size());
-    std::iota(on_paper.begin(), on_paper.end(), 0);
-    const BlockAdjacency adjacency(graph_of(system, blocks));
-    const Places renumbered = placed(blocks, elimination_order(adjacency, Ordering::CuthillMcKee));
-    return {reach(system.K, on_paper), reach(system.K, renumbered)};
+    const SparseMatrix K = system.solved_matrix();
+    return {.given = reach(K, as_counted(system.place.size())),
+            .solved = reach(K, system.place),
+            .solver = system.solver,
+            .ordering = system.ordering,
+            .place = system.place};
 }
+
+SystemTrace as_given(const SystemTrace& system) { return ordered(system, as_counted(system.place.size())); }
+
+SystemTrace as_eliminated(const SystemTrace& system) { return ordered(system, system.place); }
 
 } // namespace femoop::derivation

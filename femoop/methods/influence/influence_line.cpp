@@ -149,9 +149,11 @@ double along_member(const MovingEffect& effect, const Curve& curve)
 
 } // namespace
 
+double effect_in(const MovingEffect& effect, const Curve& curve) { return along_member(effect, curve); }
+
 double effect_in(const MovingEffect& effect, const CaseResult& result)
 {
-    if (effect.member) return along_member(effect, result.curve(*effect.member));
+    if (effect.member) return effect_in(effect, result.curve(*effect.member));
     const NodeVector all = effect.quantity == ExpectedQuantity::Reaction ? result.reaction(*effect.node)
                                                                          : result.displacement(*effect.node);
     return all[index(*effect.dof)];

@@ -46,6 +46,7 @@ std::vector<LineStation> stations(const InfluenceLine& line, std::size_t n);
 
 /// What an effect is in a case. At a jump the side that it names, else the + side; at its member's end the - side.
 double effect_in(const MovingEffect& effect, const CaseResult& result);
+double effect_in(const MovingEffect& effect, const Curve& curve); ///< \pre of a member; the curve is its
 
 /// Influence lines of one structure, which is analysed once: then a line costs a back substitution.
 ///

@@ -3,6 +3,8 @@
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
+
 #include "apps/drawing/results/diagram.h"
 #include "femoop/analysis/linear_static.h"
 #include "femoop/element/analysis_model.h"
@@ -27,6 +29,13 @@ Derivation moment(const femoop::Model& model, const std::string& member, double 
     return derived(model,
                    {.member = model.find_member(member), .component = MemberComponent::Mz, .at = femoop::Quantity(x)},
                    load_case);
+}
+
+femoop::NodeId supported(const femoop::Model& model)
+{
+    const auto found = std::ranges::find_if(model.nodes,
+                                            [](const femoop::Node& node) { return node.support.has_value(); });
+    return femoop::NodeId(static_cast<std::size_t>(found - model.nodes.begin()));
 }
 
 DerivationLook look(ui::ThemeName theme, std::size_t step, ui::Language language = ui::Language::English)
@@ -60,7 +69,7 @@ TEST_SUITE("frame: where a number comes from")
     {
         const femoop::Model portal = view_test::example("portal");
         check_picture("derivation_equations_dark", portal, moment(portal, "AB", 0.0, "W"), {1280.0, 380.0},
-                      look(ui::ThemeName::Dark, 5));
+                      look(ui::ThemeName::Dark, 7));
     }
 
     TEST_CASE("On a projector in Portuguese: the value by superposition")
@@ -91,10 +100,26 @@ TEST_SUITE("frame: where a number comes from")
                       look(ui::ThemeName::Print, 0));
     }
 
+    TEST_CASE("The numbering as it is given and as the solver eliminates, on a projector in Portuguese")
+    {
+        const femoop::Model storeys = view_test::example("storey_frame");
+        check_picture("derivation_numbering_projector_pt", storeys,
+                      moment(storeys, storeys.members[0].id, 0.0, storeys.load_cases[0].id), {1280.0, 560.0},
+                      look(ui::ThemeName::Projector, 4, ui::Language::Portuguese));
+    }
+
+    TEST_CASE("The displacements that inextensible members tie to one another")
+    {
+        const femoop::Model portal = view_test::example("portal_kleinlogel");
+        check_picture("derivation_ties", portal, moment(portal, "AB", 2.0, "W"), {1280.0, 380.0},
+                      look(ui::ThemeName::Light, 4));
+    }
+
     TEST_CASE("Every step of every kind of number is drawn, its words on the sheet that it asks for")
     {
         const ui::Fonts fonts;
-        for (const char* name : {"portal", "pratt_truss", "grillage", "storey_frame", "inclined_roller"}) {
+        for (const char* name :
+             {"portal", "pratt_truss", "grillage", "storey_frame", "inclined_roller", "portal_kleinlogel"}) {
             const femoop::Model model = view_test::example(name);
             const MemberComponent component = femoop::is_truss(model.analysis) ? MemberComponent::N
                                                                                : MemberComponent::Mz;
@@ -103,6 +128,9 @@ TEST_SUITE("frame: where a number comes from")
                 {.quantity = femoop::ExpectedQuantity::Extreme, .member = femoop::MemberId(0), .component = component},
                 {.quantity = femoop::ExpectedQuantity::Displacement,
                  .node = femoop::NodeId(1),
+                 .dof = femoop::model_dofs(model.analysis).front()},
+                {.quantity = femoop::ExpectedQuantity::Reaction,
+                 .node = supported(model),
                  .dof = femoop::model_dofs(model.analysis).front()}};
             for (const femoop::MovingEffect& effect : effects) {
                 const Derivation derivation = derived(model, effect,

@@ -24,7 +24,8 @@ using ui::Role;
 namespace {
 
 constexpr double panel_margin = 12.0;
-constexpr double map_share = 0.34;                                  // of the sheet's width, at most
+constexpr double map_share = 0.34; // of the sheet's width, at most
+constexpr double two_maps_share = 0.6;
 constexpr std::array sizes{1.25, 1.12, 1.0, 0.92, 0.84, 0.76, 0.7}; // of the theme's type, the first that fits
 
 /// One step laid out on a sheet.
@@ -62,13 +63,20 @@ public:
         }
         if (has_no_map()) return;
         const double left = sheet_.width - panel_margin - map_width();
-        draw_stiffness_map(painter, derivation_, step_, model_, look_,
-                           {{left, panel_margin}, {sheet_.width - panel_margin, sheet_.height - panel_margin}});
+        const auto draw_map = is_numbering() ? draw_numbering : draw_stiffness_map;
+        draw_map(painter, derivation_, step_, model_, look_,
+                 {{left, panel_margin}, {sheet_.width - panel_margin, sheet_.height - panel_margin}});
     }
 
 private:
     bool has_no_map() const { return !derivation_.redundants.empty(); } ///< the force method has no K
-    double map_width() const { return has_no_map() ? 0.0 : std::min(map_share * sheet_.width, 1.25 * sheet_.height); }
+    bool is_numbering() const { return step_.kind == StepKind::Numbering; }
+    double map_width() const
+    {
+        if (has_no_map()) return 0.0;
+        if (is_numbering()) return std::min(two_maps_share * sheet_.width, 2.2 * sheet_.height);
+        return std::min(map_share * sheet_.width, 1.25 * sheet_.height);
+    }
     double room_right() const { return sheet_.width - map_width() - 3.0 * panel_margin; }
 
     ui::TextStyle title_style() const

@@ -31,10 +31,10 @@ public:
     {
         small_ = look.theme.type().small;
         for (const femoop::SystemTrace::Unknown& unknown : system.unknowns)
-            names_.push_back(std::to_string(names_.size() + 1) + "  " + model[unknown.node].id + "." +
-                             std::string(name(unknown.dof)));
+            names_.push_back(std::to_string(names_.size() + 1) + "  " + femoop::unknown_name(model, unknown));
         double names = 0.0;
         for (const std::string& text : names_) names = std::max(names, painter.measure(text, faint()).width + 6.0);
+        widest_ = painter.measure(std::to_string(names_.size()), faint()).width;
         const double head = 2.6 * small_, columns = n() + (step.load_case ? 1.6 : 0.0);
         const auto side = [&](double margin) {
             return std::min((box.width() - margin) / columns, (box.height() - head) / n());
@@ -66,7 +66,11 @@ private:
     double n() const { return static_cast<double>(system_.unknowns.size()); }
     static double scale(double largest) { return largest > 0.0 ? largest : 1.0; }
     bool is_of_member() const { return step_.kind == StepKind::Stiffness; }
-    bool is_of_loads() const { return step_.kind == StepKind::FixedEndForces || step_.kind == StepKind::LoadRow; }
+    bool is_of_loads() const
+    {
+        return step_.kind == StepKind::FixedEndForces || step_.kind == StepKind::LoadRow ||
+               step_.kind == StepKind::RightHandSide;
+    }
 
     ui::TextStyle faint(Anchor anchor = Anchor::Right) const
     {
@@ -144,9 +148,18 @@ private:
             if (is_lit) style.color = look_.theme[Role::Selection].text;
             if (is_lit) style.weight = ui::Weight::Bold;
             painter_.text({corner_.x - 4.0, at(i, 0).center().y}, names_[static_cast<std::size_t>(i)], style);
+            if ((i + 1) % column_stride() != 0) continue;
             style.anchor = Anchor::Bottom;
             painter_.text({at(0, i).center().x, corner_.y - 2.0}, std::to_string(i + 1), style);
         }
+    }
+
+    /// Every so many columns bear their number: as many as do not touch.
+    Index column_stride() const
+    {
+        for (const Index stride : {1, 2, 5, 10, 20})
+            if (static_cast<double>(stride) * cell_ > widest_ + 0.4 * small_) return stride;
+        return 50;
     }
 
     void draw_mark(Index row) const
@@ -167,6 +180,7 @@ private:
     const femoop::Model& model_;
     const DerivationLook& look_;
     double small_ = 0.0, cell_ = 0.0;
+    double widest_ = 0.0; ///< of the numbers above the columns
     Point corner_;
     bool has_names_ = false;
     std::vector<std::string> names_; ///< "4  B.ux"
@@ -182,17 +196,6 @@ void write(ui::Painter& painter, const std::string& text, const ui::TextStyle& s
     }
 }
 
-std::string renumbering_text(const femoop::SystemTrace& system, const ui::Catalogue& tr)
-{
-    const auto [now, then] = femoop::derivation::renumbering_of(system);
-    return tr("half bandwidth {width}, profile {profile}; nodes in reverse Cuthill–McKee order: {other_width}, "
-              "{other_profile}",
-              {{"width", std::to_string(now.half_bandwidth)},
-               {"profile", std::to_string(now.profile)},
-               {"other_width", std::to_string(then.half_bandwidth)},
-               {"other_profile", std::to_string(then.profile)}});
-}
-
 /// Why K is not drawn; nothing where it is.
 std::string why_no_map(std::size_t n, const ui::Catalogue& tr)
 {
@@ -202,22 +205,66 @@ std::string why_no_map(std::size_t n, const ui::Catalogue& tr)
               {{"count", std::to_string(n)}, {"most", std::to_string(most_unknowns_mapped)}});
 }
 
+/// The rows of a step among the equations that ties leave.
+std::vector<Index> solved_rows(const femoop::SystemTrace& system, const std::vector<Index>& rows)
+{
+    if (!system.ties) return rows;
+    std::vector<Index> solved;
+    for (std::size_t i = 0; i < system.ties->independent.size(); ++i)
+        if (std::ranges::find(rows, system.ties->independent[i]) != rows.end()) solved.push_back(static_cast<Index>(i));
+    return solved;
+}
+
+/// What is solved, its unknowns where `place` puts them; the step's rows are marked.
+void draw_order(ui::Painter& painter, const femoop::SystemTrace& system, const std::vector<Index>& rows,
+                const femoop::Model& model, const DerivationLook& look, const ui::Box& box, const std::string& title)
+{
+    ui::TextStyle style = look.theme.text(Role::Label, Anchor::TopLeft);
+    const std::size_t end = title.find('\n');
+    write(painter, title.substr(0, end), style, box);
+    write(painter, title.substr(end + 1), style, {box.min + Point{0.0, 1.35 * style.size}, box.max});
+    Step lit;
+    lit.kind = StepKind::Stiffness;
+    lit.rows = rows;
+    StiffnessMap(painter, system, lit, model, look, {box.min + Point{0.0, 2.9 * style.size}, box.max}).draw();
+}
+
 } // namespace
 
 void draw_stiffness_map(ui::Painter& painter, const femoop::derivation::Derivation& derivation, const Step& step,
                         const femoop::Model& model, const DerivationLook& look, const ui::Box& box)
 {
-    ui::TextStyle style = look.theme.text(Role::FaintLabel, Anchor::TopLeft);
-    const std::string reason = why_no_map(derivation.system.unknowns.size(), look.tr);
-    if (!reason.empty()) return write(painter, reason, style, box);
-    style.size = look.theme.type().small;
-    const std::string note = renumbering_text(derivation.system, look.tr);
-    const double height = 0.6 * style.size +
-                          1.35 * style.size *
-                              static_cast<double>(ui::wrapped_lines(painter.fonts(), note, style, box.width()).size());
-    const StiffnessMap map(painter, derivation.system, step, model, look, {box.min, box.max - Point{0.0, height}});
-    map.draw();
-    write(painter, note, style, {{box.min.x, map.bottom() + 0.5 * style.size}, box.max});
+    const bool is_reduced = step.kind == StepKind::ReducedEquations;
+    const femoop::SystemTrace reduced = is_reduced ? femoop::derivation::as_given(derivation.system)
+                                                   : femoop::SystemTrace{};
+    const femoop::SystemTrace& system = is_reduced ? reduced : derivation.system;
+    const std::string reason = why_no_map(system.unknowns.size(), look.tr);
+    if (!reason.empty()) return write(painter, reason, look.theme.text(Role::FaintLabel, Anchor::TopLeft), box);
+    Step shown = step;
+    if (is_reduced) {
+        shown.kind = StepKind::Equations;
+        shown.rows = solved_rows(derivation.system, step.rows);
+    }
+    StiffnessMap(painter, system, shown, model, look, box).draw();
+}
+
+void draw_numbering(ui::Painter& painter, const femoop::derivation::Derivation& derivation, const Step& step,
+                    const femoop::Model& model, const DerivationLook& look, const ui::Box& box)
+{
+    const femoop::derivation::Renumbering& order = *step.renumbering;
+    const std::string reason = why_no_map(order.place.size(), look.tr);
+    if (!reason.empty()) return write(painter, reason, look.theme.text(Role::FaintLabel, Anchor::TopLeft), box);
+    const std::vector<Index> given = solved_rows(derivation.system, step.rows);
+    std::vector<Index> eliminated;
+    for (const Index row : given) eliminated.push_back(order.place[static_cast<std::size_t>(row)]);
+    const double gap = look.theme.type().normal, half = 0.5 * (box.width() - gap);
+    const auto title = [&](const std::string& what, const femoop::derivation::Reach& reach) {
+        return what + "\n" + look.tr("half bandwidth {width}", {{"width", std::to_string(reach.half_bandwidth)}});
+    };
+    draw_order(painter, femoop::derivation::as_given(derivation.system), given, model, look,
+               {box.min, {box.min.x + half, box.max.y}}, title(look.tr("numbered as given"), order.given));
+    draw_order(painter, femoop::derivation::as_eliminated(derivation.system), eliminated, model, look,
+               {{box.max.x - half, box.min.y}, box.max}, title(look.tr("in the solver's order"), order.solved));
 }
 
 } // namespace frame
