@@ -113,16 +113,26 @@ std::string member_sentence(const Member& member, const Translator& tr)
     return text;
 }
 
+/// Numbers of several kinds below one another, such as a length and a stiffness: each has its own digits.
+bool is_of_several_kinds(const Step& step, const NamedMatrix& matrix)
+{
+    const bool is_property = step.kind == StepKind::Member || step.kind == StepKind::LocalStiffness ||
+                             step.kind == StepKind::Reaction;
+    return is_property && matrix.columns.size() == 1 && notation_of(step, matrix) == Notation::List;
+}
+
 /// One column bears its name, or the matrix'; more stand below that.
-std::string matrix_text(const NamedMatrix& matrix, const Translator& tr)
+std::string matrix_text(const Step& step, const NamedMatrix& matrix, const Translator& tr)
 {
     const bool is_column = matrix.columns.size() == 1;
     std::vector<std::string> columns = symbol_texts(matrix.columns, tr);
     const std::string symbol = symbol_text(matrix.symbol, tr);
     if (is_column && columns[0].empty()) columns[0] = symbol;
-    return (is_column ? std::string() : symbol + "\n") +
-           tabular::plain_text(matrix_table(symbol_texts(matrix.rows, tr), columns, matrix.values),
-                               {indent, decimal_mark(tr)});
+    tabular::Table table = matrix_table(symbol_texts(matrix.rows, tr), columns, matrix.values);
+    if (is_of_several_kinds(step, matrix))
+        for (tabular::Row& row : table.rows)
+            row.cells[1] = tabular::Cell(*row.cells[1].number, six_digits(*row.cells[1].number, tr));
+    return (is_column ? std::string() : symbol + "\n") + tabular::plain_text(table, {indent, decimal_mark(tr)});
 }
 
 } // namespace
@@ -359,7 +369,7 @@ std::string derivation_text(const Derivation& derivation, const Model& model, co
             text += "\n" + fill(tr("Load case {0}"), {model.case_name(*step.load_case)}) + "\n";
         if (step.load_case) last = step.load_case;
         text += "\n" + std::to_string(i + 1) + ". " + sentence(step, model, tr) + "\n";
-        for (const NamedMatrix& matrix : step.matrices) text += matrix_text(matrix, tr);
+        for (const NamedMatrix& matrix : step.matrices) text += matrix_text(step, matrix, tr);
     }
     return text + closing_text(derivation, tr);
 }

@@ -372,6 +372,16 @@ TEST_SUITE("derivation")
             }
     }
 
+    TEST_CASE("A length keeps its digits beside a stiffness")
+    {
+        Model model = propped_beam();
+        model.nodes[1].at[0] = Quantity(4.25);
+        const std::string text = derivation_text(derived(model, along(MemberComponent::Mz, Percent{50.0})), model,
+                                                 english);
+        CHECK(text.find(" 4.25\n") != std::string::npos);
+        CHECK(text.find(" 2e+06\n") != std::string::npos);
+    }
+
     TEST_CASE("As LaTeX a derivation has every step, its matrices in brackets, and its own entries of K in bold")
     {
         const Model beam = propped_beam();
