@@ -221,7 +221,14 @@ void DerivationShow::choose(std::size_t forward)
     };
     const auto now = static_cast<std::size_t>(std::ranges::find_if(choices_, is_asked) - choices_.begin());
     const MovingEffect& next = choices_[(now + forward) % choices_.size()];
-    asked_->effect.quantity = next.quantity;
+    const bool was_extreme = asked_->effect.quantity == ExpectedQuantity::Extreme && derivation_;
+    if (was_extreme) { // the others are those at its place, not extremes elsewhere
+        asked_->effect.at = derivation_->effect.at;
+        asked_->effect.side = derivation_->effect.side;
+    }
+    asked_->effect.quantity = !was_extreme                       ? next.quantity
+                              : is_displacement(*next.component) ? ExpectedQuantity::Displacement
+                                                                 : ExpectedQuantity::SectionForce;
     asked_->effect.component = next.component;
     asked_->effect.dof = next.dof;
     made_for_.reset();

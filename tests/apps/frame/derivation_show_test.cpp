@@ -84,6 +84,19 @@ TEST_SUITE("frame session")
         CHECK(explained(workspace) == "ux(A)");
     }
 
+    TEST_CASE("From an extreme one walks to the other numbers of its place")
+    {
+        Workspace workspace = workspace_with("portal.json");
+        MovingEffect extreme = moment(workspace.session, "BC", 0.0);
+        extreme.quantity = ExpectedQuantity::Extreme;
+        extreme.at.reset();
+        explain(workspace, extreme);
+        CHECK(!run(workspace, "derivation.previous_number"));
+        CHECK(explained(workspace) == "V(BC, 4)");
+        CHECK(!run(workspace, "derivation.next_number"));
+        CHECK(explained(workspace) == "M(BC, 4)");
+    }
+
     TEST_CASE("What is explained follows an edit, and the case that is shown")
     {
         Workspace workspace = workspace_with("portal.json");
