@@ -19,7 +19,7 @@ Reason needs_virtual_work(const Workspace& workspace)
     return translatable("no virtual work is shown; press Shift+P and click a node or a member");
 }
 
-void choose_next(Workspace& workspace)
+void choose_next_displacement(Workspace& workspace)
 {
     AskedWork& asked = workspace.session.virtual_work;
     const femoop::Model& model = workspace.session.model();
@@ -64,7 +64,7 @@ void begin_virtual_work(Workspace& workspace)
 const drawing::WorkPicture* shown_work(const Session& session)
 {
     const bool is_seen = !session.hidden && session.shown_results() != nullptr && !session.view.is_envelope &&
-                         !session.cremona.is_on() && !session.influence.is_on(session.model());
+                         !session.truss.is_on() && !session.influence.is_on(session.model());
     if (!is_seen || !session.virtual_work.is_on(session.model())) return nullptr;
     return session.virtual_work.picture(session.model(), session.solution(), session.generation(), session.view);
 }
@@ -74,7 +74,7 @@ void add_virtual_work_commands(CommandTable& table)
     Menu menu(table, translatable("View"));
     menu.step(
         {"view.virtual_work.next", translatable("The next displacement of the place"), {{Key::P, ui::ctrl_shift}}},
-        choose_next, needs_virtual_work);
+        choose_next_displacement, needs_virtual_work);
     menu.step(
         {"view.virtual_work.close", translatable("Close the virtual work")},
         [](Workspace& workspace) { workspace.session.virtual_work.clear(); }, needs_virtual_work);
