@@ -12,6 +12,7 @@
 #include "apps/cli/argument.h"
 #include "apps/cli/asked_effect.h"
 #include "apps/cli/model_input.h"
+#include "apps/cli/moving_picture.h"
 #include "femoop/io/influence/influence_block.h"
 #include "femoop/io/influence/influence_json.h"
 #include "femoop/methods/influence/influence_line.h"
@@ -46,7 +47,7 @@ private:
     std::vector<std::string> lines_;
     std::optional<std::string> path_;
     AskedEffect asked_;
-    bool is_json_ = false;
+    bool is_json_ = false, is_described_ = false;
 };
 
 HelpText Influence::help(const ui::Catalogue& tr) const
@@ -83,6 +84,7 @@ void Influence::declare(CLI::App& app, const ui::Catalogue& tr)
                       "a jump has two"))
         ->option_text("N");
     app.add_flag("--json", is_json_, tr("print JSON with every digit instead of tables"));
+    app.add_flag("--describe", is_described_, tr("print sentences instead of tables: for a screen reader"));
 }
 
 std::vector<InfluenceLineDefinition> Influence::of_file(const Model& model, const Console& console) const
@@ -132,6 +134,12 @@ std::string Influence::output(const Model& model, const std::vector<InfluenceLin
     const auto n = static_cast<std::size_t>(whole_number("--stations", stations_, {2, 100000}, console.tr()));
     const femoop::influence::InfluenceLines found = femoop::influence::influence_lines(model, definitions);
     console.report(display_name(file_, console.tr()), found.warnings);
+    if (is_described_) {
+        std::string words;
+        for (std::size_t i = 0; i < found.lines.size(); ++i)
+            words += line_in_words(model, definitions[i], found.lines[i], console.tr());
+        return words;
+    }
     return is_json_ ? femoop::influence::lines_json(model, definitions, found.lines, n)
                     : femoop::influence::lines_text(model, definitions, found.lines, n, console.tr());
 }
@@ -141,6 +149,7 @@ ExitStatus Influence::run(Console& console)
     const ui::Catalogue& tr = console.tr();
     if (file_.empty()) throw no_file("influence", tr);
     asked_.require_sensible(tr);
+    if (is_json_ && is_described_) throw ask_for_different_things("--json", "--describe", tr);
     if (asked_.is_asked() && !lines_.empty()) throw ask_for_different_things("--line", asked_.option(), tr);
     const std::optional<Model> model = load_model(file_, console);
     if (!model) return ExitStatus::BadInput;

@@ -77,7 +77,7 @@ std::string faces_text(const Drawing& drawing, const ui::Catalogue& tr)
     return text + "\n" + tabular::plain_text(table, {2, femoop::decimal_mark(tr)});
 }
 
-class Mesh : public Subcommand {
+class MeshRegions : public Subcommand {
 public:
     std::string_view name() const override { return "mesh"; }
     HelpText help(const ui::Catalogue& tr) const override;
@@ -89,7 +89,7 @@ private:
     bool shows_regions_ = false, is_json_ = false;
 };
 
-HelpText Mesh::help(const ui::Catalogue& tr) const
+HelpText MeshRegions::help(const ui::Catalogue& tr) const
 {
     return {
         tr("recognise the regions that a plane model's curves close"),
@@ -101,7 +101,7 @@ HelpText Mesh::help(const ui::Catalogue& tr) const
          {"cremona mesh examples/plate.json --regions --json", tr("The same for a program.")}}};
 }
 
-void Mesh::declare(CLI::App& app, const ui::Catalogue& tr)
+void MeshRegions::declare(CLI::App& app, const ui::Catalogue& tr)
 {
     app.add_option("FILE", file_, tr("the model file; - is standard input"))->option_text(" ");
     app.add_flag("--regions", shows_regions_,
@@ -109,7 +109,7 @@ void Mesh::declare(CLI::App& app, const ui::Catalogue& tr)
     app.add_flag("--json", is_json_, tr("print JSON with every digit instead of tables"));
 }
 
-ExitStatus Mesh::run(Console& console)
+ExitStatus MeshRegions::run(Console& console)
 {
     const ui::Catalogue& tr = console.tr();
     if (file_.empty()) throw no_file("mesh", tr);
@@ -135,6 +135,6 @@ ExitStatus Mesh::run(Console& console)
 
 } // namespace
 
-std::unique_ptr<Subcommand> mesh_command() { return std::make_unique<Mesh>(); }
+std::unique_ptr<Subcommand> mesh_command() { return std::make_unique<MeshRegions>(); }
 
 } // namespace cli

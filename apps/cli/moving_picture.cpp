@@ -10,6 +10,7 @@
 #include "apps/cli/argument.h"
 #include "apps/drawing/draw.h"
 #include "apps/drawing/results/influence_picture.h"
+#include "apps/drawing/results/influence_words.h"
 #include "apps/drawing/results/train_picture.h"
 #include "apps/drawing/sketch/scene.h"
 #include "femoop/analysis/linear_static.h"
@@ -102,6 +103,7 @@ MovingEffect foremost_effect(TrainAnalysis& analysis, const Model& model, const 
 struct Standing {
     MovingEffect effect;
     drawing::StandingTrain train;
+    femoop::influence::WorstPlacings worst;
 };
 
 double length_of(const MovingTrain& train, const std::vector<double>& spacings)
@@ -135,11 +137,11 @@ public:
         if (standing.effect.quantity == ExpectedQuantity::Extreme)
             standing.effect = worst_of(analysis_, train_, standing.effect).effect;
         const auto search = analysis_.search(train_, standing.effect);
-        const femoop::influence::WorstPlacings worst = search.worst();
-        const bool is_max = std::abs(worst.max.value) >= std::abs(worst.min.value);
+        standing.worst = search.worst();
+        const bool is_max = std::abs(standing.worst.max.value) >= std::abs(standing.worst.min.value);
         standing.train = {.name = train_.id,
                           .train = femoop::influence::moving_train(train_, standing.effect),
-                          .placing = is_max ? worst.max : worst.min,
+                          .placing = is_max ? standing.worst.max : standing.worst.min,
                           .kind = is_max ? ExtremeKind::Max : ExtremeKind::Min};
         if (position) stand_at(standing.train, search, *position);
         return standing;
@@ -155,10 +157,7 @@ public:
         order.view.show.insert(Show::Influence);
         order.view.load_case = femoop::CaseId(0);
         order.view.is_envelope = false;
-        drawing::InfluencePicture picture{.path = analysis_.path(train_),
-                                          .load = femoop::influence::unit_load(model_.analysis, train_.load),
-                                          .line = analysis_.line(train_, standing.effect)};
-        stand_on(picture, standing.train);
+        drawing::InfluencePicture picture = line_under(standing);
         picture.sentences = train_sentences(model_, order.view, picture, standing.train);
         Model loaded = analysis_.unloaded();
         loaded.load_cases = {
@@ -169,7 +168,25 @@ public:
         return ExitStatus::Done;
     }
 
+    std::string words(const Standing& standing)
+    {
+        const drawing::InfluencePicture picture = line_under(standing);
+        const drawing::DrawOptions options = draw_options(console_.tr());
+        console_.report(file_, analysis_.warnings());
+        return influence_words(model_, options, picture) +
+               train_words(model_, options, picture, standing.train, standing.worst);
+    }
+
 private:
+    drawing::InfluencePicture line_under(const Standing& standing)
+    {
+        drawing::InfluencePicture picture{.path = analysis_.path(train_),
+                                          .load = femoop::influence::unit_load(model_.analysis, train_.load),
+                                          .line = analysis_.line(train_, standing.effect)};
+        stand_on(picture, standing.train);
+        return picture;
+    }
+
     void stand_at(drawing::StandingTrain& standing, const femoop::influence::TrainSearch& search,
                   const std::string& text) const
     {
@@ -215,6 +232,23 @@ ExitStatus draw_line(const Model& model, const InfluenceLineDefinition& definiti
 }
 
 } // namespace
+
+std::string line_in_words(const Model& model, const InfluenceLineDefinition& definition,
+                          const femoop::influence::InfluenceLine& line, const ui::Catalogue& tr)
+{
+    const drawing::InfluencePicture picture{
+        .path = femoop::influence::lay_out(model, femoop::influence::members_of(model, definition.path)),
+        .load = femoop::influence::unit_load(model.analysis, definition.load),
+        .line = line};
+    return influence_words(model, draw_options(tr), picture);
+}
+
+std::string train_in_words(const Model& model, const femoop::Train& train, const std::optional<MovingEffect>& asked,
+                           const std::string& file, const Console& console)
+{
+    TrainDrawing drawing(model, train, file, console);
+    return drawing.words(drawing.standing(asked, {}));
+}
 
 void MovingPicture::declare(CLI::App& app, const ui::Catalogue& tr)
 {

@@ -12,6 +12,7 @@
 #include "apps/cli/argument.h"
 #include "apps/cli/asked_effect.h"
 #include "apps/cli/model_input.h"
+#include "apps/cli/moving_picture.h"
 #include "femoop/io/train/train_block.h"
 #include "femoop/io/train/train_json.h"
 #include "femoop/io/train/train_table.h"
@@ -47,11 +48,12 @@ private:
     void choose_effects(Question& question, const Model& model, const ui::Catalogue& tr) const;
     std::vector<TrainResults> results(const Question& question, TrainAnalysis& analysis) const;
     void answer(const Model& model, Console& console) const;
+    void describe(const Question& question, const Model& model, Console& console) const;
 
     std::string file_, stations_ = "11";
     std::vector<std::string> trains_, envelopes_;
     AskedEffect asked_;
-    bool is_json_ = false, is_proved_ = false;
+    bool is_json_ = false, is_proved_ = false, is_described_ = false;
 };
 
 HelpText Train::help(const ui::Catalogue& tr) const
@@ -87,6 +89,10 @@ void Train::declare(CLI::App& app, const ui::Catalogue& tr)
         ->option_text("N");
     app.add_flag("--proof", is_proved_, tr("print breaks and roots, and the value at each of them"));
     app.add_flag("--json", is_json_, tr("print JSON with every digit instead of tables"));
+    app.add_flag(
+        "--describe", is_described_,
+        tr("print sentences instead of tables, for a screen reader: of the effect that is asked for, else of the "
+           "one that `render` draws"));
 }
 
 void Train::choose_loads(Question& question, const Model& model,
@@ -150,12 +156,22 @@ std::vector<TrainResults> Train::results(const Question& question, TrainAnalysis
     return all;
 }
 
+void Train::describe(const Question& question, const Model& model, Console& console) const
+{
+    if (question.trains.empty()) throw UsageError(console.tr()("--describe: asks for a train, not for an envelope"));
+    std::optional<MovingEffect> asked;
+    if (asked_.is_asked()) asked = asked_.sound_effect(model, console.tr());
+    for (const femoop::Train* train : question.trains)
+        console.print(train_in_words(model, *train, asked, display_name(file_, console.tr()), console));
+}
+
 void Train::answer(const Model& model, Console& console) const
 {
     const ui::Catalogue& tr = console.tr();
     const auto block = femoop::influence::train_block_of(model);
     Question question;
     choose_loads(question, model, block, tr);
+    if (is_described_) return describe(question, model, console);
     choose_effects(question, model, tr);
     TrainAnalysis analysis(model);
     const std::vector<TrainResults> all = results(question, analysis);
@@ -168,6 +184,8 @@ ExitStatus Train::run(Console& console)
 {
     if (file_.empty()) throw no_file("train", console.tr());
     asked_.require_sensible(console.tr(), AskedEffect::Place::Optional);
+    if (is_json_ && is_described_) throw ask_for_different_things("--json", "--describe", console.tr());
+    if (is_proved_ && is_described_) throw ask_for_different_things("--proof", "--describe", console.tr());
     const std::optional<Model> model = load_model(file_, console);
     if (!model) return ExitStatus::BadInput;
     try {

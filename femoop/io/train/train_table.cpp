@@ -1,6 +1,7 @@
 #include "femoop/io/train/train_table.h"
 
 #include <algorithm>
+#include <cmath>
 #include <string_view>
 
 #include "femoop/geometry/member_geometry.h"
@@ -10,6 +11,7 @@
 #include "femoop/model/quantity/number_text.h"
 #include "femoop/model/quantity/six_digits.h"
 #include "femoop/model/quantity/unit_signs.h"
+#include "femoop/result/magnitudes.h"
 #include "femoop/tabular/plain_text.h"
 
 namespace femoop::influence {
@@ -95,19 +97,24 @@ private:
             if (results.is_envelope) columns.emplace_back(tr_("train"));
         }
         tabular::Table table(columns);
+        double size = 0.0; // beside which some values are nothing but rounding
+        for (const TrainEffect& effect : results.effects)
+            if (is_alike(effect.effect, of))
+                size = std::max({size, std::abs(effect.max.value), std::abs(effect.min.value)});
         for (const TrainEffect& effect : results.effects) {
             if (!is_alike(effect.effect, of)) continue;
             std::vector<tabular::Cell> row = place_cells(effect.effect);
-            add(row, effect.max, *effect.max_train, results.is_envelope);
-            add(row, effect.min, *effect.min_train, results.is_envelope);
+            add(row, effect.max, size, *effect.max_train, results.is_envelope);
+            add(row, effect.min, size, *effect.min_train, results.is_envelope);
             table.add_row(std::move(row));
         }
         return "\n" + component(of) + "\n" + tabular::plain_text(table, {table_indent, decimal_mark(tr_)});
     }
 
-    void add(std::vector<tabular::Cell>& row, const Placing& placing, const Train& train, bool names_train) const
+    void add(std::vector<tabular::Cell>& row, const Placing& placing, double size, const Train& train,
+             bool names_train) const
     {
-        row.emplace_back(placing.value);
+        row.emplace_back(without_rounding(placing.value, size));
         row.emplace_back(axle_places(placing, train));
         if (names_train) row.emplace_back(train.id);
     }
@@ -132,18 +139,20 @@ private:
         for (const TrainExtreme& extreme : results.extremes) {
             if (!is_alike(extreme.effect, of)) continue;
             std::vector<tabular::Cell> row{model_[*extreme.effect.member].id};
-            add(row, extreme.max, *extreme.max_train, results.is_envelope);
-            add(row, extreme.min, *extreme.min_train, results.is_envelope);
+            const double size = std::max(std::abs(extreme.max.placing.value), std::abs(extreme.min.placing.value));
+            add(row, extreme.max, size, *extreme.max_train, results.is_envelope);
+            add(row, extreme.min, size, *extreme.min_train, results.is_envelope);
             table.add_row(std::move(row));
         }
         return "\n" + component(of) + "\n" + tabular::plain_text(table, {table_indent, decimal_mark(tr_)});
     }
 
-    void add(std::vector<tabular::Cell>& row, const WorstSection& worst, const Train& train, bool names_train) const
+    void add(std::vector<tabular::Cell>& row, const WorstSection& worst, double size, const Train& train,
+             bool names_train) const
     {
         std::string sections;
         for (const double x : worst.sections) sections += (sections.empty() ? "" : "; ") + number(x);
-        row.emplace_back(worst.placing.value);
+        row.emplace_back(without_rounding(worst.placing.value, size));
         row.emplace_back(sections);
         row.emplace_back(axle_places(worst.placing, train));
         if (names_train) row.emplace_back(train.id);

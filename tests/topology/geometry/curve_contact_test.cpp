@@ -64,9 +64,11 @@ TEST_SUITE("where curves meet")
         };
         CHECK(contacts(turned({6.5, 7.0}, 1.0, 18.0), turned({1.0, 4.0}, 8.0, 17.0), snap).places.size() % 2 == 0);
         for (double angle = 0.0; angle < 3.0; angle += 0.1) { // a slender one through the middle of a circle
-            const FlatVector p{20.0 * std::cos(angle), 20.0 * std::sin(angle)}, q{-0.1 * std::sin(angle), 0.1 * std::cos(angle)};
-            CHECK(contacts(EllipticArc{{0.0, 0.0}, p, q, 0.0, 2.0 * straight_angle}, ellipse({0.0, 0.0}, 3.0, 2.0), snap)
-                      .places.size() == 4);
+            const FlatVector p{20.0 * std::cos(angle), 20.0 * std::sin(angle)},
+                q{-0.1 * std::sin(angle), 0.1 * std::cos(angle)};
+            CHECK(
+                contacts(EllipticArc{{0.0, 0.0}, p, q, 0.0, 2.0 * straight_angle}, ellipse({0.0, 0.0}, 3.0, 2.0), snap)
+                    .places.size() == 4);
         }
     }
 

@@ -1,0 +1,49 @@
+#include <doctest/doctest.h>
+
+#include "tests/apps/cli/run_cremona.h"
+
+using cli_test::cremona;
+using cli_test::has;
+using cli_test::Run;
+
+TEST_SUITE_BEGIN("cremona");
+
+TEST_CASE("A line is told in sentences, with the extremes of its table and their places")
+{
+    const Run told = cremona({"influence", "examples/influence.json", "--line", "M at mid-span", "--describe"});
+    CHECK(told.status == 0);
+    CHECK(has(told.out, "Influence line of M(BC"));
+    CHECK(has(told.out, "max 2.106 m at s = 16.25 m"));
+    CHECK(has(told.out, "areas"));
+    const Run portuguese = cremona({"--lang", "pt", "influence", "examples/influence.json", "--describe"});
+    CHECK(has(portuguese.out, "Linha de influência de M(BC"));
+}
+
+TEST_CASE("A train is told in sentences: where it is worst, and what stands where")
+{
+    const Run told = cremona({"train", "examples/bridge.json", "--train", "HS20", "--member", "BC", "--at", "50%",
+                              "--component", "M", "--describe"});
+    CHECK(told.status == 0);
+    CHECK(has(told.out, "Influence line of M(BC"));
+    CHECK(has(told.out, "Train HS20"));
+    CHECK(has(told.out, "s = 114 ft"));
+    CHECK(cremona({"train", "examples/bridge.json", "--describe"}).status == 0); // the one that `render` draws
+    CHECK(cremona({"train", "examples/bridge.json", "--describe", "--json"}).status == 2);
+    CHECK(has(cremona({"train", "examples/bridge.json", "--envelope", "deck + G", "--describe"}).err,
+              "asks for a train"));
+}
+
+TEST_CASE("Where a value is nothing but rounding beside the others, the table has 0")
+{
+    constexpr const char* beam =
+        R"({"cremona": 1, "analysis": "frame2d", "units": {"length": "m", "force": "kN"},
+            "materials": [{"id": "m", "E": 2e8}], "sections": [{"id": "s", "A": 0.01, "Iz": 1e-4}],
+            "nodes": [{"id": "A", "at": [0, 0], "support": "pin"}, {"id": "B", "at": [7, 0], "support": "roller"}],
+            "members": [{"id": "AB", "nodes": ["A", "B"], "material": "m", "section": "s"}],
+            "trains": [{"id": "T", "path": ["AB"], "axles": [3, 7], "spacings": [1.3]}]})";
+    const Run moved = cremona({"train", "-", "--member", "AB", "--component", "M"}, beam);
+    CHECK(moved.status == 0);
+    CHECK(!has(moved.out, "e-"));
+}
+
+TEST_SUITE_END();
