@@ -66,7 +66,8 @@ private:
             for (const femoop::truss::Spoke& spoke : picture.arrangement[stage.joint->index])
                 forces_.push_back(of_spoke(picture, spoke));
         }
-        std::stable_partition(forces_.begin(), forces_.end(), [](const PlannedForce& one) { return !one.force.is_found; });
+        std::stable_partition(forces_.begin(), forces_.end(),
+                              [](const PlannedForce& one) { return !one.force.is_found; });
     }
 
     static PlannedForce of_spoke(const TrussPicture& picture, const femoop::truss::Spoke& spoke)
