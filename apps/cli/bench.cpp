@@ -9,6 +9,7 @@
 #include "apps/cli/argument.h"
 #include "apps/cli/bench_frame.h"
 #include "apps/cli/bench_halfedge.h"
+#include "apps/cli/bench_regions.h"
 #include "femoop/io/json/json_writer.h"
 #include "femoop/solver/blas.h"
 
@@ -26,28 +27,36 @@ public:
 private:
     ExitStatus frame(Console& console) const;
     std::string halfedge(const ui::Catalogue& tr) const;
+    std::string regions(const ui::Catalogue& tr) const;
 
     std::string what_, bays_ = "19", storeys_ = "50", solver_ = "automatic", n_ = "1000";
-    bool is_json_ = false;
+    std::string segments_ = "1000", kind_ = "long", seed_ = "1";
+    bool is_json_ = false, is_one_by_one_ = false;
 };
 
 HelpText Bench::help(const ui::Catalogue& tr) const
 {
-    return {tr("time the analysis of a large structure, or the making of a large solid, in memory"),
-            tr("`bench frame` builds a plane frame (bays of 6 m, storeys of 3 m, fixed bases, 20 kN/m on every beam, "
-               "10 kN to the right at every level), solves it, recovers N, V and M at 11 stations of every member, "
-               "and prints how long each phase took, the peak of memory and the sway of the top left node.") +
-                "\n\n" +
-                tr("`bench halfedge` draws a grid of N by N quadrilaterals by the Euler operators MVFS, "
-                   "MEV and MEF, without and with the journal, undoes all of it and validates it."),
-            {{"cremona bench frame --bays 249 --storeys 400", tr("300 000 degrees of freedom.")},
-             {"cremona bench frame --bays 19 --storeys 50 --solver ldlt --json", tr("Another solver, for a program.")},
-             {"cremona bench halfedge --n 1000", tr("2 002 001 Euler operators.")}}};
+    return {
+        tr("time the analysis of a large structure, or the making of a large solid, in memory"),
+        tr("`bench frame` builds a plane frame (bays of 6 m, storeys of 3 m, fixed bases, 20 kN/m on every beam, "
+           "10 kN to the right at every level), solves it, recovers N, V and M at 11 stations of every member, "
+           "and prints how long each phase took, the peak of memory and the sway of the top left node.") +
+            "\n\n" +
+            tr("`bench halfedge` draws a grid of N by N quadrilaterals by the Euler operators MVFS, "
+               "MEV and MEF, without and with the journal, undoes all of it and validates it.") +
+            "\n\n" +
+            tr("`bench regions` divides a square of 2^20 by random straight lines, which are inserted one after the "
+               "other, and prints the vertices, edges, regions and components that they make."),
+        {{"cremona bench frame --bays 249 --storeys 400", tr("300 000 degrees of freedom.")},
+         {"cremona bench frame --bays 19 --storeys 50 --solver ldlt --json", tr("Another solver, for a program.")},
+         {"cremona bench halfedge --n 1000", tr("2 002 001 Euler operators.")},
+         {"cremona bench regions --segments 1000 --kind long --seed 1 --json",
+          tr("A thousand lines that cross everywhere.")}}};
 }
 
 void Bench::declare(CLI::App& app, const ui::Catalogue& tr)
 {
-    app.add_option("WHAT", what_, tr("what is built: frame or halfedge"))->option_text(" ");
+    app.add_option("WHAT", what_, tr("what is built: frame, halfedge or regions"))->option_text(" ");
     app.add_option("--bays", bays_, tr("how many bays the frame has (default 19)"))->option_text("B");
     app.add_option("--storeys", storeys_, tr("how many storeys the frame has (default 50)"))->option_text("S");
     app.add_option("--solver", solver_,
@@ -55,6 +64,11 @@ void Bench::declare(CLI::App& app, const ui::Catalogue& tr)
         ->option_text("NAME");
     app.add_option("--n", n_, tr("how many quadrilaterals lie along each side of the grid (default 1000)"))
         ->option_text("N");
+    app.add_option("--segments", segments_, tr("how many lines divide the square (default 1000)"))->option_text("N");
+    app.add_option("--kind", kind_, tr("the lines are long (default), from anywhere to anywhere, or short"))
+        ->option_text("KIND");
+    app.add_option("--seed", seed_, tr("what the random numbers begin with (default 1)"))->option_text("S");
+    app.add_flag("--one-by-one", is_one_by_one_, tr("ask for the number of regions after every line"));
     app.add_flag("--json", is_json_, tr("print JSON with every digit instead of tables"));
 }
 
@@ -133,6 +147,36 @@ std::string table(const HalfEdgeBench& bench, const ui::Catalogue& tr)
     return text.str();
 }
 
+std::string json(const RegionBench& bench)
+{
+    femoop::JsonWriter json;
+    json.begin_object()
+        .member("vertices", bench.counts.vertices)
+        .member("edges", bench.counts.edges)
+        .member("regions", bench.counts.regions)
+        .member("components", bench.counts.components)
+        .member("seconds", bench.seconds)
+        .member("slowest_insertion", bench.slowest_insertion)
+        .end();
+    return json.take();
+}
+
+std::string table(const RegionBench& bench, const ui::Catalogue& tr)
+{
+    std::ostringstream text;
+    text << std::fixed << std::setprecision(6);
+    const auto count = [&](std::size_t n, const std::string& what) {
+        text << std::setw(16) << n << "     " << what << '\n';
+    };
+    count(bench.counts.vertices, tr("vertices"));
+    count(bench.counts.edges, tr("edges"));
+    count(bench.counts.regions, tr("regions"));
+    count(bench.counts.components, tr("components"));
+    text << std::setw(16) << bench.seconds << " s   " << tr("all insertions") << '\n';
+    text << std::setw(16) << bench.slowest_insertion << " s   " << tr("the slowest insertion") << '\n';
+    return text.str();
+}
+
 ExitStatus Bench::frame(Console& console) const
 {
     const ui::Catalogue& tr = console.tr();
@@ -156,13 +200,24 @@ std::string Bench::halfedge(const ui::Catalogue& tr) const
     return is_json_ ? json(bench) : table(bench, tr);
 }
 
+std::string Bench::regions(const ui::Catalogue& tr) const
+{
+    if (kind_ != "long" && kind_ != "short") throw unknown_choice("--kind", kind_, {"long", "short"}, tr);
+    const RegionLines lines{.n = static_cast<std::size_t>(whole_number("--segments", segments_, {1, 100000}, tr)),
+                            .is_long = kind_ == "long",
+                            .seed = static_cast<std::uint64_t>(whole_number("--seed", seed_, {0, 1000000000}, tr))};
+    const RegionBench bench = bench_regions(lines, is_one_by_one_);
+    return is_json_ ? json(bench) : table(bench, tr);
+}
+
 ExitStatus Bench::run(Console& console)
 {
     const ui::Catalogue& tr = console.tr();
     if (what_ == "frame") return frame(console);
-    if (what_.empty()) throw UsageError(tr("nothing to build is given; add frame or halfedge"));
-    if (what_ != "halfedge") throw unknown_choice("WHAT", what_, {"frame", "halfedge"}, tr);
-    console.print(halfedge(tr));
+    if (what_.empty()) throw UsageError(tr("nothing to build is given; add frame, halfedge or regions"));
+    if (what_ != "halfedge" && what_ != "regions")
+        throw unknown_choice("WHAT", what_, {"frame", "halfedge", "regions"}, tr);
+    console.print(what_ == "regions" ? regions(tr) : halfedge(tr));
     return ExitStatus::Done;
 }
 

@@ -68,6 +68,10 @@ public:
     const Solid& solid() const { return solid_; }
     double snap() const { return snap_; }
     PlanarCounts counts() const;
+    std::size_t n_regions() const ///< as counts, without a look at all
+    {
+        return solid_.is_empty() ? 0 : solid_.faces().n_living() - 1;
+    }
 
     FlatPoint at(VertexId v) const { return {solid_.point(v).x, solid_.point(v).y}; }
     const Curve& curve(CurveIndex i) const { return curves_[i]; }
