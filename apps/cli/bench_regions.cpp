@@ -15,7 +15,7 @@ using topology::FlatPoint;
 constexpr double square = 1048576.0; // 2^20
 constexpr double usual_snap = 1e-9;  // of its diagonal
 
-/// [Steele, Lea, Flood, Fast Splittable Pseudorandom Number Generators, OOPSLA 2014: splitmix64]
+/// [Steele2014: splitmix64]
 class Dice {
 public:
     explicit Dice(std::uint64_t seed) : state_(seed) {}
