@@ -8,6 +8,7 @@
 namespace cli {
 
 /// Random straight lines in a square of 2^20: from anywhere to anywhere, or to within 20000 along x and y.
+/// Source  the numbers are splitmix64's: [Steele2014]
 struct RegionLines {
     std::size_t n = 1000;
     bool is_long = true;

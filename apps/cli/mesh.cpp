@@ -98,7 +98,7 @@ HelpText MeshRegions::help(const ui::Catalogue& tr) const
            "and of each bounded face its area, its perimeter, its holes and a place inside it, the largest face "
            "first. The mesh itself is not built yet: ask for --regions."),
         {{"cremona mesh examples/plate.json --regions", tr("The faces of a drawing, as a table.")},
-         {"cremona mesh examples/plate.json --regions --json", tr("The same for a program.")}}};
+         {"cremona mesh examples/plate.json --regions --json", tr("The faces of a drawing, for a program.")}}};
 }
 
 void MeshRegions::declare(CLI::App& app, const ui::Catalogue& tr)
@@ -119,12 +119,12 @@ ExitStatus MeshRegions::run(Console& console)
     if (reading == nullptr) {
         console.report(shown, std::get<femoop::ModelReading>(any).faults);
         if (!std::get<femoop::ModelReading>(any).is_sound()) return ExitStatus::BadInput;
-        throw UsageError(tr("mesh: a structure of members has no regions; give a plane model"));
+        throw UsageError(tr("`mesh`: a structure of members has no regions; give a plane model"));
     }
     const auto drawing = drawing_of(*reading);
     console.report(shown, reading->faults);
     if (!reading->is_sound()) return ExitStatus::BadInput;
-    if (!drawing) throw UsageError(tr("mesh: the file has its mesh already; give one without \"elements\""));
+    if (!drawing) throw UsageError(tr("`mesh`: the file has its mesh already; give one without \"elements\""));
     if (!shows_regions_) {
         console.report(shown, {{femoop::FaultKind::PlaneDrawingNotBuilt, {}}});
         return ExitStatus::BadInput;

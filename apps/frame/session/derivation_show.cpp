@@ -29,7 +29,7 @@ std::vector<MovingEffect> numbers_of_node(const femoop::Model& model, femoop::No
 bool carries_loads_across(const femoop::Model& model, femoop::MemberId member)
 {
     return std::ranges::any_of(model.load_cases, [&](const femoop::LoadCase& one) {
-        return one.self_weight ||
+        return one.self_weight != 0.0 ||
                std::ranges::find(one.members, member, &femoop::MemberLoad::member) != one.members.end();
     });
 }

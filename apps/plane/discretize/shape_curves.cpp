@@ -22,7 +22,7 @@ constexpr double pi = std::numbers::pi;
 constexpr double radius_tolerance = 1e-6; // of a radius: ends of arcs may be rounded
 
 /// Derivatives of the natural, or periodic, cubic spline at its places, by its parameter: the sum of chords.
-/// [deBoor1978, ch. IV, eq. (10) and (15)]
+/// [DeBoor1978, ch. IV, eq. (10) and (15)]
 std::vector<FlatVector> slopes_of(const std::vector<FlatPoint>& places, const std::vector<double>& steps,
                                   bool is_periodic)
 {

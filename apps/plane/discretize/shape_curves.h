@@ -20,6 +20,7 @@ struct ShapePart {
 topology::FlatPoint place_of(const PlaneModel& model, const femoop::plane::DrawnPlace& drawn);
 
 /// What a drawn curve is made of, in its direction: straight parts, arcs, Bezier cubics. Or what is wrong with it.
+/// Source  splines: [DeBoor1978, ch. IV]
 struct ShapeCurves {
     std::vector<ShapePart> parts;
     std::vector<femoop::Fault> faults;

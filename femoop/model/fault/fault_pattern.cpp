@@ -424,7 +424,7 @@ std::string_view pattern(FaultKind kind)
     case FaultKind::PlaneDrawingNotBuilt:
         return "a mesh of a drawing, which is to be made of its curves and regions, is not built yet; give the mesh: \"elements\", with curves of kind edges";
     case FaultKind::EdgesWithoutElements:
-        return "{0}: found the kind edges without \"elements\", wanted line, arc, circle, ellipse, bezier or spline; draw the curve, or give the mesh";
+        return "{0}: found the kind \"edges\" without \"elements\", wanted line, arc, circle, ellipse, bezier or spline; draw the curve, or give the mesh";
     case FaultKind::CurvePlace: return "{0}: is no place of a curve; name a point or write [x, y], like [2.5, 0]";
     case FaultKind::EllipseAxes: return "{0}: an ellipse has two half axes; write [a, b], like [3, 2]";
     case FaultKind::BadDivision:

@@ -42,7 +42,7 @@ TEST_CASE("A frame of no size, or another benchmark, is answered with what is wa
     CHECK(has(cremona({"bench", "frame", "--bays", "0"}).err, "--bays: found \"0\"; wanted a whole number from 1 to"));
     CHECK(cremona({"bench", "fram"}).err == "cremona bench: WHAT: there is no \"fram\"; did you mean \"frame\"?\n");
     CHECK(cremona({"bench"}).status == 2);
-    CHECK(cremona({"bench"}).err == "cremona bench: nothing to build is given; add frame or halfedge\n");
+    CHECK(cremona({"bench"}).err == "cremona bench: nothing to build is given; add frame, halfedge or regions\n");
 }
 
 TEST_CASE("A frame that memory cannot hold is refused in the user's language")

@@ -76,7 +76,7 @@ std::vector<BadDrawing> bad_drawings()
 {
     return {
         {with_curve(R"({"id": "c", "kind": "edges", "points": ["A", "M"]})"),
-         "curves[2] \"c\": found the kind edges without \"elements\", wanted line, arc, circle, ellipse, bezier or spline; "
+         "curves[2] \"c\": found the kind \"edges\" without \"elements\", wanted line, arc, circle, ellipse, bezier or spline; "
          "draw the curve, or give the mesh"},
         {with_curve(R"({"id": "c", "kind": "line", "points": ["A", 3]})"),
          "curves[2].points[1]: is no place of a curve; name a point or write [x, y], like [2.5, 0]"},

@@ -93,7 +93,7 @@ TEST_SUITE("planar subdivision")
 
     TEST_CASE("All chords of a regular polygon cross as Poonen and Rubinstein count, and split it into as many regions")
     {
-        // [Poonen1998, table 1]
+        // Poonen and Rubinstein, SIAM J. Discrete Math. 11 (1998), table 1
         constexpr std::array<std::array<int, 3>, 7> counted{
             {{6, 13, 24}, {7, 35, 50}, {8, 49, 80}, {9, 126, 154}, {10, 161, 220}, {11, 330, 375}, {12, 301, 444}}};
         for (const auto& [corners_wanted, inside, regions] : counted) {
