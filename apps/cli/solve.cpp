@@ -391,7 +391,7 @@ ExitStatus Solve::solve_plane(femoop::plane::PlaneReading& reading, const femoop
     const ui::Catalogue& tr = console.tr();
     const bool is_asked_otherwise = traced_member_ || asked_number_ || worked_displacement_ || csv_folder_ ||
                                     is_described_ || is_timed_ || redundants_.are_asked() || body_.is_asked() ||
-                                    solver_trace_.are_given() || case_ == "envelope";
+                                    funicular_.is_asked() || solver_trace_.are_given() || case_ == "envelope";
     if (is_asked_otherwise)
         throw UsageError(
             tr("a plane model is solved with --case, --at, --cut, --full, --json and --solver; what else was "

@@ -107,6 +107,7 @@ TEST_CASE("A plane model that is converted is tidied, and other commands refuse 
     CHECK(has(drawn.err, "plane_stress is a plane model, for which this is not built yet"));
     CHECK(cli_test::cremona({"convert", bending, "-", "--units", "mm,N"}).status == 2);
     CHECK(cli_test::cremona({"solve", bending, "--trace", "1"}).status == 2);
+    CHECK(cli_test::cremona({"solve", bending, "--funicular", "automatic"}).status == 2);
 }
 
 TEST_CASE("A place or a cut outside the material is refused, and both belong to plane models")
