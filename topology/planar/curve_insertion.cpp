@@ -18,8 +18,6 @@ CurveInsertion::CurveInsertion(PlanarSubdivision& into, Span span, const std::ar
       index_(static_cast<CurveIndex>(into.curves_.size() - 1))
 {}
 
-// ---------------------------------------------------------------------------------------------------- meetings
-
 void CurveInsertion::gather_edges()
 {
     const Solid& solid = into_.solid_;
@@ -145,8 +143,6 @@ void CurveInsertion::order_nodes()
     nodes_.push_back(end(1));
 }
 
-// ---------------------------------------------------------------------------------------------------- cutting
-
 /// The part of the edge that the node lies on, after this insertion has cut some off.
 EdgeId CurveInsertion::edge_at(const Node& node) const
 {
@@ -235,8 +231,6 @@ void CurveInsertion::insert()
         else nodes_[i].vertex = into_.grow(*before.vertex, nodes_[i].at, part);
     }
 }
-
-// ---------------------------------------------------------------------------------------------------- the whole
 
 std::optional<InsertionRefusal> PlanarSubdivision::insert(const Curve& curve, const std::array<FlatPoint, 2>& ends)
 {

@@ -25,8 +25,6 @@ Span PlanarSubdivision::span(HalfEdgeId h) const
     return solid_.plus(e) == h ? part(e).span : reversed(part(e).span);
 }
 
-// ---------------------------------------------------------------------------------------------------- counts
-
 PlanarCounts PlanarSubdivision::counts() const
 {
     if (solid_.is_empty()) return {};
@@ -52,8 +50,6 @@ std::size_t PlanarSubdivision::n_holes(FaceId f) const
         if ((f == unbounded_ || l != solid_.outer(f)) && has_area(l)) ++n;
     return n;
 }
-
-// ---------------------------------------------------------------------------------------------------- measures
 
 bool PlanarSubdivision::is_straight(const Piece& piece) const
 {
@@ -122,8 +118,6 @@ double PlanarSubdivision::perimeter(FaceId f) const
         }
     return sum;
 }
-
-// ---------------------------------------------------------------------------------------------------- places
 
 template <class Cross> void PlanarSubdivision::at_height(HalfEdgeId h, double y, const Cross& cross) const
 {

@@ -36,8 +36,8 @@ struct PlanarCounts {
 
 /// Why a curve is not put in; nothing has changed then.
 struct InsertionRefusal {
-    /// The one in the subdivision that it lies on along a stretch, where the two are neither straight nor of one circle.
-    /// Nothing: it comes so close to others, again and again, that what lies on which side of it is lost in snap.
+    /// The one in the subdivision that it lies on along a stretch, where the two are neither straight nor of one
+    /// circle. Nothing: it comes so close to others, again and again, that what lies on which side of it is lost in snap.
     std::optional<CurveIndex> runs_along;
 };
 

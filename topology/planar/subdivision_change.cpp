@@ -1,5 +1,4 @@
-// How a subdivision changes: by the kernel's operators, and what its edges are part of along with them.
-#include <stdexcept>
+// How a subdivision grows, mends itself and takes back: by the kernel's operators, and what its edges are part of with them.
 #include <utility>
 
 #include "topology/planar/planar_subdivision.h"
@@ -8,23 +7,10 @@ namespace topology {
 
 namespace {
 
-constexpr double like_direction = 0.02; // of a pseudo-angle: what is so near is told apart with care
-
-/// How far b is turned clockwise from a, growing with the angle, 0 to 4 for a whole turn.
-double clockwise(const FlatVector& a, const FlatVector& b)
-{
-    const double along = dot(a, b), right = -cross(a, b), size = std::abs(along) + std::abs(right);
-    if (size == 0.0) return 0.0;
-    if (right >= 0.0) return 1.0 - along / size;
-    return 3.0 + along / size;
-}
-
 Point lifted(const FlatPoint& p) { return {p.x, p.y, 0.0}; }
 CurvePart backwards(const CurvePart& part) { return {part.curve, {part.span.to, part.span.from}}; }
 
 } // namespace
-
-// ---------------------------------------------------------------------------------------------------- undo
 
 void PlanarSubdivision::begin() { marks_.push_back({journal_.n_done(), curves_.size(), changes_.size()}); }
 
@@ -50,94 +36,6 @@ void PlanarSubdivision::change(EdgeId e)
     const auto others = others_.find(e);
     changes_.push_back({e, parts_[e.index], others == others_.end() ? std::vector<CurvePart>{} : others->second});
 }
-
-// ---------------------------------------------------------------------------------------------------- the grid
-
-void PlanarSubdivision::reserve(const FlatBox& box, std::size_t n_edges)
-{
-    n_expected_ = std::max(n_edges, n_expected_);
-    fit_grid(box);
-}
-
-/// Cells for all that is there, and for what comes next.
-void PlanarSubdivision::fit_grid(const FlatBox& box)
-{
-    const bool is_crowded = solid_.edges().n_rows() > 4 * n_expected_;
-    if (edges_.covers(box) && !is_crowded) return;
-    if (is_crowded) n_expected_ = 2 * solid_.edges().n_rows();
-    FlatBox all = box;
-    if (!edges_.box().is_empty()) {
-        all.add(edges_.box().low);
-        all.add(edges_.box().high);
-    }
-    all = all.grown(std::max(0.1 * all.diagonal(), 10.0 * snap_));
-    edges_ = EdgeGrid(all, n_expected_);
-    points_ = EdgeGrid(all, std::max<std::size_t>(64, n_expected_ / 16));
-    for (const EdgeId e : solid_.edges()) add_to_grid(e);
-    for (const VertexId v : solid_.vertices())
-        if (!solid_.edge(solid_.half_edge(v))) points_.at(at(v)).push_back(v.index);
-}
-
-void PlanarSubdivision::add_to_grid(EdgeId e)
-{
-    const CurvePart& of = parts_[e.index];
-    const auto put = [&](EdgeGrid::Numbers& cell) {
-        if (cell.empty() || cell.back() != e.index) cell.push_back(e.index);
-    };
-    edges_.along(curves_[of.curve], of.span, snap_, put);
-}
-
-// ---------------------------------------------------------------------------------------------------- directions
-
-/// How far b leaves to the left of a, where both leave one vertex: an angle, of curves that touch there one as they
-/// have it farther on.
-double PlanarSubdivision::angle_between(const Piece& a, const Piece& b) const
-{
-    const FlatVector da = direction(a), db = direction(b);
-    const double sine = cross(da, db) / (length(da) * length(db));
-    const double most = std::min(extent(a), extent(b));
-    // bent away from each other they could come back, closer than snap, if the angle were smaller
-    const bool is_clear = sine * sine * most > 16.0 * snap_;
-    if (is_clear || dot(da, db) < 0.0) return std::atan2(cross(da, db), dot(da, db));
-    const auto at_distance = [&](const Piece& piece, double wanted) {
-        double low = 0.0, high = 1.0;
-        for (int i = 0; i < 60; ++i) {
-            const double share = 0.5 * (low + high);
-            (distance(piece.from, place(piece, share)) < wanted ? low : high) = share;
-        }
-        return place(piece, low) - piece.from;
-    };
-    double angle = 0.0;
-    for (double r = 1.0 / 64.0; r <= 1.0 && std::abs(angle) * r * most <= snap_; r *= 2.0) {
-        const FlatVector pa = at_distance(a, r * most), pb = at_distance(b, r * most);
-        angle = cross(pa, pb) / (length(pa) * length(pb));
-    }
-    return angle;
-}
-
-/// The half-edge that is met first by turning clockwise from the piece that is to leave v.
-HalfEdgeId PlanarSubdivision::corner(VertexId v, const Piece& leaving) const
-{
-    const HalfEdgeId first = solid_.half_edge(v);
-    if (solid_.next_around_vertex(first) == first) return first;
-    const FlatVector d = direction(leaving);
-    HalfEdgeId best = first;
-    double least = 5.0;
-    for (const HalfEdgeId h : solid_.fan(v)) {
-        const Piece there = piece(h);
-        double angle = clockwise(d, direction(there));
-        if (angle < like_direction || angle > 4.0 - like_direction)
-            angle = angle_between(leaving, there) > 0.0 ? 4.0 : 0.0;
-        const bool is_tie = std::abs(angle - least) <= like_direction;
-        if (is_tie ? angle_between(piece(best), there) > 0.0 : angle < least) {
-            best = h;
-            least = angle;
-        }
-    }
-    return best;
-}
-
-// ---------------------------------------------------------------------------------------------------- growing
 
 /// \param from  where the part begins; the edge's plus half may run either way
 void PlanarSubdivision::set(EdgeId e, VertexId from, const CurvePart& part)
@@ -251,98 +149,6 @@ EdgeId PlanarSubdivision::close(VertexId v, const CurvePart& along)
     add_to_grid(stays);
     return stays;
 }
-
-// ---------------------------------------------------------------------------------------------------- faces
-
-/// The two loops that a new piece makes of one: to its left the piece and then `to` ... `from`, to its right the way back
-/// and then `from` ... `to`. The shorter one is walked along, the other as well where that is a sliver.
-PlanarSubdivision::Sides PlanarSubdivision::sides(HalfEdgeId from, HalfEdgeId to, const Piece& piece) const
-{
-    const FlatPoint origin = piece.from;
-    const double own = area(piece, origin);
-    Sides sides{.left = own, .right = -own, .sliver = extent(piece), .is_left_shorter = false};
-    HalfEdgeId i = to, j = from;
-    const auto go_on = [&](HalfEdgeId& h, double& side) {
-        const Piece next = this->piece(h);
-        side += area(next, origin);
-        sides.sliver += extent(next);
-        h = solid_.next(h);
-    };
-    while (i != from && j != to) {
-        go_on(i, sides.left);
-        go_on(j, sides.right);
-    }
-    sides.sliver *= 4.0 * snap_;
-    sides.is_left_shorter = i == from;
-    if (std::abs(sides.is_left_shorter ? sides.left : sides.right) > sides.sliver) return sides;
-    sides.is_other_known = true;
-    while (i != from) go_on(i, sides.left);
-    while (j != to) go_on(j, sides.right);
-    return sides;
-}
-
-/// Whether the new face, which is always a bounded one, is that to the left of the piece.
-/// \throws Tangled  neither side runs around anything
-bool PlanarSubdivision::is_new_face_left(HalfEdgeId from, HalfEdgeId to, const Piece& piece) const
-{
-    const Sides found = sides(from, to, piece);
-    const LoopId l = solid_.loop(from);
-    const bool are_both_bounded = solid_.is_outer(l) && solid_.face(l) != unbounded_;
-    const double shorter = found.is_left_shorter ? found.left : found.right;
-    bool takes_left = found.is_left_shorter == (shorter > 0.0);
-    if (found.is_other_known) takes_left = found.left > found.right;
-    if (are_both_bounded) takes_left = found.is_left_shorter;
-    const bool is_known = found.is_other_known || takes_left == found.is_left_shorter;
-    if (is_known && (takes_left ? found.left : found.right) < -found.sliver) throw Tangled();
-    return takes_left;
-}
-
-EdgeId PlanarSubdivision::split_face(HalfEdgeId from, HalfEdgeId to, const Piece& piece)
-{
-    EulerOperator op(solid_, journal_);
-    const VertexId start = solid_.start(from);
-    const NewFace made = is_new_face_left(from, to, piece) ? op.mef(to, from) : op.mef(from, to);
-    set(made.edge, start, piece.part);
-    move_rings(made);
-    return made.edge;
-}
-
-/// Of the face that was split, those that lie in the new one.
-void PlanarSubdivision::move_rings(const NewFace& made)
-{
-    const LoopId stays = solid_.loop(made.plus);
-    const FaceId f = solid_.face(stays);
-    FlatBox box;
-    std::vector<HalfEdgeId> inside; // one of each: loops are named anew
-    for (const LoopId l : solid_.loops(f)) {
-        if (l == stays || (l == solid_.outer(f) && f != unbounded_)) continue;
-        if (box.is_empty())
-            for (const HalfEdgeId h : solid_.chain(made.loop)) {
-                const FlatBox of_edge = curves_[part_of(h).curve].box(span(h));
-                box.add(of_edge.low);
-                box.add(of_edge.high);
-            }
-        const FlatPoint p = at(solid_.start(solid_.half_edge(l)));
-        if (box.has(p) && encloses(made.loop, p)) inside.push_back(solid_.half_edge(l));
-    }
-    for (const HalfEdgeId h : inside) {
-        if (solid_.is_outer(solid_.loop(h))) make_outer(stays);
-        EulerOperator(solid_, journal_).ringmv(solid_.loop(h), made.face);
-    }
-}
-
-/// Of the unbounded face: a bridge between the two loops, which leaves the ring the outer one when it is taken away.
-void PlanarSubdivision::make_outer(LoopId ring)
-{
-    EulerOperator op(solid_, journal_);
-    const HalfEdgeId from = solid_.half_edge(ring), to = solid_.half_edge(solid_.outer(solid_.face(ring)));
-    const VertexId start = solid_.start(from);
-    const Bridge bridge = op.mekr(from, to);
-    parts_.resize(solid_.edges().n_rows());
-    op.kemr(solid_.start(bridge.plus) == start ? bridge.plus : bridge.minus);
-}
-
-// ---------------------------------------------------------------------------------------------------- mending
 
 /// Takes an edge away and leaves its vertices.
 void PlanarSubdivision::remove(EdgeId e)

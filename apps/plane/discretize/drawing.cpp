@@ -66,8 +66,6 @@ bool Drawing::is_sound() const
                                 [](const Fault& fault) { return severity(fault.kind) == femoop::Severity::Error; });
 }
 
-// ---------------------------------------------------------------------------------------------------- drawing
-
 /// A point stands as a vertex unless it is merely a centre or a control point.
 std::vector<bool> Drawing::standing_points() const
 {
@@ -162,8 +160,6 @@ void Drawing::insert(const std::vector<Drawn>& drawn)
         }
 }
 
-// ---------------------------------------------------------------------------------------------------- faces
-
 void Drawing::list_faces()
 {
     const double sliver = subdivision_.snap() * subdivision_.snap();
@@ -196,8 +192,6 @@ std::optional<std::size_t> Drawing::face_at(const FlatPoint& at) const
     if (subdivision_.solid().is_empty() || subdivision_.edge_at(at)) return std::nullopt;
     return index_of_face_[subdivision_.face_at(at).index];
 }
-
-// ---------------------------------------------------------------------------------------------------- checks
 
 std::optional<double> Drawing::read(const PlaneExpected& check) const
 {

@@ -101,8 +101,9 @@ struct PlaneElement {
 };
 
 /// A plate, a slice of a long body or a body of revolution with its mesh, or with the drawing that a mesh is to be made
-/// of, its loads and what is expected of it: a plain value, as `Model` is for members. `check` (femoop/plane/check/plane_check.h) says what is wrong with it, `analyse`
-/// (femoop/plane/analysis/plane_analysis.h) solves it.
+/// of, its loads and what is expected of it: a plain value, as `Model` is for members. `check`
+/// (femoop/plane/check/plane_check.h) says what is wrong with it, `analyse` (femoop/plane/analysis/plane_analysis.h)
+/// solves it.
 ///
 /// Signs  x right, y up, tension positive. Axisymmetric: x is the radius, y the axis
 /// Units  every Quantity is in `units`

@@ -1,0 +1,40 @@
+// Where edges and vertices are, in cells.
+#include "topology/planar/planar_subdivision.h"
+
+namespace topology {
+
+void PlanarSubdivision::reserve(const FlatBox& box, std::size_t n_edges)
+{
+    n_expected_ = std::max(n_edges, n_expected_);
+    fit_grid(box);
+}
+
+/// Cells for all that is there, and for what comes next.
+void PlanarSubdivision::fit_grid(const FlatBox& box)
+{
+    const bool is_crowded = solid_.edges().n_rows() > 4 * n_expected_;
+    if (edges_.covers(box) && !is_crowded) return;
+    if (is_crowded) n_expected_ = 2 * solid_.edges().n_rows();
+    FlatBox all = box;
+    if (!edges_.box().is_empty()) {
+        all.add(edges_.box().low);
+        all.add(edges_.box().high);
+    }
+    all = all.grown(std::max(0.1 * all.diagonal(), 10.0 * snap_));
+    edges_ = EdgeGrid(all, n_expected_);
+    points_ = EdgeGrid(all, std::max<std::size_t>(64, n_expected_ / 16));
+    for (const EdgeId e : solid_.edges()) add_to_grid(e);
+    for (const VertexId v : solid_.vertices())
+        if (!solid_.edge(solid_.half_edge(v))) points_.at(at(v)).push_back(v.index);
+}
+
+void PlanarSubdivision::add_to_grid(EdgeId e)
+{
+    const CurvePart& of = parts_[e.index];
+    const auto put = [&](EdgeGrid::Numbers& cell) {
+        if (cell.empty() || cell.back() != e.index) cell.push_back(e.index);
+    };
+    edges_.along(curves_[of.curve], of.span, snap_, put);
+}
+
+} // namespace topology
