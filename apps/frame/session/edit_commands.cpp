@@ -114,6 +114,10 @@ void give_up(Workspace& workspace)
     if (workspace.tool_controller.kind() == ToolKind::VirtualWork) workspace.session.virtual_work.clear();
     if (workspace.tool_controller.escape()) return;
     if (workspace.session.truss.is_on()) return workspace.session.truss.close();
+    if (workspace.session.view.show.contains(Show::Counting)) { // which keeps loads and results from sight
+        workspace.session.view.show.erase(Show::Counting);
+        return;
+    }
     workspace.session.influence.clear();
     workspace.session.free_body.clear();
     workspace.session.funicular.clear();

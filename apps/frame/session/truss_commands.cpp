@@ -43,6 +43,8 @@ void look_at(Workspace& workspace, TrussMethod method, bool is_on)
     session.draw_state.camera.reset(); // it has half the sheet
     if (!is_on) return session.truss.close();
     session.influence.clear();
+    session.virtual_work.clear();
+    if (workspace.tool_controller.kind() == ToolKind::VirtualWork) workspace.tool_controller.select(ToolKind::Select);
     session.truss.show(method);
 }
 

@@ -54,6 +54,7 @@ void begin_virtual_work(Workspace& workspace)
     session.influence.clear();
     session.free_body.clear();
     session.funicular.clear();
+    session.truss.close();
     ask_for_selected(session);
     session.selection.clear();
     session.pin.reset();

@@ -8,12 +8,13 @@ namespace frame {
 std::optional<Change> VirtualWorkTool::press(const Work& work, const Aim& at)
 {
     const femoop::Model& model = work.document.model;
+    const bool is_shown = work.virtual_work->is_on(model); // else the sheet is parted now, and the hand is elsewhere on it
     if (at.node) work.virtual_work->ask(model, *at.node);
     else if (at.support) work.virtual_work->ask(model, at.support->node);
     else if (at.cut) {
-        held_ = at.cut->member;
-        const double length = femoop::geometry_of(model, model[*held_]).length;
-        work.virtual_work->ask(model, Cut{*held_, round_section(at.cut->x, length, at)});
+        if (is_shown) held_ = at.cut->member;
+        const double length = femoop::geometry_of(model, model[at.cut->member]).length;
+        work.virtual_work->ask(model, Cut{at.cut->member, round_section(at.cut->x, length, at)});
     }
     return std::nullopt;
 }

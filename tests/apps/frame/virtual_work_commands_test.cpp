@@ -63,6 +63,30 @@ TEST_SUITE("frame session")
         CHECK(shown_work(session) == nullptr);
     }
 
+    TEST_CASE("Of virtual work and a truss by hand the one that is begun last is seen")
+    {
+        Workspace workspace = workspace_with("truss.json");
+        Session& session = workspace.session;
+        CHECK_FALSE(run(workspace, "view.joints"));
+        CHECK_FALSE(run(workspace, "draw.virtual_work"));
+        session.virtual_work.ask(session.model(), *session.model().find_node("B"));
+        CHECK(shown_work(session) != nullptr);
+        CHECK_FALSE(session.truss.is_on());
+        CHECK_FALSE(run(workspace, "view.joints"));
+        CHECK(shown_work(session) == nullptr);
+        CHECK(session.truss.is_on());
+        CHECK(workspace.tool_controller.kind() == ToolKind::Select);
+    }
+
+    TEST_CASE("Giving up ends the counting, which keeps loads and results from sight")
+    {
+        Workspace workspace = workspace_with("portal.json");
+        CHECK_FALSE(run(workspace, "view.show.counting"));
+        CHECK(workspace.session.view.show.contains(Show::Counting));
+        CHECK_FALSE(run(workspace, "edit.deselect"));
+        CHECK_FALSE(workspace.session.view.show.contains(Show::Counting));
+    }
+
     TEST_CASE("By symmetry the middle of a beam does not move along it, and no rounding is told of it")
     {
         Workspace workspace = workspace_with("portal.json");
