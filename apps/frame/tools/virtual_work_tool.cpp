@@ -8,7 +8,7 @@ namespace frame {
 std::optional<Change> VirtualWorkTool::press(const Work& work, const Aim& at)
 {
     const femoop::Model& model = work.document.model;
-    const bool is_shown = work.virtual_work->is_on(model); // else the sheet is parted now, and the hand is elsewhere on it
+    const bool is_shown = work.virtual_work->is_on(model); // else the sheet is parted now, under the hand
     if (at.node) work.virtual_work->ask(model, *at.node);
     else if (at.support) work.virtual_work->ask(model, at.support->node);
     else if (at.cut) {
