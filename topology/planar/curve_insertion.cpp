@@ -170,9 +170,10 @@ void CurveInsertion::realize(Node& node)
 void CurveInsertion::join_to(const Node& node, VertexId v)
 {
     const EdgeId e = edge_at(node);
+    if (!into_.solid_.has(e)) return; // it became one with another
     const HalfEdgeId plus = into_.solid_.plus(e);
     const bool ends_there = into_.solid_.start(plus) == v || into_.solid_.end(plus) == v;
-    if (into_.solid_.has(e) && !ends_there) into_.reroute(e, node.u, v);
+    if (!ends_there) into_.reroute(e, node.u, v);
 }
 
 /// Places on edges that are as good as a vertex which the curve passes.
@@ -279,23 +280,21 @@ VertexId PlanarSubdivision::insert(const FlatPoint& point)
     begin();
     const Curve here(Segment{point, point});
     std::optional<VertexId> vertex;
-    std::optional<EdgeId> edge;
+    const auto see = [&](VertexId v) {
+        if (distance(at(v), point) <= snap_) vertex = v;
+    };
     edges_.along(here, {}, 2.0 * snap_, [&](const EdgeGrid::Numbers& cell) {
-        for (const std::uint32_t number : cell) {
-            const EdgeId e{number};
-            if (!solid_.has(e)) continue;
-            for (const HalfEdgeId h : {solid_.plus(e), solid_.minus(e)})
-                if (distance(at(solid_.start(h)), point) <= snap_) vertex = solid_.start(h);
-            const Curve& curve = curves_[part(e).curve];
-            if (distance(curve.at(curve.nearest(point, part(e).span)), point) <= snap_) edge = e;
-        }
+        for (const std::uint32_t number : cell)
+            if (const EdgeId e{number}; solid_.has(e))
+                for (const HalfEdgeId h : {solid_.plus(e), solid_.minus(e)}) see(solid_.start(h));
     });
     points_.along(here, {}, 2.0 * snap_, [&](const EdgeGrid::Numbers& cell) {
         for (const std::uint32_t number : cell)
-            if (const VertexId v{number}; solid_.has(v) && distance(at(v), point) <= snap_) vertex = v;
+            if (const VertexId v{number}; solid_.has(v)) see(v);
     });
     if (vertex) return *vertex;
-    if (edge) return split(*edge, curves_[part(*edge).curve].nearest(point, part(*edge).span), point);
+    if (const auto edge = edge_at(point))
+        return split(*edge, curves_[part(*edge).curve].nearest(point, part(*edge).span), point);
     return lone_vertex(point);
 }
 

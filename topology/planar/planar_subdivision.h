@@ -54,9 +54,6 @@ class PlanarSubdivision {
 public:
     explicit PlanarSubdivision(double snap) : snap_(snap) {} ///< \pre > 0
 
-    /// Room for a drawing of this size, which spares searching cells anew while it grows.
-    void reserve(const FlatBox& box, std::size_t n_edges);
-
     /// A vertex of its own, or on what is there. Its handle.
     VertexId insert(const FlatPoint& point);
     /// \param ends  where it begins and ends, exactly: as the drawing gives them

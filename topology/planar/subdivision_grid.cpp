@@ -3,12 +3,6 @@
 
 namespace topology {
 
-void PlanarSubdivision::reserve(const FlatBox& box, std::size_t n_edges)
-{
-    n_expected_ = std::max(n_edges, n_expected_);
-    fit_grid(box);
-}
-
 /// Cells for all that is there, and for what comes next.
 void PlanarSubdivision::fit_grid(const FlatBox& box)
 {

@@ -7,7 +7,6 @@
 #include <utility>
 
 #include "apps/plane/discretize/drawing_check.h"
-#include "femoop/model/check/entry_checker.h"
 #include "femoop/model/quantity/number_text.h"
 
 namespace discretize {
@@ -27,11 +26,6 @@ using topology::FlatPoint;
 constexpr double usual_snap = 1e-9;   // of the diagonal of the drawing's box
 constexpr double finest_snap = 1e-14; // of its largest coordinate
 constexpr double least_snap = 1e-15;  // that may be given, of the same
-
-std::string entry_text(std::string_view list, std::size_t index, const std::string& id)
-{
-    return femoop::Entry{list, index, id}.text();
-}
 
 double largest_coordinate(const FlatBox& box)
 {
@@ -91,7 +85,7 @@ std::vector<Drawing::Drawn> Drawing::draw_curves()
         for (std::size_t i = 0; i < model_.curves.size(); ++i) {
             const auto& curve = model_.curves[i];
             if (!curve.shape) continue;
-            ShapeCurves made = curves_of(model_, *curve.shape, entry_text("curves", i, curve.id), snap);
+            ShapeCurves made = curves_of(model_, *curve.shape, entry_of("curves", model_.curves, i), snap);
             std::ranges::move(made.faults, std::back_inserter(faults));
             drawn.push_back({CurveId(i), std::move(made.parts)});
         }
@@ -112,8 +106,8 @@ void Drawing::require_right_of_axis(const std::vector<Drawn>& drawn)
     for (const auto& [curve, parts] : drawn)
         for (const ShapePart& part : parts)
             if (const double x = part.curve.box({}).low.x; x < -subdivision_.snap()) {
-                faults_.push_back({FaultKind::PointLeftOfAxis,
-                                   {entry_text("curves", curve.index, model_[curve].id), length_text(x)}});
+                faults_.push_back(
+                    {FaultKind::PointLeftOfAxis, {entry_of("curves", model_.curves, curve.index), length_text(x)}});
                 break;
             }
 }
@@ -152,7 +146,7 @@ void Drawing::insert(const std::vector<Drawn>& drawn)
             const auto refusal = subdivision_.insert(part.curve, part.ends);
             if (!refusal) continue;
             owners_.pop_back();
-            const std::string place = entry_text("curves", curve.index, model_[curve].id);
+            const std::string place = entry_of("curves", model_.curves, curve.index);
             if (refusal->runs_along)
                 faults_.push_back({FaultKind::CurvesRunTogether, {place, model_[owners_[*refusal->runs_along]].id}});
             else faults_.push_back({FaultKind::CurveTooNear, {place}});

@@ -9,7 +9,6 @@
 #include <string>
 #include <utility>
 
-#include "femoop/model/check/entry_checker.h"
 #include "femoop/model/quantity/number_text.h"
 
 namespace discretize {
@@ -39,11 +38,6 @@ std::string rounded(double value)
 std::string place_text(const PlaneModel& model, const FlatPoint& at)
 {
     return "(" + rounded(at.x) + ", " + rounded(at.y) + ") " + std::string(femoop::name(model.units.length));
-}
-
-template <class Parts> std::string entry_of(std::string_view list, const Parts& parts, std::size_t i)
-{
-    return femoop::Entry{list, i, parts[i].id}.text();
 }
 
 /// Gives the faces to the regions whose places they hold.

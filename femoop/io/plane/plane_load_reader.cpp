@@ -46,10 +46,13 @@ PlaneLoadCase PlaneReader::load_case(JsonValue value, const Place& place)
     load_case.id = reader_.id(id, place);
     unreadable_.load_cases.push_back(load_case.id.empty());
     load_case.self_weight = reader_.number(self_weight, place).value_or(0.0);
-    read_parts(points, place, load_case.points, unreadable_.point_loads.emplace_back(), &PlaneReader::point_load);
-    read_parts(curves, place, load_case.curves, unreadable_.curve_loads.emplace_back(), &PlaneReader::curve_load);
-    read_parts(regions, place, load_case.regions, unreadable_.region_loads.emplace_back(), &PlaneReader::region_load);
-    read_parts(settlements, place, load_case.settlements, unreadable_.settlements.emplace_back(),
+    read_parts(*this, points, place, load_case.points, unreadable_.point_loads.emplace_back(),
+               &PlaneReader::point_load);
+    read_parts(*this, curves, place, load_case.curves, unreadable_.curve_loads.emplace_back(),
+               &PlaneReader::curve_load);
+    read_parts(*this, regions, place, load_case.regions, unreadable_.region_loads.emplace_back(),
+               &PlaneReader::region_load);
+    read_parts(*this, settlements, place, load_case.settlements, unreadable_.settlements.emplace_back(),
                &PlaneReader::settlement);
     return load_case;
 }

@@ -59,15 +59,15 @@ PlaneReader::PlaneReader(JsonValue file, std::vector<Fault> faults)
     points_.is_lost = !model.is_drawn && !points.is(JsonKind::Array); // which the file has as a fault already
     regions_.is_lost = !model.is_drawn && !regions.is(JsonKind::Array);
     model.mesh = mesh_options(mesh, top);
-    read_parts(materials, {}, model.materials, unreadable_.materials, &PlaneReader::own_material);
-    read_parts(points, {}, model.points, unreadable_.points, &PlaneReader::point);
-    read_parts(regions, {}, model.regions, unreadable_.regions, &PlaneReader::region);
-    read_parts(elements, {}, model.elements, unreadable_.elements, &PlaneReader::element);
-    read_parts(curves, {}, model.curves, unreadable_.curves, &PlaneReader::curve);
+    read_parts(*this, materials, {}, model.materials, unreadable_.materials, &PlaneReader::own_material);
+    read_parts(*this, points, {}, model.points, unreadable_.points, &PlaneReader::point);
+    read_parts(*this, regions, {}, model.regions, unreadable_.regions, &PlaneReader::region);
+    read_parts(*this, elements, {}, model.elements, unreadable_.elements, &PlaneReader::element);
+    read_parts(*this, curves, {}, model.curves, unreadable_.curves, &PlaneReader::curve);
     for_each(load_cases, {},
              [this](JsonValue value, const Place& place) { model.load_cases.push_back(load_case(value, place)); });
-    read_parts(combinations, {}, model.combinations, unreadable_.combinations, &PlaneReader::own_combination);
-    read_parts(expected_list, {}, model.expected, unreadable_.expected, &PlaneReader::expected);
+    read_parts(*this, combinations, {}, model.combinations, unreadable_.combinations, &PlaneReader::own_combination);
+    read_parts(*this, expected_list, {}, model.expected, unreadable_.expected, &PlaneReader::expected);
     unreadable_.is_incomplete = reader_.n_troubles() > 0;
 }
 

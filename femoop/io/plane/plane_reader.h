@@ -24,10 +24,6 @@ public:
     const Unreadable& unreadable() const { return unreadable_; }
 
 private:
-    template <class Part>
-    void read_parts(JsonValue list, const Place& place, std::vector<Part>& parts, std::vector<bool>& unreadable,
-                    Part (PlaneReader::*read)(JsonValue, const Place&));
-
     // plane_reader.cpp
     void read_header(JsonValue cremona, JsonValue analysis, JsonValue units);
     Material own_material(JsonValue value, const Place& place) { return material(value, place); }
@@ -77,17 +73,6 @@ private:
     NameTable curves_{FaultKind::NoSuchCurve, FaultKind::NoSuchCurveNear};
     NameTable regions_{FaultKind::NoSuchRegion, FaultKind::NoSuchRegionNear};
 };
-
-template <class Part>
-void PlaneReader::read_parts(JsonValue list, const Place& place, std::vector<Part>& parts,
-                             std::vector<bool>& unreadable, Part (PlaneReader::*read)(JsonValue, const Place&))
-{
-    for_each(list, place, [&](JsonValue value, const Place& own_place) {
-        const std::size_t before = reader_.n_troubles();
-        parts.push_back((this->*read)(value, own_place));
-        unreadable.push_back(reader_.n_troubles() != before);
-    });
-}
 
 template <class Id> std::vector<Id> PlaneReader::references(JsonValue value, NameTable& names, const Place& place)
 {

@@ -45,6 +45,10 @@ protected:
     Units read_units(JsonValue units);
     /// Calls read(value, place) for every entry of a list.
     template <class Read> void for_each(JsonValue list, const Place& place, Read read);
+    /// Every entry of a list as a part of the model, and whether it could be read.
+    template <class Reader, class Part>
+    void read_parts(Reader& reader, JsonValue list, const Place& place, std::vector<Part>& parts,
+                    std::vector<bool>& unreadable, Part (Reader::*read)(JsonValue, const Place&));
     static std::string_view id_of(JsonValue entry);                 ///< "" if it has none
     static JsonValue field(JsonValue object, std::string_view key); ///< absent if there is none
     std::size_t reference(JsonValue value, NameTable& names, const Place& place);
@@ -69,6 +73,17 @@ template <class Read> void FileReader::for_each(JsonValue list, const Place& pla
     const Place here = place.key(list.key());
     std::size_t i = 0;
     for (const JsonValue value : list) read(value, here.entry(i++, id_of(value)));
+}
+
+template <class Reader, class Part>
+void FileReader::read_parts(Reader& reader, JsonValue list, const Place& place, std::vector<Part>& parts,
+                            std::vector<bool>& unreadable, Part (Reader::*read)(JsonValue, const Place&))
+{
+    for_each(list, place, [&](JsonValue value, const Place& own_place) {
+        const std::size_t before = reader_.n_troubles();
+        parts.push_back((reader.*read)(value, own_place));
+        unreadable.push_back(reader_.n_troubles() != before);
+    });
 }
 
 } // namespace femoop

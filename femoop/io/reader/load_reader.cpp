@@ -47,10 +47,11 @@ LoadCase ModelReader::load_case(JsonValue value, const Place& place)
     load_case.id = reader_.id(id, place);
     unreadable_.load_cases.push_back(load_case.id.empty());
     load_case.self_weight = reader_.number(self_weight, place).value_or(0.0);
-    read_parts(nodes, place, load_case.nodes, unreadable_.node_loads.emplace_back(), &ModelReader::node_load);
-    read_parts(settlements, place, load_case.settlements, unreadable_.settlements.emplace_back(),
+    read_parts(*this, nodes, place, load_case.nodes, unreadable_.node_loads.emplace_back(), &ModelReader::node_load);
+    read_parts(*this, settlements, place, load_case.settlements, unreadable_.settlements.emplace_back(),
                &ModelReader::settlement);
-    read_parts(members, place, load_case.members, unreadable_.member_loads.emplace_back(), &ModelReader::member_load);
+    read_parts(*this, members, place, load_case.members, unreadable_.member_loads.emplace_back(),
+               &ModelReader::member_load);
     return load_case;
 }
 

@@ -41,19 +41,19 @@ ModelReader::ModelReader(JsonValue file, std::vector<Fault> faults)
     trains_.add(trains);
     nodes_.is_lost = !nodes.is(JsonKind::Array); // without these lists a file has that fault already
     members_.is_lost = !members.is(JsonKind::Array);
-    read_parts(materials, {}, model.materials, unreadable_.materials, &ModelReader::own_material);
-    read_parts(sections, {}, model.sections, unreadable_.sections, &ModelReader::section);
-    read_parts(nodes, {}, model.nodes, unreadable_.nodes, &ModelReader::node);
-    read_parts(members, {}, model.members, unreadable_.members, &ModelReader::member);
+    read_parts(*this, materials, {}, model.materials, unreadable_.materials, &ModelReader::own_material);
+    read_parts(*this, sections, {}, model.sections, unreadable_.sections, &ModelReader::section);
+    read_parts(*this, nodes, {}, model.nodes, unreadable_.nodes, &ModelReader::node);
+    read_parts(*this, members, {}, model.members, unreadable_.members, &ModelReader::member);
     read_load_cases(load_cases);
-    read_parts(combinations, {}, model.combinations, unreadable_.combinations, &ModelReader::own_combination);
-    read_parts(paths, {}, model.moving_loads.paths, unreadable_.paths, &ModelReader::load_path);
-    read_parts(lines, {}, model.moving_loads.influence_lines, unreadable_.influence_lines,
+    read_parts(*this, combinations, {}, model.combinations, unreadable_.combinations, &ModelReader::own_combination);
+    read_parts(*this, paths, {}, model.moving_loads.paths, unreadable_.paths, &ModelReader::load_path);
+    read_parts(*this, lines, {}, model.moving_loads.influence_lines, unreadable_.influence_lines,
                &ModelReader::influence_line);
-    read_parts(trains, {}, model.moving_loads.trains, unreadable_.trains, &ModelReader::train);
-    read_parts(envelopes, {}, model.moving_loads.envelopes, unreadable_.moving_envelopes,
+    read_parts(*this, trains, {}, model.moving_loads.trains, unreadable_.trains, &ModelReader::train);
+    read_parts(*this, envelopes, {}, model.moving_loads.envelopes, unreadable_.moving_envelopes,
                &ModelReader::moving_envelope);
-    read_parts(expected, {}, model.expected, unreadable_.expected, &ModelReader::expected);
+    read_parts(*this, expected, {}, model.expected, unreadable_.expected, &ModelReader::expected);
     keep_extra_blocks(file);
     unreadable_.is_incomplete = reader_.n_troubles() > 0;
 }

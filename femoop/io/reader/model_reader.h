@@ -37,9 +37,6 @@ private:
     void read_header(JsonValue format, JsonValue analysis, JsonValue units, JsonValue mass);
     Material own_material(JsonValue value, const Place& place) { return material(value, place); }
     void keep_extra_blocks(JsonValue file);
-    template <class Part>
-    void read_parts(JsonValue list, const Place& place, std::vector<Part>& parts, std::vector<bool>& unreadable,
-                    Part (ModelReader::*read)(JsonValue, const Place&));
 
     // structure_reader.cpp
     Section section(JsonValue value, const Place& place);
@@ -112,17 +109,5 @@ private:
     NameTable paths_{FaultKind::NoSuchPath, FaultKind::NoSuchPathNear};
     NameTable trains_{FaultKind::NoSuchTrain, FaultKind::NoSuchTrainNear};
 };
-
-/// Every entry of a list as a part of the model, and whether it could be read.
-template <class Part>
-void ModelReader::read_parts(JsonValue list, const Place& place, std::vector<Part>& parts,
-                             std::vector<bool>& unreadable, Part (ModelReader::*read)(JsonValue, const Place&))
-{
-    for_each(list, place, [&](JsonValue value, const Place& own_place) {
-        const std::size_t before = reader_.n_troubles();
-        parts.push_back((this->*read)(value, own_place));
-        unreadable.push_back(reader_.n_troubles() != before);
-    });
-}
 
 } // namespace femoop

@@ -20,7 +20,7 @@ std::vector<Fault> Checker::run(Thoroughness thoroughness)
     check_nodes();
     check_members();
     check_load_cases();
-    check_combinations();
+    check_combinations(model_, unreadable_.combinations);
     check_moving_loads();
     check_expected();
     is_partial_ = false;

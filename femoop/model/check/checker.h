@@ -103,7 +103,6 @@ private:
     void check_load_dof(Dof dof, LoadAxes axes, std::string_view component, const Entry& place);
     std::optional<double> check_position(const Position& position, std::string_view key, const Member& member,
                                          const Entry& place);
-    void check_combinations();
 
     // expected_check.cpp
     void check_expected();

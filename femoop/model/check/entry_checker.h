@@ -48,8 +48,15 @@ protected:
     }
 
     void check_names(const std::vector<Entry>& entries); ///< that are unique together
+    /// Adds the entries of a list; one that could be read has a name.
+    template <class Parts>
+    void collect_names(std::vector<Entry>& entries, std::string_view list, const Parts& parts,
+                       const std::vector<bool>& unreadable);
+    template <class Parts> ///< of a list with names of its own
+    void check_names(std::string_view list, const Parts& parts, const std::vector<bool>& unreadable);
     void check_material(const Material& material, const Entry& place);
-    void check_circles(const std::vector<Combination>& combinations, std::size_t n_load_cases);
+    /// Terms that name cases by finite factors, and no combination of itself.
+    template <class AnyModel> void check_combinations(const AnyModel& model, const std::vector<bool>& unreadable);
 
     Units units_;
     std::vector<Fault> faults_;
@@ -57,8 +64,42 @@ protected:
     bool has_repeated_id_ = false;
 
 private:
+    void check_circles(const std::vector<Combination>& combinations, std::size_t n_load_cases);
     void add_circle(const std::vector<Combination>& combinations, const std::vector<std::size_t>& path,
                     std::size_t again);
 };
+
+template <class Parts>
+void EntryChecker::collect_names(std::vector<Entry>& entries, std::string_view list, const Parts& parts,
+                                 const std::vector<bool>& unreadable)
+{
+    for (std::size_t i = 0; i < parts.size(); ++i) {
+        entries.push_back({list, i, parts[i].id});
+        if (parts[i].id.empty() && !flag(unreadable, i)) add(FaultKind::EmptyId, entries.back(), {});
+    }
+}
+
+template <class Parts>
+void EntryChecker::check_names(std::string_view list, const Parts& parts, const std::vector<bool>& unreadable)
+{
+    std::vector<Entry> entries;
+    collect_names(entries, list, parts, unreadable);
+    check_names(entries);
+}
+
+template <class AnyModel>
+void EntryChecker::check_combinations(const AnyModel& model, const std::vector<bool>& unreadable)
+{
+    for (std::size_t i = 0; i < model.combinations.size(); ++i) {
+        is_partial_ = flag(unreadable, i);
+        const Combination& combination = model.combinations[i];
+        const Entry place{"combinations", i, combination.id};
+        for (const Combination::Term& term : combination.terms)
+            if (require_entry(place, "cases", term.of.index, model.n_cases()))
+                require_finite(place, model.case_name(term.of), term.factor);
+    }
+    is_partial_ = false;
+    check_circles(model.combinations, model.load_cases.size());
+}
 
 } // namespace femoop

@@ -42,31 +42,18 @@ std::string_view end_name(bool is_start) { return is_start ? "start" : "end"; }
 
 void Checker::check_ids()
 {
-    std::vector<Entry> entries;
-    const auto collect = [&](std::string_view list, const auto& parts, const std::vector<bool>& unreadable) {
-        for (std::size_t i = 0; i < parts.size(); ++i) {
-            entries.push_back({list, i, parts[i].id});
-            if (parts[i].id.empty() && !flag(unreadable, i)) add(FaultKind::EmptyId, entries.back(), {});
-        }
-    };
-    const auto check_own = [&](std::string_view list, const auto& parts, const std::vector<bool>& unreadable) {
-        collect(list, parts, unreadable);
-        check_names(entries);
-        entries.clear();
-    };
-    check_own("materials", model_.materials, unreadable_.materials);
-    check_own("sections", model_.sections, unreadable_.sections);
-    check_own("nodes", model_.nodes, unreadable_.nodes);
-    check_own("members", model_.members, unreadable_.members);
-    // load cases and combinations share one set of names
-    collect("load_cases", model_.load_cases, unreadable_.load_cases);
-    collect("combinations", model_.combinations, unreadable_.combinations);
-    check_names(entries);
-    entries.clear();
-    check_own("paths", model_.moving_loads.paths, unreadable_.paths);
-    check_own("influence_lines", model_.moving_loads.influence_lines, unreadable_.influence_lines);
-    check_own("trains", model_.moving_loads.trains, unreadable_.trains);
-    check_own("moving_envelopes", model_.moving_loads.envelopes, unreadable_.moving_envelopes);
+    check_names("materials", model_.materials, unreadable_.materials);
+    check_names("sections", model_.sections, unreadable_.sections);
+    check_names("nodes", model_.nodes, unreadable_.nodes);
+    check_names("members", model_.members, unreadable_.members);
+    std::vector<Entry> cases; // load cases and combinations share one set of names
+    collect_names(cases, "load_cases", model_.load_cases, unreadable_.load_cases);
+    collect_names(cases, "combinations", model_.combinations, unreadable_.combinations);
+    check_names(cases);
+    check_names("paths", model_.moving_loads.paths, unreadable_.paths);
+    check_names("influence_lines", model_.moving_loads.influence_lines, unreadable_.influence_lines);
+    check_names("trains", model_.moving_loads.trains, unreadable_.trains);
+    check_names("moving_envelopes", model_.moving_loads.envelopes, unreadable_.moving_envelopes);
 }
 
 void Checker::check_materials()

@@ -73,7 +73,7 @@ std::vector<Fault> PlaneChecker::run()
         check_ties();
     }
     check_load_cases();
-    check_combinations();
+    check_combinations(model_, unreadable_.combinations);
     check_expected();
     is_partial_ = false;
     if (!unreadable_.is_incomplete && !model_.elements.empty()) check_use();
@@ -83,26 +83,15 @@ std::vector<Fault> PlaneChecker::run()
 
 void PlaneChecker::check_ids()
 {
-    std::vector<Entry> entries;
-    const auto collect = [&](std::string_view list, const auto& parts, const std::vector<bool>& unreadable) {
-        for (std::size_t i = 0; i < parts.size(); ++i) {
-            entries.push_back({list, i, parts[i].id});
-            if (parts[i].id.empty() && !flag(unreadable, i)) add(FaultKind::EmptyId, entries.back(), {});
-        }
-    };
-    const auto check_own = [&](std::string_view list, const auto& parts, const std::vector<bool>& unreadable) {
-        collect(list, parts, unreadable);
-        check_names(entries);
-        entries.clear();
-    };
-    check_own("materials", model_.materials, unreadable_.materials);
-    check_own("points", model_.points, unreadable_.points);
-    check_own("curves", model_.curves, unreadable_.curves);
-    check_own("regions", model_.regions, unreadable_.regions);
-    check_own("elements", model_.elements, unreadable_.elements);
-    collect("load_cases", model_.load_cases, unreadable_.load_cases);
-    collect("combinations", model_.combinations, unreadable_.combinations);
-    check_names(entries);
+    check_names("materials", model_.materials, unreadable_.materials);
+    check_names("points", model_.points, unreadable_.points);
+    check_names("curves", model_.curves, unreadable_.curves);
+    check_names("regions", model_.regions, unreadable_.regions);
+    check_names("elements", model_.elements, unreadable_.elements);
+    std::vector<Entry> cases; // load cases and combinations share one set of names
+    collect_names(cases, "load_cases", model_.load_cases, unreadable_.load_cases);
+    collect_names(cases, "combinations", model_.combinations, unreadable_.combinations);
+    check_names(cases);
 }
 
 void PlaneChecker::check_materials()

@@ -68,7 +68,6 @@ private:
     template <class Use> void for_regions(const std::vector<RegionId>& regions, Use use) const;
     void require_density(const std::vector<RegionId>& regions, const Entry& place);
     void require_expansion(const std::vector<RegionId>& regions, const Entry& place);
-    void check_combinations();
     void check_settlements(); ///< that agree at every node. \pre the mesh is sound
 
     // plane_expected_check.cpp

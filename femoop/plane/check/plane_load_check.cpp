@@ -176,18 +176,4 @@ void PlaneChecker::check_settlements()
     }
 }
 
-void PlaneChecker::check_combinations()
-{
-    for (std::size_t i = 0; i < model_.combinations.size(); ++i) {
-        is_partial_ = flag(unreadable_.combinations, i);
-        const Combination& combination = model_.combinations[i];
-        const Entry place{"combinations", i, combination.id};
-        for (const Combination::Term& term : combination.terms)
-            if (require_entry(place, "cases", term.of.index, model_.n_cases()))
-                require_finite(place, model_.case_name(term.of), term.factor);
-    }
-    is_partial_ = false;
-    check_circles(model_.combinations, model_.load_cases.size());
-}
-
 } // namespace femoop::plane
