@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "apps/plane/discretize/drawing_check.h"
+#include "apps/plane/discretize/entry_name.h"
 #include "femoop/model/quantity/number_text.h"
 
 namespace discretize {

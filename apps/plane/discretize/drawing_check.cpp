@@ -9,6 +9,7 @@
 #include <string>
 #include <utility>
 
+#include "apps/plane/discretize/entry_name.h"
 #include "femoop/model/quantity/number_text.h"
 
 namespace discretize {

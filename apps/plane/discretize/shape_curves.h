@@ -1,12 +1,9 @@
 #pragma once
 
 #include <array>
-#include <cstddef>
 #include <string>
-#include <string_view>
 #include <vector>
 
-#include "femoop/model/check/entry_checker.h"
 #include "femoop/model/fault/fault.h"
 #include "femoop/plane/model/plane_model.h"
 #include "topology/geometry/curve.h"
@@ -20,12 +17,6 @@ struct ShapePart {
     topology::Curve curve;
     std::array<topology::FlatPoint, 2> ends;
 };
-
-/// An entry of a list as faults name it: curves[2] "hole".
-template <class Parts> std::string entry_of(std::string_view list, const Parts& parts, std::size_t i)
-{
-    return femoop::Entry{list, i, parts[i].id}.text();
-}
 
 topology::FlatPoint place_of(const PlaneModel& model, const femoop::plane::DrawnPlace& drawn);
 

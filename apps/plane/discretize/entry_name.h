@@ -1,0 +1,17 @@
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+
+#include "femoop/model/check/entry_checker.h"
+
+namespace discretize {
+
+/// An entry of a list as faults name it: curves[2] "hole".
+template <class Parts> std::string entry_of(std::string_view list, const Parts& parts, std::size_t i)
+{
+    return femoop::Entry{list, i, parts[i].id}.text();
+}
+
+} // namespace discretize
