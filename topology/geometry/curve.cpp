@@ -213,6 +213,40 @@ double Curve::length(Span span) const
     return std::abs(speed_integral(*this, span, 1e-13 * std::abs(about), most_halvings));
 }
 
+double Curve::at_share(Span span, double share) const
+{
+    if (is_straight() || is_circular() || share <= 0.0 || share >= 1.0) return span.at(std::clamp(share, 0.0, 1.0));
+    const double whole = length(span);
+    double t = span.at(share);
+    Span bracket = span;
+    constexpr int most_steps = 60;
+    for (int i = 0; i < most_steps; ++i) { // Newton's method, kept between places that are too near and too far
+        const double off = length({span.from, t}) - share * whole;
+        if (std::abs(off) <= 1e-12 * whole) break;
+        (off > 0.0 ? bracket.to : bracket.from) = t;
+        const double speed = topology::length(derivative(t));
+        const double next = speed > 0.0 ? t - std::copysign(off / speed, off * (span.to - span.from)) : span.from;
+        const bool is_between = (next - bracket.from) * (bracket.to - next) > 0.0;
+        t = is_between ? next : bracket.middle();
+    }
+    return t;
+}
+
+double Curve::turning(Span span) const
+{
+    if (is_straight()) return 0.0;
+    constexpr int n_parts = 32;
+    double turned = 0.0;
+    FlatVector before = direction(span);
+    for (int i = 1; i <= n_parts; ++i) {
+        const double t = span.at(static_cast<double>(i) / n_parts);
+        const FlatVector now = -direction({t, span.from});
+        turned += std::abs(std::atan2(cross(before, now), dot(before, now)));
+        before = now;
+    }
+    return turned;
+}
+
 double Curve::area(Span span, const FlatPoint& origin) const
 {
     return std::visit([&](const auto& shape) { return area_of(shape, span, origin); }, shape_);

@@ -60,6 +60,9 @@ public:
 
     FlatBox box(Span span) const;   ///< no larger than need be
     double length(Span span) const; ///< to 1e-12 of it
+    /// The parameter up to which the span has this share of its length, to 1e-12 of it.
+    double at_share(Span span, double share) const;
+    double turning(Span span) const; ///< how far its direction turns, either way, in all [rad]
     /// Of what a line from the origin to a point that runs along the span sweeps over, counter-clockwise: the integral
     /// of (r - origin) x dr / 2, so that a closed chain of spans has the sum as its area (Green).
     double area(Span span, const FlatPoint& origin) const;
