@@ -9,6 +9,7 @@
 #include "apps/cli/argument.h"
 #include "apps/cli/bench_frame.h"
 #include "apps/cli/bench_halfedge.h"
+#include "apps/cli/bench_mesh.h"
 #include "apps/cli/bench_regions.h"
 #include "femoop/io/json/json_writer.h"
 #include "femoop/solver/blas.h"
@@ -28,8 +29,9 @@ private:
     ExitStatus frame(Console& console) const;
     std::string halfedge(const ui::Catalogue& tr) const;
     std::string regions(const ui::Catalogue& tr) const;
+    std::string mesh(const ui::Catalogue& tr) const;
 
-    std::string what_, bays_ = "19", storeys_ = "50", solver_ = "automatic", n_ = "1000";
+    std::string what_, bays_ = "19", storeys_ = "50", solver_ = "automatic", n_ = "1000", triangles_ = "100000";
     std::string segments_ = "1000", kind_ = "long", seed_ = "1";
     bool is_json_ = false, is_one_by_one_ = false;
 };
@@ -45,24 +47,30 @@ HelpText Bench::help(const ui::Catalogue& tr) const
             tr("`bench halfedge` draws a grid of N by N quadrilaterals by the Euler operators MVFS, "
                "MEV and MEF, without and with the journal, undoes all of it and validates it.") +
             "\n\n" +
+            tr("`bench mesh` fills the unit square with five round holes with about N triangles, no angle below 30 degrees, "
+               "and prints how many triangles and vertices there are, the smallest angle, and the time of meshing.") +
+            "\n\n" +
             tr("`bench regions` divides a square of 2^20 by random straight lines, which are inserted one after the "
                "other, and prints the vertices, edges, regions and components that they make."),
         {{"cremona bench frame --bays 249 --storeys 400", tr("300 000 degrees of freedom.")},
          {"cremona bench frame --bays 19 --storeys 50 --solver ldlt --json", tr("Another solver, for a program.")},
          {"cremona bench halfedge --n 1000", tr("2 002 001 Euler operators.")},
+         {"cremona bench mesh --triangles 1000000 --json", tr("A million triangles.")},
          {"cremona bench regions --segments 1000 --kind long --seed 1 --json",
           tr("A thousand lines that cross everywhere.")}}};
 }
 
 void Bench::declare(CLI::App& app, const ui::Catalogue& tr)
 {
-    app.add_option("WHAT", what_, tr("what is built: frame, halfedge or regions"))->option_text(" ");
+    app.add_option("WHAT", what_, tr("what is built: frame, halfedge, mesh or regions"))->option_text(" ");
     app.add_option("--bays", bays_, tr("how many bays the frame has (default 19)"))->option_text("B");
     app.add_option("--storeys", storeys_, tr("how many storeys the frame has (default 50)"))->option_text("S");
     app.add_option("--solver", solver_,
                    tr("who solves K u = f: automatic (the fastest, default), skyline, multifrontal, ldlt or cholmod"))
         ->option_text("NAME");
     app.add_option("--n", n_, tr("how many quadrilaterals lie along each side of the grid (default 1000)"))
+        ->option_text("N");
+    app.add_option("--triangles", triangles_, tr("how many triangles fill the square, about (default 100000)"))
         ->option_text("N");
     app.add_option("--segments", segments_, tr("how many lines divide the square (default 1000)"))->option_text("N");
     app.add_option("--kind", kind_, tr("the lines are long (default), from anywhere to anywhere, or short"))
@@ -177,6 +185,25 @@ std::string table(const RegionBench& bench, const ui::Catalogue& tr)
     return text.str();
 }
 
+std::string json(const MeshBench& bench)
+{
+    femoop::JsonWriter json;
+    json.begin_object().member("triangles", bench.triangles).member("vertices", bench.vertices);
+    json.member("min_angle", bench.min_angle).member("seconds", bench.seconds).end();
+    return json.take();
+}
+
+std::string table(const MeshBench& bench, const ui::Catalogue& tr)
+{
+    std::ostringstream text;
+    text << std::setw(16) << bench.triangles << "     " << tr("triangles") << '\n';
+    text << std::setw(16) << bench.vertices << "     " << tr("vertices") << '\n';
+    text << std::fixed << std::setprecision(3) << std::setw(16) << bench.min_angle << " °   " << tr("smallest angle")
+         << '\n';
+    text << std::setprecision(6) << std::setw(16) << bench.seconds << " s   " << tr("meshing") << '\n';
+    return text.str();
+}
+
 ExitStatus Bench::frame(Console& console) const
 {
     const ui::Catalogue& tr = console.tr();
@@ -210,14 +237,22 @@ std::string Bench::regions(const ui::Catalogue& tr) const
     return is_json_ ? json(bench) : table(bench, tr);
 }
 
+std::string Bench::mesh(const ui::Catalogue& tr) const
+{
+    const long n = whole_number("--triangles", triangles_, {10, 5000000}, tr);
+    const MeshBench bench = bench_mesh(static_cast<std::size_t>(n));
+    return is_json_ ? json(bench) : table(bench, tr);
+}
+
 ExitStatus Bench::run(Console& console)
 {
     const ui::Catalogue& tr = console.tr();
     if (what_ == "frame") return frame(console);
-    if (what_.empty()) throw UsageError(tr("nothing to build is given; add frame, halfedge or regions"));
-    if (what_ != "halfedge" && what_ != "regions")
-        throw unknown_choice("WHAT", what_, {"frame", "halfedge", "regions"}, tr);
-    console.print(what_ == "regions" ? regions(tr) : halfedge(tr));
+    if (what_.empty()) throw UsageError(tr("nothing to build is given; add frame, halfedge, mesh or regions"));
+    if (what_ == "halfedge") console.print(halfedge(tr));
+    else if (what_ == "mesh") console.print(mesh(tr));
+    else if (what_ == "regions") console.print(regions(tr));
+    else throw unknown_choice("WHAT", what_, {"frame", "halfedge", "mesh", "regions"}, tr);
     return ExitStatus::Done;
 }
 

@@ -10,4 +10,20 @@ std::unique_ptr<const discretize::Drawing> drawing_of(femoop::plane::PlaneReadin
     return drawing;
 }
 
+PlaneInput::PlaneInput(femoop::plane::PlaneReading& reading, Depth depth)
+    : reading_(reading), drawing_(drawing_of(reading))
+{
+    if (depth == Depth::Drawing || !drawing_ || !drawing_->is_sound()) return;
+    mesh_.emplace(*drawing_);
+    reading.faults.insert(reading.faults.end(), mesh_->faults().begin(), mesh_->faults().end());
+}
+
+std::optional<femoop::plane::DrawnChecks> PlaneInput::checks() const
+{
+    if (!drawing_) return std::nullopt;
+    return femoop::plane::DrawnChecks{
+        .count_or_area = [this](const femoop::plane::PlaneExpected& check) { return drawing_->read(check); },
+        .of_mesh = mesh_ ? &mesh_->checks() : nullptr};
+}
+
 } // namespace cli

@@ -1,14 +1,37 @@
 #pragma once
 
+#include <cstdint>
 #include <memory>
+#include <optional>
 
-#include "apps/plane/discretize/drawing.h"
+#include "apps/plane/discretize/meshed_drawing.h"
 #include "femoop/io/plane/plane_file.h"
+#include "femoop/io/plane/plane_verify.h"
 
 namespace cli {
 
 /// The drawing of a plane model, where it is drawn and nothing is wrong with its file; what is wrong with the drawing
 /// joins the reading's faults. The reading must outlive it.
 std::unique_ptr<const discretize::Drawing> drawing_of(femoop::plane::PlaneReading& reading);
+
+/// A plane model that was read, with its drawing and the mesh of that where it is drawn.
+class PlaneInput {
+public:
+    enum class Depth : std::uint8_t { Drawing, Mesh }; ///< how far it is made
+
+    /// What is wrong with the drawing or its mesh joins the reading's faults. The reading must outlive this.
+    explicit PlaneInput(femoop::plane::PlaneReading& reading, Depth depth = Depth::Mesh);
+
+    const discretize::Drawing* drawing() const { return drawing_.get(); }
+    const discretize::MeshedDrawing* mesh() const { return mesh_ ? &*mesh_ : nullptr; }
+    /// The model with elements. \pre the reading is sound
+    const femoop::plane::PlaneModel& model() const { return mesh_ ? mesh_->model() : reading_.model; }
+    std::optional<femoop::plane::DrawnChecks> checks() const;
+
+private:
+    const femoop::plane::PlaneReading& reading_;
+    std::unique_ptr<const discretize::Drawing> drawing_;
+    std::optional<discretize::MeshedDrawing> mesh_;
+};
 
 } // namespace cli

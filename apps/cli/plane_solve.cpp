@@ -47,6 +47,19 @@ std::vector<femoop::CaseId> cases_named(const fp::PlaneModel& model, const std::
     throw unknown_choice("--case", name, names, tr);
 }
 
+/// The points of a drawing that are in material.
+std::vector<fp::ShownPoint> points_of(const fp::PlaneModel& drawn, const discretize::MeshedDrawing& mesh,
+                                      const fp::Locator& locator)
+{
+    std::vector<fp::ShownPoint> points;
+    for (std::size_t i = 0; i < drawn.points.size(); ++i) {
+        const fp::PlanePoint& point = drawn.points[i];
+        fp::ShownPoint shown{.id = point.id, .node = mesh.node(femoop::NodeId(i)), .at = {point.at[0], point.at[1]}};
+        if (shown.node || !locator.find(shown.at).empty()) points.push_back(std::move(shown));
+    }
+    return points;
+}
+
 } // namespace
 
 void PlaneSolve::declare(CLI::App& app, const ui::Catalogue& tr)
@@ -72,14 +85,18 @@ ExitStatus PlaneSolve::solve(const Question& question, const femoop::AnalysisOpt
 {
     const ui::Catalogue& tr = console.tr();
     auto& [reading, file, case_name, is_json] = question;
-    drawing_of(reading);
-    if (reading.model.is_drawn && reading.is_sound())
-        reading.faults.push_back({femoop::FaultKind::PlaneDrawingNotBuilt, {}});
+    const PlaneInput input(reading);
     console.report(file, reading.faults);
     if (!reading.is_sound()) return ExitStatus::BadInput;
+    const fp::PlaneModel& model = input.model();
     fp::PlaneSelection selection{
-        .cases = cases_named(reading.model, case_name, tr), .probes = {}, .cuts = {}, .is_full = is_full_};
-    const fp::Locator locator(reading.model);
+        .cases = cases_named(model, case_name, tr), .probes = {}, .cuts = {}, .is_full = is_full_};
+    const fp::Locator locator(model);
+    if (input.mesh() != nullptr) {
+        selection.points = points_of(reading.model, *input.mesh(), locator);
+        for (const discretize::RegionReport& report : input.mesh()->reports())
+            selection.methods.push_back(report.method);
+    }
     for (const std::string& place : places_) {
         const std::vector<double> at = numbers_of("--at", place, 2, tr);
         selection.probes.emplace_back(at[0], at[1]);
@@ -89,14 +106,14 @@ ExitStatus PlaneSolve::solve(const Question& question, const femoop::AnalysisOpt
     for (const std::string& ends : cuts_) {
         const std::vector<double> at = numbers_of("--cut", ends, 4, tr);
         const fp::Cut cut{{at[0], at[1]}, {at[2], at[3]}};
-        if (cut.length() == 0.0 || fp::pieces_along(reading.model, locator, cut).empty())
+        if (cut.length() == 0.0 || fp::pieces_along(model, locator, cut).empty())
             throw UsageError(tr("--cut: {cut} meets no material; move it", {{"cut", ends}}));
         selection.cuts.push_back(cut);
     }
-    if (!selection.cuts.empty() && reading.model.analysis == femoop::StressState::Axisymmetric)
+    if (!selection.cuts.empty() && model.analysis == femoop::StressState::Axisymmetric)
         throw UsageError(tr("--cut: a cut through an axisymmetric body has no N, V and M; read stresses with --at"));
     try {
-        const fp::PlaneResults results = fp::analyse(reading.model, options);
+        const fp::PlaneResults results = fp::analyse(model, options);
         console.report(file, results.warnings());
         console.print(is_json ? fp::plane_results_json(results, selection)
                               : fp::plane_results_text(results, selection, tr));

@@ -131,23 +131,23 @@ FileOutcome Verify::verify_file(const std::string& file, const Console& console)
     return outcome;
 }
 
-/// Of a drawing counts and areas are compared; its mesh is not built yet, so that results are named and skipped.
+/// A drawing is meshed where results are asked for; counts and areas need none.
 void Verify::verify_plane(femoop::plane::PlaneReading& reading, FileOutcome& outcome, const Console& console) const
 {
+    namespace fp = femoop::plane;
     const femoop::Translator tr = is_json_ ? femoop::english : femoop::Translator(console.tr());
-    const auto drawing = drawing_of(reading);
+    const bool needs_results = fp::needs_linear_analysis(reading.model);
+    const PlaneInput input(reading, needs_results ? PlaneInput::Depth::Mesh : PlaneInput::Depth::Drawing);
     console.report(outcome.file, reading.faults);
     outcome.status = ExitStatus::BadInput;
     if (!reading.is_sound()) return;
     try {
-        std::optional<femoop::plane::PlaneResults> results;
-        if (femoop::plane::needs_linear_analysis(reading.model)) {
-            results = femoop::plane::analyse(reading.model);
+        std::optional<fp::PlaneResults> results;
+        if (needs_results) {
+            results = fp::analyse(input.model());
             console.report(outcome.file, results->warnings());
         }
-        femoop::plane::DrawingReader read;
-        if (drawing) read = [&](const femoop::plane::PlaneExpected& check) { return drawing->read(check); };
-        outcome.checks = femoop::plane::verify(reading.model, results, read, tr);
+        outcome.checks = fp::verify(reading.model, results, input.checks(), tr);
         outcome.status = femoop::count(outcome.checks).failed > 0 ? ExitStatus::No : ExitStatus::Done;
     } catch (const femoop::ModelError& error) {
         outcome.status = report_unsolved(error, outcome.file, console);

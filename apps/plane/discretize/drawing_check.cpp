@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdio>
 #include <numbers>
 #include <set>
 #include <string>
@@ -28,18 +27,6 @@ using topology::FlatPoint;
 using topology::HalfEdgeId;
 
 constexpr double sharp_angle = 5.0; // degrees
-
-std::string rounded(double value)
-{
-    std::array<char, 32> text{};
-    static_cast<void>(std::snprintf(text.data(), text.size(), "%.6g", value == 0.0 ? 0.0 : value));
-    return text.data();
-}
-
-std::string place_text(const PlaneModel& model, const FlatPoint& at)
-{
-    return "(" + rounded(at.x) + ", " + rounded(at.y) + ") " + std::string(femoop::name(model.units.length));
-}
 
 /// Gives the faces to the regions whose places they hold.
 class RegionAssignment {
@@ -189,6 +176,8 @@ private:
     {
         for (std::size_t i = 0; i < model_.expected.size(); ++i) {
             const PlaneExpected& check = model_.expected[i];
+            if (check.curve && !touches(*check.curve))
+                add(FaultKind::TouchesNoMaterial, {femoop::Entry{"expected", i, {}}.text(), model_[*check.curve].id});
             const bool is_of_face = check.quantity == PlaneQuantity::Area || check.counted == "holes";
             if (!is_of_face || check.region) continue;
             const std::string place = femoop::Entry{"expected", i, {}}.text();

@@ -35,6 +35,7 @@ PlaneReading examine_plane_model(std::string_view text); ///< \pre the text is t
 PlaneModel read_plane_model(std::string_view text);      ///< \throws ModelError with every error
 
 /// The model as a file's text: one point, element and load a line, keys in a fixed order, quantities as they were typed.
+/// A curve that a mesh has in several runs becomes as many curves, its fields along it those of its parts.
 std::string write_plane_model(const PlaneModel& model);
 
 } // namespace femoop::plane

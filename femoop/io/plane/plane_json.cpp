@@ -61,7 +61,10 @@ public:
     {
         json_.key(result.name()).begin_object(Layout::Block);
         json_.key("points").begin_object(Layout::Block);
-        for (std::size_t i = 0; i < model_.points.size(); ++i) write_point(result, NodeId(i));
+        if (selection_.points && !selection_.is_full)
+            for (const ShownPoint& point : *selection_.points) write_point(result, point);
+        else
+            for (std::size_t i = 0; i < model_.points.size(); ++i) write_point(result, NodeId(i));
         json_.end();
         write_curves(result);
         write_regions(result);
@@ -73,15 +76,39 @@ public:
     }
 
 private:
-    void write_point(const PlaneCase& result, NodeId node)
+    void write_point(const PlaneCase& result, NodeId node) { write_point(result, node, model_[node].id); }
+    void write_point(const PlaneCase& result, NodeId node, const std::string& id)
     {
-        json_.key(model_[node].id).begin_object();
+        json_.key(id).begin_object();
         write_vector(json_, "u", {"ux", "uy"}, result.displacement(node));
         if (result.is_supported(node)) write_vector(json_, "reaction", {"fx", "fy"}, result.reaction(node));
         json_.key("stress").begin_object();
         for (const RegionId region : regions_of_[node.index])
             write_stress(json_, model_[region].id, result.smoothed_stress(node, region));
         json_.end().end();
+    }
+
+    /// A point of a drawing that is no node has what its place has.
+    void write_point(const PlaneCase& result, const ShownPoint& point)
+    {
+        if (point.node) return write_point(result, *point.node, point.id);
+        json_.key(point.id).begin_object();
+        write_state(result, results_.locator().find(point.at));
+        json_.end();
+    }
+
+    void write_state(const PlaneCase& result, const std::vector<Location>& places)
+    {
+        write_vector(json_, "u", {"ux", "uy"}, result.displacement(places.front()));
+        json_.key("stress").begin_object();
+        std::vector<RegionId> seen;
+        for (const Location& place : places) {
+            const RegionId region = model_[place.element].region;
+            if (std::ranges::find(seen, region) != seen.end()) continue;
+            seen.push_back(region);
+            write_stress(json_, model_[region].id, result.smoothed_stress(place));
+        }
+        json_.end();
     }
 
     void write_curves(const PlaneCase& result)
@@ -133,16 +160,8 @@ private:
             const std::vector<Location> places = results_.locator().find(at);
             json_.begin_object();
             write_pair(json_, "at", at);
-            write_vector(json_, "u", {"ux", "uy"}, result.displacement(places.front()));
-            json_.key("stress").begin_object();
-            std::vector<RegionId> seen;
-            for (const Location& place : places) {
-                const RegionId region = model_[place.element].region;
-                if (std::ranges::find(seen, region) != seen.end()) continue;
-                seen.push_back(region);
-                write_stress(json_, model_[region].id, result.smoothed_stress(place));
-            }
-            json_.end().end();
+            write_state(result, places);
+            json_.end();
         }
         json_.end();
     }
@@ -209,16 +228,16 @@ void write_mesh(JsonWriter& json, const PlaneModel& model, bool is_full)
     json.end();
 }
 
-void write_region_sizes(JsonWriter& json, const PlaneModel& model)
+void write_region_sizes(JsonWriter& json, const PlaneModel& model, const std::vector<std::string>& methods)
 {
     const std::vector<RegionSize> sizes = region_sizes(model);
     json.key("regions").begin_object(Layout::Block);
-    for (std::size_t r = 0; r < sizes.size(); ++r)
-        json.key(model.regions[r].id)
-            .begin_object()
-            .member("area", sizes[r].area)
-            .member("elements", sizes[r].n_elements)
-            .end();
+    for (std::size_t r = 0; r < sizes.size(); ++r) {
+        json.key(model.regions[r].id).begin_object();
+        json.member("area", sizes[r].area).member("elements", sizes[r].n_elements);
+        if (!methods.empty()) json.member("method", methods[r]);
+        json.end();
+    }
     json.end();
 }
 
@@ -231,7 +250,7 @@ std::string plane_results_json(const PlaneResults& results, const PlaneSelection
     begin_output(json, model.units);
     json.member("analysis", name(model.analysis));
     write_mesh(json, model, selection.is_full);
-    write_region_sizes(json, model);
+    write_region_sizes(json, model, selection.methods);
     if (!results.warnings().empty()) {
         json.key("warnings").begin_array(Layout::Block);
         for (const Fault& warning : results.warnings()) json.value(message(warning));

@@ -55,7 +55,8 @@ public:
 
     std::string text(const PlaneSelection& selection) const
     {
-        std::string text = titled(tr_("Displacements of the points"), displacements(), tr_);
+        std::string text = titled(tr_("Displacements of the points"),
+                                  displacements(selection.points ? &*selection.points : nullptr), tr_);
         text += titled(tr_("Reactions of the supports on the body"), reactions(), tr_);
         text += titled(tr_("Extreme stresses of the regions (smoothed, tension positive)"), extremes(), tr_);
         text += titled(tr_("At the places asked for"), probes(selection.probes), tr_);
@@ -77,16 +78,24 @@ private:
         return std::strtod(text.data(), nullptr);
     }
 
-    tabular::Table displacements() const
+    /// \param drawn  points of a drawing; nothing: those of the model
+    tabular::Table displacements(const std::vector<ShownPoint>* drawn) const
     {
         tabular::Table table({tr_("point"), column("ux", dimension::length, model_.units),
                               column("uy", dimension::length, model_.units)});
+        const auto add = [&](const std::string& id, const Eigen::Vector2d& u) {
+            table.add_row({id, without_rounding(u.x(), most_moved_), without_rounding(u.y(), most_moved_)});
+        };
+        if (drawn != nullptr) {
+            for (const ShownPoint& point : *drawn)
+                add(point.id, point.node ? result_.displacement(*point.node)
+                                         : result_.displacement(results_.locator().find(point.at).front()));
+            return table;
+        }
         const bool is_small = model_.points.size() <= most_points_shown;
         for (std::size_t i = 0; i < model_.points.size(); ++i) {
             const Eigen::Vector2d u = result_.displacement(NodeId(i));
-            if (!is_small && !is_largest(u)) continue;
-            table.add_row(
-                {model_.points[i].id, without_rounding(u.x(), most_moved_), without_rounding(u.y(), most_moved_)});
+            if (is_small || is_largest(u)) add(model_.points[i].id, u);
         }
         return table;
     }

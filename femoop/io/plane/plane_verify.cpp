@@ -67,24 +67,22 @@ double tolerance_of(const PlaneExpected& check)
 
 } // namespace
 
-bool needs_linear_analysis(const PlaneModel& model)
-{
-    return !model.is_drawn && std::ranges::any_of(model.expected, is_linear);
-}
+bool needs_linear_analysis(const PlaneModel& model) { return std::ranges::any_of(model.expected, is_linear); }
 
 std::vector<CheckOutcome> verify(const PlaneModel& model, const std::optional<PlaneResults>& results,
-                                 const DrawingReader& drawing, const Translator& tr)
+                                 const std::optional<DrawnChecks>& drawn, const Translator& tr)
 {
     std::vector<CheckOutcome> outcomes;
     std::map<CaseId, PlaneCase> cases; // what is recovered once serves all checks of a case
-    for (const PlaneExpected& check : model.expected) {
+    for (std::size_t i = 0; i < model.expected.size(); ++i) {
+        const PlaneExpected& check = model.expected[i];
         const std::string what = described(model, check, tr);
         const bool is_of_drawing = check.quantity == PlaneQuantity::Count || check.quantity == PlaneQuantity::Area;
-        if (const auto found = is_of_drawing && drawing ? drawing(check) : std::nullopt) {
+        if (const auto found = is_of_drawing && drawn ? drawn->count_or_area(check) : std::nullopt) {
             outcomes.push_back(compared(what, check.value, *found, tolerance_of(check)));
             continue;
         }
-        if (!is_linear(check) || model.is_drawn) {
+        if (!is_linear(check)) {
             outcomes.push_back({.what = what,
                                 .expected = check.value,
                                 .tolerance = tolerance_of(check),
@@ -95,7 +93,8 @@ std::vector<CheckOutcome> verify(const PlaneModel& model, const std::optional<Pl
         const CaseId id = check.load_case.value_or(CaseId(0));
         auto known = cases.find(id);
         if (known == cases.end()) known = cases.emplace(id, (*results)[id]).first;
-        outcomes.push_back(compared(what, check.value, value_of(*results, known->second, check), tolerance_of(check)));
+        const PlaneExpected& asked = drawn ? (*drawn->of_mesh)[i] : check;
+        outcomes.push_back(compared(what, check.value, value_of(*results, known->second, asked), tolerance_of(check)));
     }
     return outcomes;
 }

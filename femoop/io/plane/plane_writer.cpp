@@ -5,6 +5,7 @@
 #include <variant>
 #include <vector>
 
+#include "femoop/io/plane/curve_runs.h"
 #include "femoop/io/plane/plane_file.h"
 #include "femoop/io/plane/plane_names.h"
 #include "femoop/io/reader/names.h"
@@ -254,6 +255,8 @@ std::string text_of(const PlaneExpected& check, const PlaneModel& model)
 
 std::string write_plane_model(const PlaneModel& model)
 {
+    if (std::ranges::any_of(model.curves, [](const PlaneCurve& curve) { return curve.reach.has_value(); }))
+        return write_plane_model(with_runs_as_curves(model));
     const auto alone = [](const auto& part) { return text_of(part); };
     const auto in_model = [&](const auto& part) { return text_of(part, model); };
     ModelText file;

@@ -420,9 +420,7 @@ std::string_view pattern(FaultKind kind)
     case FaultKind::PrimaryMoves: return "without {0} the structure can move; release other forces";
 
     case FaultKind::PlaneModelElsewhere:
-        return "{0}: {1} is a plane model, for which this is not built yet; check, solve, verify and convert read it";
-    case FaultKind::PlaneDrawingNotBuilt:
-        return "a mesh of a drawing, which is to be made of its curves and regions, is not built yet; give the mesh: \"elements\", with curves of kind edges";
+        return "{0}: {1} is a plane model, for which this is not built yet; check, mesh, solve, verify and convert read it";
     case FaultKind::EdgesWithoutElements:
         return "{0}: found the kind \"edges\" without \"elements\", wanted line, arc, circle, ellipse, bezier or spline; draw the curve, or give the mesh";
     case FaultKind::CurvePlace: return "{0}: is no place of a curve; name a point or write [x, y], like [2.5, 0]";
@@ -461,6 +459,36 @@ std::string_view pattern(FaultKind kind)
         return "the corner at {0} has an angle of {1} degrees, so that elements there are poor; widen it";
     case FaultKind::TouchesNoMaterial:
         return "{0}: \"{1}\" touches no material, so that nothing takes it; put a region beside it or take it away";
+    case FaultKind::PointsAtOnePlace:
+        return "{0}: this point and {1} are one place to within snap, and both are supported; put the support on one of them";
+    case FaultKind::MinAngleRange:
+        return "{0}: found min_angle {1}, wanted more than 0 and at most 33 degrees; give a smaller one";
+    case FaultKind::CornerCount: return "{0}: found {1} corners, wanted four points of its outline; name four";
+    case FaultKind::NothingToMesh:
+        return "no face of the drawing has material: there is nothing to mesh; add an entry to \"regions\"";
+    case FaultKind::MeshMethodNotBuilt:
+        return "{0}: the method {1} is not built yet; choose mapped or delaunay, or another element";
+    case FaultKind::MeshMethodOfElement:
+        return "{0}: the method {1} does not make the element {2}; choose {3}, or the method mapped";
+    case FaultKind::MappedInside:
+        return "{0}: a mapped region has one outline, with nothing inside; choose the method delaunay";
+    case FaultKind::MappedVertices:
+        return "{0}: a mapped region has four corners, and the outline of this one has {1} vertices; name four of its points as \"corners\"";
+    case FaultKind::MappedCornerOff: return "{0}: the corner \"{1}\" is no vertex of its outline; name a point on it";
+    case FaultKind::MappedCornerOrder:
+        return "{0}: its corners do not follow one another around the outline; list them in that order";
+    case FaultKind::MappedSidesDiffer:
+        return "{0}: opposite sides of a mapped region have equally many parts, found {2} ({1}) and {4} ({3}); divide them alike";
+    case FaultKind::MeshOrdersDiffer:
+        return "{0}: its elements {1} and those of {2}, {3}, share a border, where only one of them has nodes in the middle of edges; choose both with or both without them";
+    case FaultKind::MeshTooLarge:
+        return "the mesh would have about {0} elements, wanted {1} at most; give a larger \"size\"";
+    case FaultKind::MeshEdgesCross:
+        return "{0}: straight parts of {1} and {2} cross or touch where the curves do not; divide them finer";
+    case FaultKind::MeshElementTurned:
+        return "{0}: the element at {1} is turned inside out by the curves around it; divide them finer";
+    case FaultKind::MeshAngleMissed:
+        return "{0}: the smallest angle of its mesh is {1} degrees, at {3}, where {2} were asked for: parts of its outline are long there beside the distance between them, or a corner is sharp; divide the curves finer there";
     case FaultKind::CheckFaceOutside: return "{0}: no face of the drawing is at {1}; give a place inside closed curves";
     case FaultKind::CheckFaceRank: return "{0}: asks for face {1} of {2}; give a smaller number";
     case FaultKind::CheckFacePlace:
@@ -577,6 +605,7 @@ Severity severity(FaultKind kind)
     case FaultKind::DrawnPointAlone:
     case FaultKind::CurveDangles:
     case FaultKind::SharpCorner:
+    case FaultKind::MeshAngleMissed:
     case FaultKind::RegionWithoutElements:
     case FaultKind::NearlyIncompressible:
     case FaultKind::EmptyLoad: return Severity::Warning;

@@ -144,12 +144,27 @@ void PlaneChecker::check_support(const PlaneSupport& support, bool is_on_curve, 
     }
 }
 
+void PlaneChecker::check_mesh_options(const MeshOptions& mesh, const Entry& place)
+{
+    constexpr double largest_min_angle = 33.0; // degrees; what Delaunay refinement reaches in practice
+    constexpr std::size_t n_corners = 4;
+    if (mesh.size) require_positive(place, "size", *mesh.size, dimension::length);
+    if (mesh.min_angle && !(*mesh.min_angle > 0.0 && *mesh.min_angle <= largest_min_angle))
+        add(FaultKind::MinAngleRange, place, {shown(*mesh.min_angle, dimension::none)});
+    if (!mesh.corners.empty() && mesh.corners.size() != n_corners && !is_partial_)
+        add(FaultKind::CornerCount, place, {std::to_string(mesh.corners.size())});
+    for (const NodeId corner : mesh.corners) require_entry(place, "points", corner.index, model_.points.size());
+}
+
 void PlaneChecker::check_regions()
 {
+    is_partial_ = unreadable_.is_incomplete;
+    check_mesh_options(model_.mesh, {"mesh", {}, {}});
     for (std::size_t i = 0; i < model_.regions.size(); ++i) {
         const PlaneRegion& region = model_.regions[i];
         const Entry place{"regions", i, region.id};
         is_partial_ = flag(unreadable_.regions, i);
+        check_mesh_options(region.mesh, place);
         if (region.is_hole) continue;
         require_entry(place, "materials", region.material.index, model_.materials.size());
         if (region.thickness) require_positive(place, "thickness", *region.thickness, dimension::length);

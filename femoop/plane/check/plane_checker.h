@@ -37,6 +37,7 @@ private:
     void check_points();
     void check_support(const PlaneSupport& support, bool is_on_curve, const Entry& place);
     void check_regions();
+    void check_mesh_options(const MeshOptions& mesh, const Entry& place);
     void check_elements();
     void check_element(const PlaneElement& element, const Entry& place);
     void check_curves();
@@ -89,7 +90,5 @@ private:
     std::optional<NodeSupports> supports_;
     std::optional<Locator> locator_; ///< made when it is first asked for
 };
-
-inline constexpr std::size_t most_elements = 5'000'000;
 
 } // namespace femoop::plane

@@ -1,6 +1,7 @@
 #include "femoop/plane/mesh/edge_table.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace femoop::plane {
 
@@ -19,6 +20,13 @@ std::optional<NodeId> middle_of(const PlaneModel& model, const ElementEdge& at)
     const Shape::Edge edge = shape_of(element.kind).edges()[static_cast<std::size_t>(at.edge)];
     if (edge.size() < 3) return std::nullopt;
     return node_at(element, edge, 2);
+}
+
+/// Does a run of the curve's points begin here?
+bool begins_run(const PlaneCurve& curve, std::size_t i)
+{
+    if (!curve.reach) return i == 0;
+    return std::ranges::any_of(curve.reach->runs, [&](const CurveReach::Run& run) { return run.first == i; });
 }
 
 std::optional<CurveEdge> edge_between(const PlaneModel& model, const EdgeTable& table, NodeId start, NodeId end)
@@ -64,7 +72,13 @@ CurveEdges edges_along(const PlaneModel& model, const EdgeTable& table, const Pl
 {
     CurveEdges found;
     const std::vector<NodeId>& points = curve.points;
+    bool is_first = true;
     for (std::size_t i = 0; i + 1 < points.size();) {
+        if (i > 0 && begins_run(curve, i + 1)) {
+            is_first = true;
+            ++i;
+            continue;
+        }
         std::optional<CurveEdge> edge = edge_between(model, table, points[i], points[i + 1]);
         std::size_t next = i + 1;
         if (!edge && i + 2 < points.size()) { // the point between may be the middle node
@@ -76,6 +90,7 @@ CurveEdges edges_along(const PlaneModel& model, const EdgeTable& table, const Pl
             found.gap = i;
             return found;
         }
+        edge->begins_run = std::exchange(is_first, false);
         found.edges.push_back(*edge);
         i = next;
     }
@@ -85,9 +100,10 @@ CurveEdges edges_along(const PlaneModel& model, const EdgeTable& table, const Pl
 std::vector<NodeId> nodes_along(const std::vector<CurveEdge>& edges)
 {
     std::vector<NodeId> nodes;
-    for (const CurveEdge& edge : edges) {
-        nodes.push_back(edge.start);
-        if (edge.middle) nodes.push_back(*edge.middle);
+    for (std::size_t i = 0; i < edges.size(); ++i) {
+        if (i > 0 && edges[i].begins_run) nodes.push_back(edges[i - 1].end);
+        nodes.push_back(edges[i].start);
+        if (edges[i].middle) nodes.push_back(*edges[i].middle);
     }
     if (!edges.empty() && edges.back().end != edges.front().start) nodes.push_back(edges.back().end);
     return nodes;

@@ -38,6 +38,7 @@ struct CurveEdge {
     NodeId start, end;
     std::optional<NodeId> middle;
     std::optional<ElementEdge> left, right; ///< at least one; the right one runs against the curve
+    bool begins_run = false;                ///< the curve's first one, or there is none between it and the one before
 };
 
 struct CurveEdges {

@@ -40,18 +40,22 @@ NodePositions positions_of(const PlaneModel& model, const PlaneElement& element)
     return X;
 }
 
-CurveGeometry::CurveGeometry(const PlaneModel& model, const std::vector<CurveEdge>& edges)
+CurveGeometry::CurveGeometry(const PlaneModel& model, const std::vector<CurveEdge>& edges,
+                             const std::optional<CurveReach>& reach)
 {
+    std::size_t n_runs = 0;
     for (const CurveEdge& edge : edges) {
+        if (edge.begins_run && reach) length_ = reach->runs[n_runs++].start;
         EdgePositions X(edge.middle ? 3 : 2, 2);
         X.row(0) = position(model[edge.start]);
         X.row(1) = position(model[edge.end]);
         if (edge.middle) X.row(2) = position(model[*edge.middle]);
         edges_.push_back(X);
-        starts_.push_back(starts_.back());
-        starts_.back() = s(edges_.size() - 1, 1.0);
+        starts_.push_back(length_);
+        length_ = s(edges_.size() - 1, 1.0);
     }
     if (!edges.empty()) add_nodes(edges);
+    if (reach) length_ = reach->length;
 }
 
 Eigen::Vector2d CurveGeometry::tangent(std::size_t edge, double xi) const
@@ -73,18 +77,22 @@ double CurveGeometry::s(std::size_t edge, double xi) const
 
 void CurveGeometry::add_nodes(const std::vector<CurveEdge>& edges)
 {
-    const bool is_closed = edges.back().end == edges.front().start;
     const std::size_t last = edges.size() - 1;
+    const bool is_closed = edges[last].end == edges.front().start;
+    const auto add_end = [&](std::size_t i) {
+        nodes_.push_back({.node = edges[i].end, .s = s(i, 1.0), .directions = {tangent(i, 1.0).normalized()}});
+    };
     for (std::size_t i = 0; i < edges.size(); ++i) {
+        const bool goes_on = i > 0 ? !edges[i].begins_run : is_closed;
+        if (i > 0 && !goes_on) add_end(i - 1);
         const Eigen::Vector2d behind = tangent(i, -1.0).normalized();
         CurveNode node{.node = edges[i].start, .s = starts_[i], .directions = {behind}};
-        if (i > 0 || is_closed) node.directions = joined(tangent(i > 0 ? i - 1 : last, 1.0).normalized(), behind);
+        if (goes_on) node.directions = joined(tangent(i > 0 ? i - 1 : last, 1.0).normalized(), behind);
         nodes_.push_back(node);
         if (edges[i].middle)
             nodes_.push_back({.node = *edges[i].middle, .s = s(i, 0.0), .directions = {tangent(i, 0.0).normalized()}});
     }
-    if (!is_closed)
-        nodes_.push_back({.node = edges[last].end, .s = length(), .directions = {tangent(last, 1.0).normalized()}});
+    if (!is_closed) add_end(last);
 }
 
 } // namespace femoop::plane

@@ -25,9 +25,10 @@ struct CurveNode {
 /// A curve as its elements' edges draw it.
 class CurveGeometry {
 public:
-    CurveGeometry(const PlaneModel& model, const std::vector<CurveEdge>& edges);
+    CurveGeometry(const PlaneModel& model, const std::vector<CurveEdge>& edges,
+                  const std::optional<CurveReach>& reach = {});
 
-    double length() const { return starts_.back(); }
+    double length() const { return length_; }                      ///< of the whole curve, as it was drawn
     const std::vector<CurveNode>& nodes() const { return nodes_; } ///< as `nodes_along` lists them
     /// The length from the curve's start to a place of an edge, xi from -1 at its start to 1 at its end.
     double s(std::size_t edge, double xi) const;
@@ -38,7 +39,8 @@ private:
     void add_nodes(const std::vector<CurveEdge>& edges);
 
     std::vector<EdgePositions> edges_;
-    std::vector<double> starts_{0.0}; ///< of each edge, and the whole length
+    std::vector<double> starts_; ///< of each edge
+    double length_ = 0.0;
     std::vector<CurveNode> nodes_;
 };
 

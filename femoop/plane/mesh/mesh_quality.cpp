@@ -20,21 +20,35 @@ double corner_angle(const NodePositions& X, int before, int corner, int behind)
     return std::atan2(std::abs(a.x() * b.y() - a.y() * b.x()), a.dot(b)) * 180.0 / std::numbers::pi;
 }
 
+/// det J over the lengths of the two edges that meet in a corner, as they leave it.
+double scaled_jacobian(const Shape& shape, const NodePositions& X, int before, int corner, int behind)
+{
+    const auto natural = [&](int i) {
+        const NaturalPoint& at = shape.nodes()[static_cast<std::size_t>(i)];
+        return Eigen::Vector2d(at.xi, at.eta);
+    };
+    const Eigen::Matrix2d J = jacobian(shape.derivatives(shape.nodes()[static_cast<std::size_t>(corner)]), X);
+    const Eigen::Vector2d a = J.transpose() * (natural(behind) - natural(corner)).normalized(),
+                          b = J.transpose() * (natural(before) - natural(corner)).normalized();
+    return (a.x() * b.y() - a.y() * b.x()) / (a.norm() * b.norm());
+}
+
 } // namespace
 
-MeshQuality mesh_quality(const PlaneModel& model)
+MeshQuality mesh_quality(const PlaneModel& model, std::optional<RegionId> region)
 {
     MeshQuality worst;
     for (const PlaneElement& element : model.elements) {
+        if (region && element.region != *region) continue;
         const Shape& shape = shape_of(element.kind);
         const NodePositions X = positions_of(model, element);
         const int n = shape.n_corners();
         for (int i = 0; i < n; ++i) {
-            const double angle = corner_angle(X, (i + n - 1) % n, i, (i + 1) % n);
+            const int before = (i + n - 1) % n, behind = (i + 1) % n;
+            const double angle = corner_angle(X, before, i, behind);
             worst.min_angle = std::min(worst.min_angle, angle);
             worst.max_angle = std::max(worst.max_angle, angle);
-            const Eigen::Matrix2d J = jacobian(shape.derivatives(shape.nodes()[static_cast<std::size_t>(i)]), X);
-            worst.min_jacobian = std::min(worst.min_jacobian, J.determinant() / (J.row(0).norm() * J.row(1).norm()));
+            worst.min_jacobian = std::min(worst.min_jacobian, scaled_jacobian(shape, X, before, i, behind));
         }
     }
     return worst;

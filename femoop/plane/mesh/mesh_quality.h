@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <vector>
 
 #include "femoop/plane/model/plane_model.h"
@@ -8,12 +9,12 @@
 namespace femoop::plane {
 
 /// How well elements are shaped: the angles between their straight corner lines [degrees], and the least scaled
-/// Jacobian at corners: det J over the lengths of its two rows, 1 of a right angle.
+/// Jacobian at corners: det J over the lengths of the two edges that meet there, 1 of a right angle.
 struct MeshQuality {
     double min_angle = 180.0, max_angle = 0.0;
     double min_jacobian = 1.0;
 };
-MeshQuality mesh_quality(const PlaneModel& model);
+MeshQuality mesh_quality(const PlaneModel& model, std::optional<RegionId> region = {}); ///< of one region, or of all
 
 struct RegionSize {
     std::size_t n_elements = 0;

@@ -33,7 +33,7 @@ CurveTable::CurveTable(const PlaneModel& model, const EdgeTable& table)
 {
     for (const PlaneCurve& curve : model.curves) {
         edges.push_back(edges_along(model, table, curve).edges);
-        geometry.emplace_back(model, edges.back());
+        geometry.emplace_back(model, edges.back(), curve.reach);
     }
 }
 

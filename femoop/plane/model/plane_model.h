@@ -51,13 +51,28 @@ struct PlanePoint {
     friend bool operator==(const PlanePoint&, const PlanePoint&) = default;
 };
 
+/// Where elements lie along a curve that was drawn further than there is material: runs of its points, each with the
+/// length at which it begins, and the length of the whole, which fields along the curve are given by.
+struct CurveReach {
+    struct Run {
+        std::size_t first = 0; ///< of the curve's points
+        double start = 0.0;
+        friend bool operator==(const Run&, const Run&) = default;
+    };
+    std::vector<Run> runs; ///< one after the other; no edge leads from one to the next
+    double length = 0.0;
+
+    friend bool operator==(const CurveReach&, const CurveReach&) = default;
+};
+
 /// A curve: of a mesh, edges of elements one after the other, corner by corner; of a drawing, what it is drawn by.
 struct PlaneCurve {
     std::string id;
     std::vector<NodeId> points;        ///< of a mesh, in its direction; middle nodes may be left out
     std::optional<DrawnShape> shape{}; ///< of a drawing
     std::optional<PlaneSupport> support;
-    DofSet tie; ///< all its nodes have one displacement
+    DofSet tie;                        ///< all its nodes have one displacement
+    std::optional<CurveReach> reach{}; ///< of a mesh that was made of a drawing, where it is not all along the curve
 
     friend bool operator==(const PlaneCurve&, const PlaneCurve&) = default;
 };
@@ -99,6 +114,8 @@ struct PlaneElement {
 
     friend bool operator==(const PlaneElement&, const PlaneElement&) = default;
 };
+
+inline constexpr std::size_t most_elements = 5'000'000; ///< of a mesh
 
 /// A plate, a slice of a long body or a body of revolution with its mesh, or with the drawing that a mesh is to be made
 /// of, its loads and what is expected of it: a plain value, as `Model` is for members. `check`

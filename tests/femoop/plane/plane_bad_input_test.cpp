@@ -280,9 +280,8 @@ TEST_CASE("Every fault of a plane model has a file that shows it")
         for (const BadPlaneFile& file : files)
             for (const Fault& fault : examine_plane_model(file.text).faults) shown.insert(fault.kind);
     // Shown by tests of their own, or too large for a test.
-    for (const FaultKind kind :
-         {FaultKind::PlaneModelElsewhere, FaultKind::PlaneDrawingNotBuilt, FaultKind::NoSuchPointNear,
-          FaultKind::TooManyElements, FaultKind::RegionMoves, FaultKind::RegionTurns, FaultKind::RegionDeforms})
+    for (const FaultKind kind : {FaultKind::PlaneModelElsewhere, FaultKind::NoSuchPointNear, FaultKind::TooManyElements,
+                                 FaultKind::RegionMoves, FaultKind::RegionTurns, FaultKind::RegionDeforms})
         shown.insert(kind);
     for (auto kind = static_cast<int>(FaultKind::EdgesWithoutElements); // of drawings: tests/apps/plane
          kind <= static_cast<int>(FaultKind::CheckFacePlace); ++kind)

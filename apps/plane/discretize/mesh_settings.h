@@ -1,0 +1,25 @@
+#pragma once
+
+#include <string>
+
+#include "apps/plane/discretize/drawing.h"
+#include "topology/meshing/mapped_mesher.h"
+
+namespace discretize {
+
+/// How a region is meshed: its own wishes over the model's, and what is usual where neither says.
+struct MeshSettings {
+    std::string method = "auto";
+    femoop::ShapeKind element = femoop::ShapeKind::T6;
+    double size = 0.0;       ///< of edges
+    double min_angle = 30.0; ///< [degrees]
+    topology::Diagonal diagonal = topology::Diagonal::Right;
+    std::vector<femoop::NodeId> corners; ///< of a mapped region
+
+    bool is_triangle() const { return element == femoop::ShapeKind::T3 || element == femoop::ShapeKind::T6; }
+    bool is_quadratic() const { return element != femoop::ShapeKind::T3 && element != femoop::ShapeKind::Q4; }
+};
+
+MeshSettings settings_of(const Drawing& drawing, femoop::plane::RegionId region);
+
+} // namespace discretize

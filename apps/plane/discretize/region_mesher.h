@@ -1,0 +1,89 @@
+#pragma once
+
+#include <array>
+#include <functional>
+#include <optional>
+#include <string>
+#include <unordered_map>
+#include <vector>
+
+#include "apps/plane/discretize/edge_divisions.h"
+#include "topology/meshing/mesh_domain.h"
+
+namespace discretize {
+
+/// An element as nodes of all regions' mesh: corners, then middle nodes, then the centre.
+struct MeshedElement {
+    std::vector<topology::CellNode> nodes;
+    femoop::ShapeKind kind = femoop::ShapeKind::T3;
+    femoop::plane::RegionId region;
+};
+
+/// How a region was meshed.
+struct RegionReport {
+    std::string method;
+    double seconds = 0.0;
+};
+
+/// Nodes along the curves, then the elements of one outline after another. Nodes on borders are shared, middle nodes on
+/// curves lie on them.
+class RegionMesher {
+public:
+    RegionMesher(const Drawing& drawing, const std::vector<FaceOutline>& outlines,
+                 const std::vector<MeshSettings>& settings, const EdgeDivisions& divisions,
+                 std::function<bool()> is_cancelled);
+
+    void run(); ///< until an error is found, or it is cancelled
+
+    const std::vector<topology::FlatPoint>& nodes() const { return nodes_; }
+    const std::vector<MeshedElement>& elements() const { return elements_; }
+    const std::vector<RegionReport>& reports() const { return reports_; } ///< of each region of the model
+    const std::vector<femoop::Fault>& errors() const { return errors_; }
+    const std::vector<femoop::Fault>& warnings() const { return warnings_; }
+    std::optional<topology::CellNode> node(topology::VertexId vertex) const { return of_vertex_[vertex.index]; }
+    /// Corner nodes of an edge in its plus direction; none beside no material.
+    const std::vector<topology::CellNode>& chain(topology::EdgeId edge) const { return chains_[edge.index]; }
+
+private:
+    using Chain = std::vector<topology::CellNode>;
+    void divide(topology::EdgeId edge);
+    topology::CellNode node_at(topology::VertexId vertex);
+    topology::CellNode add_node(const topology::FlatPoint& at);
+    Chain chain_along(topology::HalfEdgeId h) const;
+    topology::FlatPoint on_edge(topology::EdgeId edge, double share) const;
+
+    void require_possible();
+    void require_one_order();
+    void require_right_way_round();
+    double n_expected(std::size_t outline) const;
+    void mesh(std::size_t outline);
+    void mesh_mapped(const MappedOutline& sides, const MeshSettings& settings, femoop::plane::RegionId region);
+    void mesh_freely(const FaceOutline& outline, const MeshSettings& settings);
+    std::string method_of(std::size_t outline) const;
+    topology::MeshDomain domain_of(const FaceOutline& outline, Chain& of_domain) const;
+    std::vector<double> sizes_of_points(const FaceOutline& outline, std::size_t n_nodes) const;
+    void report_angle(const topology::CellMesh& mesh, const MeshSettings& settings, femoop::plane::RegionId region);
+    void report_crossing(const topology::CrossingEdges& crossing, const FaceOutline& outline, const Chain& of_domain);
+    std::string curve_through(const FaceOutline& outline, const topology::CellEdge& edge) const;
+    void add_element(const topology::Cell& cell, const MeshSettings& settings, femoop::plane::RegionId region);
+    topology::CellNode middle_node(topology::CellNode a, topology::CellNode b);
+    void set_middle(topology::CellNode a, topology::CellNode b, topology::CellNode node);
+    topology::CellNode centre_node(const std::vector<topology::CellNode>& nodes);
+    std::string entry(femoop::plane::RegionId region) const;
+
+    const Drawing& drawing_;
+    const std::vector<FaceOutline>& outlines_;
+    const std::vector<MeshSettings>& settings_;
+    const EdgeDivisions& divisions_;
+    std::function<bool()> is_cancelled_;
+    std::vector<topology::FlatPoint> nodes_;
+    std::vector<std::optional<topology::CellNode>> of_vertex_;
+    std::vector<Chain> chains_;
+    std::vector<bool> is_quadratic_; ///< of each edge: elements beside it have middle nodes
+    std::unordered_map<std::uint64_t, topology::CellNode> middles_;
+    std::vector<MeshedElement> elements_;
+    std::vector<RegionReport> reports_;
+    std::vector<femoop::Fault> errors_, warnings_;
+};
+
+} // namespace discretize

@@ -1,0 +1,349 @@
+#include "apps/plane/discretize/meshed_drawing.h"
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <numbers>
+#include <set>
+#include <string>
+
+#include "femoop/io/any_model.h"
+#include "femoop/io/plane/plane_file.h"
+#include "femoop/io/plane/plane_verify.h"
+#include "femoop/model/fault/errors_among.h"
+#include "femoop/plane/analysis/plane_analysis.h"
+#include "femoop/plane/check/plane_check.h"
+#include "femoop/plane/mesh/mesh_quality.h"
+#include "tests/source_folder.h"
+
+using namespace femoop::plane;
+using discretize::Drawing;
+using discretize::MeshedDrawing;
+using doctest::Approx;
+using femoop::CaseId;
+using femoop::Fault;
+using femoop::FaultKind;
+using femoop::NodeId;
+
+namespace {
+
+/// A drawing with its mesh; each needs the one before.
+struct Meshed {
+    explicit Meshed(PlaneReading read) : reading(std::move(read)), drawing(reading.model), mesh(drawing) {}
+    explicit Meshed(const std::string& text) : Meshed(examine_plane_model(text)) {}
+
+    const PlaneModel& model() const { return mesh.model(); }
+    double area() const
+    {
+        double sum = 0.0;
+        for (const RegionSize& size : region_sizes(model())) sum += size.area;
+        return sum;
+    }
+    std::size_t n_along(std::size_t curve) const { return model().curves[curve].points.size() - 1; }
+
+    PlaneReading reading;
+    Drawing drawing;
+    MeshedDrawing mesh;
+};
+
+/// A rectangle of 4 by 2 with a point at each corner, of which a case changes what it is about.
+struct RectangleText {
+    std::string mesh = R"({"element": "T6", "size": 0.5})";
+    std::string bottom = "", right = "", top = "", left = R"(, "support": "fixed")";
+    std::string points = "", curves = "",
+                regions = R"({"id": "plate", "at": [0.1, 0.1], "material": "m", "thickness": 1})";
+    std::string loads = R"("curves": [{"curve": "right", "kind": "traction", "qx": 3}])";
+
+    std::string text() const
+    {
+        const auto side = [](const std::string& id, const std::string& ends, const std::string& more) {
+            return R"({"id": ")" + id + R"(", "kind": "line", "points": [)" + ends + "]" + more + "}";
+        };
+        return R"({"cremona": 1, "analysis": "plane_stress", "units": {"length": "m", "force": "N"},
+            "materials": [{"id": "m", "E": 300, "nu": 0.2}], "mesh": )" +
+               mesh + R"(, "points": [{"id": "A", "at": [0, 0]}, {"id": "B", "at": [4, 0]}, {"id": "C", "at": [4, 2]},
+            {"id": "D", "at": [0, 2]})" +
+               points + R"(], "curves": [)" + side("bottom", R"("A", "B")", bottom) + ", " +
+               side("right", R"("B", "C")", right) + ", " + side("top", R"("C", "D")", top) + ", " +
+               side("left", R"("D", "A")", left) + curves + R"(], "regions": [)" + regions +
+               R"(], "load_cases": [{"id": "P", )" + loads + "}]}";
+    }
+};
+
+std::string circle_in(const std::string& more) ///< a hole of radius 0.5 in the middle of the rectangle
+{
+    return R"(, {"id": "hole", "kind": "circle", "center": [2, 1], "radius": 0.5)" + more + "}";
+}
+const std::string with_hole = R"({"id": "plate", "at": [0.1, 0.1], "material": "m", "thickness": 1},
+                                 {"id": "empty", "at": [2, 1], "hole": true})";
+
+std::string sentences_of(const std::string& text)
+{
+    PlaneReading reading = examine_plane_model(text);
+    std::vector<Fault> faults = reading.faults;
+    if (femoop::errors_among(faults).empty()) {
+        const Drawing drawing(reading.model);
+        faults = drawing.is_sound() ? MeshedDrawing(drawing).faults() : drawing.faults();
+    }
+    std::string sentences;
+    for (const Fault& fault : faults) sentences += (sentences.empty() ? "" : "\n") + message(fault);
+    return sentences;
+}
+
+struct BadMesh {
+    FaultKind kind;
+    std::string text;
+};
+
+std::vector<BadMesh> bad_meshes()
+{
+    const std::string two =
+        R"({"id": "plate", "at": [0.1, 0.1], "material": "m", "thickness": 1, "mesh": {"element": "Q4"}},
+                               {"id": "other", "at": [3.9, 0.1], "material": "m", "thickness": 1})";
+    const std::string middle = R"(, {"id": "middle", "kind": "line", "points": [[2, 0], [2, 2]]})";
+    return {
+        {FaultKind::PointsAtOnePlace,
+         RectangleText{
+             .points = R"(, {"id": "E", "at": [0, 0], "support": "pin"}, {"id": "F", "at": [0, 0], "support": "pin"})"}
+             .text()},
+        {FaultKind::MinAngleRange, RectangleText{.mesh = R"({"min_angle": 34})"}.text()},
+        {FaultKind::CornerCount, RectangleText{.mesh = R"({"corners": ["A", "B", "C"]})"}.text()},
+        {FaultKind::NothingToMesh, RectangleText{.left = "", .regions = "", .loads = R"("self_weight": 1)"}.text()},
+        {FaultKind::MeshMethodNotBuilt, RectangleText{.mesh = R"({"method": "front"})"}.text()},
+        {FaultKind::MeshMethodOfElement, RectangleText{.mesh = R"({"method": "delaunay", "element": "Q8"})"}.text()},
+        {FaultKind::MappedInside,
+         RectangleText{.mesh = R"({"method": "mapped"})", .curves = circle_in(""), .regions = with_hole}.text()},
+        {FaultKind::MappedVertices,
+         RectangleText{.mesh = R"({"method": "mapped"})", .points = R"(, {"id": "E", "at": [1, 0]})"}.text()},
+        {FaultKind::MappedCornerOff,
+         RectangleText{.mesh = R"({"method": "mapped", "corners": ["A", "B", "C", "E"]})",
+                       .points = R"(, {"id": "E", "at": [5, 0]}, {"id": "F", "at": [1, 0]})"}
+             .text()},
+        {FaultKind::MappedCornerOrder,
+         RectangleText{.mesh = R"({"method": "mapped", "corners": ["A", "C", "B", "D"]})"}.text()},
+        {FaultKind::MappedSidesDiffer,
+         RectangleText{.mesh = R"({"method": "mapped"})", .bottom = R"(, "divide": 3)", .top = R"(, "divide": 5)"}
+             .text()},
+        {FaultKind::MeshOrdersDiffer, RectangleText{.curves = middle, .regions = two}.text()},
+        {FaultKind::MeshTooLarge, RectangleText{.mesh = R"({"size": 1e-4})"}.text()},
+        {FaultKind::MeshEdgesCross,
+         RectangleText{.mesh = R"({"element": "T3"})",
+                       .curves = R"(, {"id": "hole", "kind": "circle", "center": [2, 1], "radius": 0.999, "divide": 3},
+                                      {"id": "inner", "kind": "circle", "center": [2, 1], "radius": 0.9, "divide": 24})",
+                       .regions = R"({"id": "empty", "at": [2, 1], "hole": true},
+                                     {"id": "plate", "material": "m", "thickness": 1})"}
+             .text()},
+        {FaultKind::MeshElementTurned,
+         RectangleText{
+             .mesh = R"({"element": "T6", "size": 2})",
+             .top = R"(, "divide": 1)",
+             .curves =
+                 R"(, {"id": "bulge", "kind": "bezier", "points": ["D", [1, -0.4], [3, -0.4], "C"], "divide": 1})",
+             .regions = R"({"id": "plate", "at": [0.1, 0.1], "material": "m", "thickness": 1})"}
+             .text()},
+        {FaultKind::MeshAngleMissed,
+         RectangleText{.mesh = R"({"element": "T3"})",
+                       .curves = R"(, {"id": "near", "kind": "line", "points": [[0, 0.01], [4, 0.01]]})",
+                       .regions = R"({"id": "plate", "material": "m", "thickness": 1, "mesh": {"method": "delaunay"}})"}
+             .text()},
+    };
+}
+
+} // namespace
+
+TEST_CASE("The drawings of tests/cases/drawn, meshed as they ask for, come out as published")
+{
+    std::size_t n_passed = 0;
+    for (const auto& entry : std::filesystem::directory_iterator(source_folder() + "/tests/cases/drawn")) {
+        CAPTURE(entry.path().filename().string());
+        const Meshed meshed(std::get<PlaneReading>(femoop::examine_any_file(entry.path())));
+        REQUIRE(meshed.mesh.is_sound());
+        const DrawnChecks drawn{.count_or_area = [&](const PlaneExpected& check) { return meshed.drawing.read(check); },
+                                .of_mesh = &meshed.mesh.checks()};
+        for (const femoop::CheckOutcome& outcome : verify(meshed.reading.model, analyse(meshed.model()), drawn)) {
+            CAPTURE(outcome.what);
+            CHECK(outcome.verdict == femoop::Verdict::Passed);
+            ++n_passed;
+        }
+    }
+    CHECK(n_passed == 64);
+}
+
+TEST_CASE("A drawing's mesh in a file of its own solves to the same numbers")
+{
+    for (const char* const name : {"CO-003", "CO-009", "DM-001"}) {
+        CAPTURE(name);
+        const Meshed meshed(
+            std::get<PlaneReading>(femoop::examine_any_file(source_folder() + "/tests/cases/drawn/" + name + ".json")));
+        const PlaneReading again = examine_plane_model(write_plane_model(meshed.model()));
+        REQUIRE(again.is_sound());
+        CHECK(again.model == meshed.model());
+        const auto here = verify(meshed.model(), analyse(meshed.model())),
+                   there = verify(again.model, analyse(again.model));
+        REQUIRE(here.size() == there.size());
+        for (std::size_t i = 0; i < here.size(); ++i) CHECK(*here[i].result == Approx(*there[i].result).epsilon(1e-9));
+    }
+}
+
+TEST_CASE("A piece has as many parts as its size asks for, as its division says, or as the side opposite has")
+{
+    const Meshed usual(RectangleText{}.text());
+    CHECK(usual.n_along(0) == 8); // of 0.5 each
+    CHECK(usual.n_along(1) == 4);
+    CHECK(usual.mesh.reports()[0].method == "mapped");
+    const Meshed divided(RectangleText{.bottom = R"(, "divide": {"n": 3, "ratio": 4})"}.text());
+    CHECK(divided.n_along(0) == 3);
+    CHECK(divided.n_along(2) == 3);
+    // parts of 4 / 7, 8 / 7 and 16 / 7, and the same in the direction of the side opposite
+    CHECK(divided.model()[divided.model().curves[0].points[1]].at[0].value() == Approx(4.0 / 7.0));
+    CHECK(divided.model()[divided.model().curves[2].points[2]].at[0].value() == Approx(4.0 / 7.0));
+    const Meshed uneven(RectangleText{.bottom = R"(, "divide": 3)", .top = R"(, "divide": 5)"}.text());
+    CHECK(uneven.mesh.reports()[0].method == "delaunay");
+    CHECK(uneven.n_along(2) == 5);
+}
+
+TEST_CASE("Divisions spread through mapped regions, from one to the next")
+{
+    const std::string three = R"({"id": "a", "at": [0.5, 1], "material": "m", "thickness": 1},
+        {"id": "b", "at": [2, 1], "material": "m", "thickness": 1}, {"id": "c", "at": [3.5, 1], "material": "m", "thickness": 1})";
+    const Meshed meshed(RectangleText{.mesh = R"({"element": "Q4"})",
+                                      .left = R"(, "divide": 7, "support": "fixed")",
+                                      .curves = R"(, {"id": "i", "kind": "line", "points": [[1, 0], [1, 2]]},
+                                                     {"id": "j", "kind": "line", "points": [[3, 0], [3, 2]]})",
+                                      .regions = three}
+                            .text());
+    for (const std::size_t curve : {1U, 3U, 4U, 5U}) CHECK(meshed.n_along(curve) == 7);
+}
+
+TEST_CASE("Middle nodes of a curve lie on it, so that a round hole's area is met to the fourth order")
+{
+    const auto hole_of = [](int n) {
+        const Meshed meshed(
+            RectangleText{.curves = circle_in(R"(, "divide": )" + std::to_string(n)), .regions = with_hole}.text());
+        for (const NodeId node : nodes_along(CurveTable(meshed.model(), EdgeTable(meshed.model())).edges[4])) {
+            const auto& [x, y] = meshed.model()[node].at;
+            CHECK(std::hypot(x - 2.0, y - 1.0) == Approx(0.5).epsilon(1e-12));
+        }
+        return 8.0 - meshed.area();
+    };
+    const double exact = 0.25 * std::numbers::pi, coarse = hole_of(16) - exact, fine = hole_of(32) - exact;
+    CHECK(std::abs(fine) < 1e-5);
+    CHECK(coarse / fine == Approx(16.0).epsilon(0.05));
+}
+
+TEST_CASE("A uniform stress is met exactly by every element in every mesh of a drawing")
+{
+    struct Asked {
+        const char* element;
+        const char* method;
+        const char* diagonal;
+    };
+    for (const Asked& asked : {Asked{"T3", "mapped", "right"},
+                               {"T3", "mapped", "left"},
+                               {"T3", "mapped", "cross"},
+                               {"T3", "mapped", "shortest"},
+                               {"T6", "mapped", "cross"},
+                               {"T3", "delaunay", "right"},
+                               {"T6", "delaunay", "right"},
+                               {"Q4", "mapped", "right"},
+                               {"Q8", "mapped", "right"},
+                               {"Q9", "mapped", "right"}}) {
+        CAPTURE(asked.element);
+        CAPTURE(asked.method);
+        CAPTURE(asked.diagonal);
+        const Meshed meshed(RectangleText{.mesh = R"({"size": 0.7, "element": ")" + std::string(asked.element) +
+                                                  R"(", "method": ")" + asked.method + R"(", "diagonal": ")" +
+                                                  asked.diagonal + R"("})",
+                                          .left = R"(, "support": {"fixed": ["ux"]})",
+                                          .points = R"(, {"id": "E", "at": [0, 0], "support": "roller"})"}
+                                .text());
+        REQUIRE(meshed.mesh.is_sound());
+        CHECK(meshed.area() == Approx(8.0).epsilon(1e-12));
+        const PlaneCase result = analyse(meshed.model())[CaseId(0)];
+        CHECK(result.displacement(*meshed.mesh.node(NodeId(1))).x() == Approx(3.0 / 300.0 * 4.0).epsilon(1e-10));
+        CHECK(result.displacement(*meshed.mesh.node(NodeId(2))).y() == Approx(-0.2 * 3.0 / 300.0 * 2.0).epsilon(1e-10));
+    }
+}
+
+TEST_CASE("A line that runs through a hole and past the plate holds what it meets, and its fields run along all of it")
+{
+    // From x = -1 to 5 through the rectangle with its hole: uy = s / 100 there, so that the middle of its right part
+    // goes up by 0.0425.
+    const Meshed meshed(
+        RectangleText{.mesh = R"({"size": 0.25})",
+                      .left = "",
+                      .points = R"(, {"id": "E", "at": [0, 1], "support": {"fixed": ["ux"]}})",
+                      .curves = circle_in("") + R"(, {"id": "axis", "kind": "line", "support": "roller",
+                                          "points": [[-1, 1], [5, 1]]})",
+                      .regions = R"({"id": "plate", "at": [[0.1, 0.1], [0.1, 1.9]], "material": "m", "thickness": 1},
+                                          {"id": "empty", "at": [[2, 0.9], [2, 1.1]], "hole": true})",
+                      .loads = R"("settlements": [{"curve": "axis", "uy": [0, 0.06]}])"}
+            .text());
+    REQUIRE(meshed.mesh.is_sound());
+    REQUIRE(meshed.model().curves[5].reach.has_value());
+    CHECK(meshed.model().curves[5].reach->runs.size() == 2);
+    const PlaneReading written = examine_plane_model(write_plane_model(meshed.model()));
+    REQUIRE(written.is_sound());
+    CHECK(written.model.curves[6].id == "axis 2");
+    for (const PlaneModel* const model : {&meshed.model(), &written.model}) {
+        const PlaneResults results = analyse(*model);
+        const auto place = results.locator().find({3.25, 1.0});
+        CHECK(results[CaseId(0)].displacement(place.front()).y() == Approx(0.0425).epsilon(1e-9));
+    }
+}
+
+TEST_CASE("What dangles in material stays in its mesh where it carries something, and is left out where it does not")
+{
+    const std::string rib = R"(, {"id": "rib", "kind": "line", "points": [[1, 0.5], [3, 0.7]])";
+    const Meshed loaded(
+        RectangleText{.curves = rib + "}", .loads = R"("curves": [{"curve": "rib", "kind": "line", "qy": -2}])"}
+            .text());
+    REQUIRE(loaded.mesh.is_sound());
+    CHECK(loaded.model().curves.size() == 5);
+    CHECK(analyse(loaded.model())[CaseId(0)].equilibrium().sum_loads[1] == Approx(-2.0 * std::hypot(2.0, 0.2)));
+    const Meshed bare(RectangleText{.curves = rib + "}"}.text());
+    CHECK(bare.model().curves.size() == 4);
+    const Meshed pointed(RectangleText{.points = R"(, {"id": "P", "at": [1.3, 0.9]})",
+                                       .loads = R"("points": [{"point": "P", "fy": -5}])"}
+                             .text());
+    REQUIRE(pointed.mesh.node(NodeId(4)).has_value());
+    CHECK(analyse(pointed.model())[CaseId(0)].equilibrium().sum_loads[1] == Approx(-5.0));
+}
+
+TEST_CASE("Elements are small near a point with a size of its own")
+{
+    const Meshed usual(RectangleText{.mesh = R"({"element": "T3", "method": "delaunay", "size": 0.5})"}.text());
+    const Meshed fine(RectangleText{.mesh = R"({"element": "T3", "method": "delaunay", "size": 0.5})",
+                                    .points = R"(, {"id": "P", "at": [1.3, 0], "size": 0.02})"}
+                          .text());
+    CHECK(fine.model().elements.size() > 2 * usual.model().elements.size());
+    CHECK(fine.area() == Approx(8.0).epsilon(1e-12));
+    CHECK(mesh_quality(fine.model()).min_angle >= 25.0);
+}
+
+TEST_CASE("Each fault of a mesh has a drawing that shows it, and says what to do")
+{
+    std::set<FaultKind> shown;
+    for (const BadMesh& bad : bad_meshes()) {
+        CAPTURE(bad.text);
+        const std::string sentences = sentences_of(bad.text);
+        CAPTURE(sentences);
+        CHECK_MESSAGE(sentences.find(';') != std::string::npos, sentences);
+        const PlaneReading reading = examine_plane_model(bad.text);
+        std::vector<Fault> faults = reading.faults;
+        if (femoop::errors_among(faults).empty()) {
+            const Drawing drawing(reading.model);
+            REQUIRE(drawing.is_sound());
+            faults = MeshedDrawing(drawing).faults();
+        }
+        CHECK(std::any_of(faults.begin(), faults.end(), [&](const Fault& fault) { return fault.kind == bad.kind; }));
+        shown.insert(bad.kind);
+    }
+    for (auto kind = static_cast<int>(FaultKind::PointsAtOnePlace);
+         kind <= static_cast<int>(FaultKind::MeshAngleMissed); ++kind) {
+        CAPTURE(pattern(static_cast<FaultKind>(kind)));
+        CHECK(shown.contains(static_cast<FaultKind>(kind)));
+    }
+}
