@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 #include <utility>
 
@@ -34,14 +35,18 @@ public:
     {
         const std::vector<Piece>& pieces = of_.pieces();
         while (next_ < pieces.size() && pieces[next_].to < middle) ++next_;
+        is_before_ = next_ == 0 && !pieces.empty() && middle < pieces.front().from;
         if (next_ == pieces.size()) return constant(of_.after());
-        if (next_ == 0 && middle < pieces.front().from) return constant(of_.before());
+        if (is_before_) return constant(of_.before());
         return pieces[next_].value.shifted(start - pieces[next_].from);
     }
+    /// Whose polynomial was handed out last: a piece from 1, 0 before the first, one more behind the last.
+    std::size_t piece() const { return next_ == 0 && is_before_ ? 0 : next_ + 1; }
 
 private:
     const PositionFunction& of_;
     std::size_t next_ = 0;
+    bool is_before_ = false;
 };
 
 void add_breaks(std::vector<double>& breaks, const PositionFunction& of, double shift)
@@ -74,22 +79,61 @@ void add_crossings(std::vector<double>& places, const Polynomial& p, const Polyn
     for (const double root : difference.roots(end)) places.push_back(root);
 }
 
-/// The upper envelope of polynomials over [from, to], appended piece by piece.
-void append_envelope(std::vector<Piece>& pieces, const std::vector<Polynomial>& of, double from, double to,
-                     double shortest)
-{
-    std::vector<double> cuts{0.0, to - from};
-    for (std::size_t i = 0; i < of.size(); ++i)
-        for (std::size_t j = 0; j < i; ++j) add_crossings(cuts, of[i], of[j], to - from);
-    std::sort(cuts.begin(), cuts.end());
-    for (std::size_t i = 0; i + 1 < cuts.size(); ++i) {
-        if (cuts[i + 1] - cuts[i] <= shortest) continue;
-        const double middle = 0.5 * (cuts[i] + cuts[i + 1]);
-        const auto best = std::max_element(of.begin(), of.end(),
-                                           [&](const auto& p, const auto& q) { return p(middle) < q(middle); });
-        pieces.push_back({from + cuts[i], from + cuts[i + 1], best->shifted(cuts[i])});
+/// What may be largest in a moving window.
+struct Branch {
+    enum class Of : std::uint8_t { NearEnd, FarEnd, Within };
+    Of of = Of::Within;
+    std::size_t piece = 0; ///< of the function, at an end of the window
+    Polynomial value;
+
+    /// Goes on as one polynomial where the other ends.
+    bool continues(const Branch& other) const
+    {
+        return of == other.of && (of == Of::Within ? value[0] == other.value[0] : piece == other.piece);
     }
-}
+};
+
+/// The upper envelope of branches, put together from left to right. A piece ends only where another branch or another
+/// polynomial is the largest, so that what a chain of windows looks at grows with their number, not by powers of it.
+class UpperEnvelope {
+public:
+    explicit UpperEnvelope(double shortest) : shortest_(shortest) {}
+
+    void append(const std::vector<Branch>& branches, double from, double to)
+    {
+        std::vector<double> cuts{0.0, to - from};
+        for (std::size_t i = 0; i < branches.size(); ++i)
+            for (std::size_t j = 0; j < i; ++j) add_crossings(cuts, branches[i].value, branches[j].value, to - from);
+        std::sort(cuts.begin(), cuts.end());
+        for (std::size_t i = 0; i + 1 < cuts.size(); ++i) {
+            if (cuts[i + 1] - cuts[i] <= shortest_) continue;
+            const double middle = 0.5 * (cuts[i] + cuts[i + 1]);
+            const auto best = std::max_element(branches.begin(), branches.end(), [&](const auto& p, const auto& q) {
+                return p.value(middle) < q.value(middle);
+            });
+            add(*best, cuts[i], {from + cuts[i], from + cuts[i + 1], {}});
+        }
+    }
+
+    std::vector<Piece> pieces() { return std::move(pieces_); }
+
+private:
+    void add(const Branch& branch, double within, Piece piece)
+    {
+        const bool goes_on = !pieces_.empty() && branch.continues(last_) && piece.from - pieces_.back().to <= shortest_;
+        last_ = branch;
+        if (goes_on) {
+            pieces_.back().to = piece.to;
+            return;
+        }
+        piece.value = branch.value.shifted(within);
+        pieces_.push_back(std::move(piece));
+    }
+
+    double shortest_;
+    std::vector<Piece> pieces_;
+    Branch last_;
+};
 
 /// Of candidates in ascending order, the largest value among those that stay within a moving window.
 double largest_between(const std::vector<Trial>& candidates, double from, double to)
@@ -192,18 +236,20 @@ PositionFunction PositionFunction::largest_within(double least, double most, dou
         cuts.push_back(candidate.x + most);
     }
     std::sort(cuts.begin(), cuts.end());
-    PositionFunction result({}, before_, after_);
+    UpperEnvelope envelope(shortest);
     Walker near(*this), far(*this);
     for (std::size_t i = 0; i + 1 < cuts.size(); ++i) {
         const double from = cuts[i], to = cuts[i + 1], middle = 0.5 * (from + to);
         if (to - from <= shortest) continue;
-        std::vector<Polynomial> of{near.polynomial_about(from - least, middle - least),
-                                   far.polynomial_about(from - most, middle - most)};
+        const Polynomial at_near = near.polynomial_about(from - least, middle - least);
+        const Polynomial at_far = far.polynomial_about(from - most, middle - most);
+        std::vector<Branch> branches{{Branch::Of::NearEnd, near.piece(), at_near},
+                                     {Branch::Of::FarEnd, far.piece(), at_far}};
         const double within = largest_between(inner, middle - most, middle - least);
-        if (std::isfinite(within)) of.push_back(constant(within));
-        append_envelope(result.pieces_, of, from, to, shortest);
+        if (std::isfinite(within)) branches.push_back({Branch::Of::Within, 0, constant(within)});
+        envelope.append(branches, from, to);
     }
-    return result;
+    return {envelope.pieces(), before_, after_};
 }
 
 std::vector<Trial> PositionFunction::candidates() const
