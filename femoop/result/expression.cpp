@@ -46,6 +46,17 @@ std::string_view power_text(std::size_t power)
     return texts.at(power);
 }
 
+/// "3.5 x²", of the coefficient 1 "x²".
+std::string term_text(double size, std::size_t power, int digits)
+{
+    std::ostringstream number;
+    number.precision(digits);
+    number << size;
+    const std::string_view of_x = power_text(power);
+    if (number.str() == "1" && power > 0) return std::string(of_x.substr(1));
+    return number.str() + std::string(of_x);
+}
+
 } // namespace
 
 Expression expression(const Polynomial& p, double from, double to, double length)
@@ -86,13 +97,12 @@ std::vector<Expression> expressions(const Curve& curve, MemberComponent componen
 std::string text(const Expression& expression, int digits)
 {
     std::ostringstream line;
-    line.precision(digits);
     const std::size_t n = std::min(expression.coefficients.size(), most_terms);
     for (std::size_t i = 0; i < n; ++i) {
         const double c = expression.coefficients[i];
         if (c == 0.0) continue;
         const bool is_first = line.tellp() == std::streampos(0);
-        line << (is_first ? (c < 0.0 ? "-" : "") : (c < 0.0 ? " - " : " + ")) << std::abs(c) << power_text(i);
+        line << (is_first ? (c < 0.0 ? "-" : "") : (c < 0.0 ? " - " : " + ")) << term_text(std::abs(c), i, digits);
     }
     if (expression.is_series) line << " + …";
     return line.tellp() == std::streampos(0) ? "0" : line.str();

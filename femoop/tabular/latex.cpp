@@ -91,6 +91,23 @@ bool is_minus(std::string_view text, char before)
     return is_before_digit && !is_letter_or_digit(before);
 }
 
+bool is_digit(char c) { return c >= '0' && c <= '9'; }
+
+/// "e+06" behind a digit; it is taken from the text. Nothing where there is no power of ten.
+std::string power_of_ten(std::string_view& text, char before)
+{
+    const bool has_sign = text.size() > 2 && text[0] == 'e' && (text[1] == '+' || text[1] == '-');
+    if (!has_sign || !is_digit(before) || !is_digit(text[2])) return {};
+    std::size_t end = 2;
+    while (end < text.size() && is_digit(text[end])) ++end;
+    if (end < text.size() && is_letter_or_digit(text[end])) return {};
+    std::string_view digits = text.substr(2, end - 2);
+    digits.remove_prefix(std::min(digits.find_first_not_of('0'), digits.size() - 1));
+    const std::string power = (text[1] == '-' ? "-" : "") + std::string(digits);
+    text.remove_prefix(end);
+    return "\\ensuremath{\\cdot 10^{" + power + "}}";
+}
+
 /// After the end of a line, [ and * would be options of it.
 std::string row_text(const std::vector<std::string>& cells)
 {
@@ -112,6 +129,11 @@ std::string latex_text(std::string_view text)
             const std::string index = index_of(text);
             out += "\\ensuremath{" + std::string(letter->second) + (index.empty() ? "" : "_{" + index + "}") + "}";
             before = 'x';
+            continue;
+        }
+        if (const std::string power = power_of_ten(text, before); !power.empty()) {
+            out += power;
+            before = ' ';
             continue;
         }
         const Sign* const sign = sign_at(text, latex_signs);

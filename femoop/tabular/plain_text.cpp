@@ -8,6 +8,8 @@
 #include <map>
 #include <vector>
 
+#include "femoop/tabular/halves.h"
+
 namespace tabular {
 
 namespace {
@@ -43,6 +45,7 @@ bool is_zero_text(std::string_view text) { return text.find_first_of("123456789"
 std::string number(double value, NumberFormat format)
 {
     if (value == 0.0) return "0";
+    value = off_half(value);
     std::array<char, 512> buffer{};
     const int n = format.is_scientific ? std::snprintf(buffer.data(), buffer.size(), "%.*e", format.decimals, value)
                                        : std::snprintf(buffer.data(), buffer.size(), "%.*f", format.decimals, value);

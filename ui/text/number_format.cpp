@@ -5,6 +5,7 @@
 #include <charconv>
 #include <cmath>
 
+#include "femoop/tabular/halves.h"
 #include "ui/text/arithmetic.h"
 
 namespace ui {
@@ -60,6 +61,7 @@ std::string number_text(double value, const NumberFormat& format)
     if (!std::isfinite(value)) return "–";
     if (value == 0.0) return "0";
     const int digits = std::clamp(format.digits, 1, 15);
+    if (digits <= 10) value = tabular::off_half(value);
     const std::string rounded = written(value, std::chars_format::scientific, digits - 1);
     const int exponent = exponent_of(rounded);
     std::string text;

@@ -16,8 +16,8 @@ std::string force_symbol(MemberId bar, const Model& model) { return "N(" + model
 
 void EquationText::append(bool is_negative, const std::string& term)
 {
-    if (text_.empty()) text_ = (is_negative ? "-" : "") + term;
-    else text_ += (is_negative ? " - " : " + ") + term;
+    if (text_.empty()) text_ = (is_negative ? "−" : "") + term;
+    else text_ += (is_negative ? " − " : " + ") + term;
 }
 
 void EquationText::add(double size, double factor)

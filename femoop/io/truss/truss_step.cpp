@@ -64,7 +64,8 @@ std::string force_result(MemberId bar, double force, const Model& model, const T
 {
     if (force == 0.0) return force_symbol(bar, model) + " = 0";
     const std::string after = unit == Unit::Written ? " " + force_unit(model) : "";
-    return force_symbol(bar, model) + " = " + six_digits(force, tr) + after + " (" + sense_name(force, tr) + ")";
+    return force_symbol(bar, model) + " = " + (force < 0.0 ? "−" : "") + six_digits(std::abs(force), tr) + after +
+           " (" + sense_name(force, tr) + ")";
 }
 
 std::string bars_text(const std::vector<MemberId>& bars, const Model& model, const Translator& tr)

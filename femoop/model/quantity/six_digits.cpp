@@ -4,13 +4,14 @@
 #include <cstdio>
 
 #include "femoop/model/quantity/number_text.h"
+#include "femoop/tabular/halves.h"
 
 namespace femoop {
 
 std::string six_digits(double value, const Translator& tr)
 {
     std::array<char, 32> text{};
-    static_cast<void>(std::snprintf(text.data(), text.size(), "%.6g", value == 0.0 ? 0.0 : value));
+    static_cast<void>(std::snprintf(text.data(), text.size(), "%.6g", value == 0.0 ? 0.0 : tabular::off_half(value)));
     return localized(text.data(), tr);
 }
 

@@ -92,7 +92,7 @@ TEST_CASE("The sheet speaks Portuguese, with a decimal comma")
     const Run run = cremona({"truss", king_post, "--lang", "pt"});
     CHECK(run.status == 0);
     CHECK(has(run.out, "1. Nó A: AD e AC são incógnitas."));
-    CHECK(has(run.out, "N(AD) = -36,0555 (compressão)"));
+    CHECK(has(run.out, "N(AD) = −36,0555 (compressão)"));
 }
 
 TEST_SUITE_END();

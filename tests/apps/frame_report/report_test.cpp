@@ -178,7 +178,7 @@ TEST_SUITE("frame report")
         CHECK(!says(report_of("examples/pratt_truss.json", options), "Joint by joint"));
         options.truss = TrussMethod::Joints;
         const ui::Report joints = report_of("examples/pratt_truss.json", options);
-        CHECK(says(joints, "N(L0U1) = -93.75 (compression)"));
+        CHECK(says(joints, "N(L0U1) = −93.75 (compression)"));
         options.truss = TrussMethod::Cremona;
         CHECK(says(report_of("examples/pratt_truss.json", options), "Sides of the diagram"));
         CHECK(!says(report_of("tests/cases/members/TR-002.json", options), "Sides of the diagram"));

@@ -38,6 +38,9 @@ TEST_CASE("Greek letters take their index along, and a minus is one only before 
     CHECK(latex_text("-3.5") == "\\ensuremath{-}3.5");
     CHECK(latex_text("(-3; −4)") == "(\\ensuremath{-}3; \\ensuremath{-}4)");
     CHECK(latex_text("N-3") == "N-3");
+    CHECK(latex_text("2,226e+06 kN") == "2,226\\ensuremath{\\cdot 10^{6}} kN");
+    CHECK(latex_text("-1.5e-05") == "\\ensuremath{-}1.5\\ensuremath{\\cdot 10^{-5}}");
+    CHECK(latex_text("pile-3, 2e+1a") == "pile-3, 2e+1a");
 }
 
 TEST_CASE("A row of LaTeX cannot be taken for an option of the line above it")
