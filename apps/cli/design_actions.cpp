@@ -74,14 +74,13 @@ void add_design_combinations(femoop::Model& model, const DesignActions& typed, C
                             "out, and combine them in several runs",
                             {{"most", std::to_string(femoop::most_design_combinations)}}));
     const auto combinations = design_combinations(code, actions, limit_states(code));
-    const auto prefix = [&](femoop::LimitState state) { return tr(short_name(code, state)); };
     for (const femoop::DesignCombination& one : combinations) {
-        const std::string name = combination_name(model, one, prefix);
+        const std::string name = combination_name(code, model, one, tr);
         console.message(name + ": " +
                         (model.find_case(name) ? tr("the file has one of this name, which stays as it is")
                                                : meaning(model, code, one, tr)));
     }
-    add_combinations(model, combinations, prefix);
+    add_combinations(code, model, combinations, tr);
 }
 
 } // namespace cli

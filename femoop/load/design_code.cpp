@@ -30,7 +30,7 @@ struct Psi {
 };
 
 constexpr ActionKind variable(std::string_view id, std::string_view label, std::string_view table, double gamma,
-                              Psi psi, Several several = Several::Together)
+                              Psi psi, Several several = Several::Together, std::string_view action = {})
 {
     return {.id = id,
             .label = label,
@@ -39,7 +39,8 @@ constexpr ActionKind variable(std::string_view id, std::string_view label, std::
             .psi0 = psi.psi0,
             .psi1 = psi.psi1,
             .psi2 = psi.psi2,
-            .several = several};
+            .several = several,
+            .action = action};
 }
 
 // Building of type 2 (imposed loads up to 5 kN/m^2): permanent actions grouped 1.4, variable ones grouped 1.4. Of
@@ -64,8 +65,8 @@ constexpr std::array en_actions{
     variable("light-traffic", "Traffic F, up to 30 kN", a1, 1.5, {0.7, 0.7, 0.6}),
     variable("heavy-traffic", "Traffic G, 30 to 160 kN", a1, 1.5, {0.7, 0.5, 0.3}),
     variable("roof", "Imposed load H, roof", a1, 1.5, {0.0, 0.0, 0.0}),
-    variable("snow", "Snow, up to 1000 m", a1, 1.5, {0.5, 0.2, 0.0}, Several::OneAtATime),
-    variable("snow-high", "Snow, above 1000 m", a1, 1.5, {0.7, 0.5, 0.2}, Several::OneAtATime),
+    variable("snow", "Snow, up to 1000 m", a1, 1.5, {0.5, 0.2, 0.0}, Several::OneAtATime, "snow"),
+    variable("snow-high", "Snow, above 1000 m", a1, 1.5, {0.7, 0.5, 0.2}, Several::OneAtATime, "snow"),
     variable("wind", "Wind", a1, 1.5, {0.6, 0.2, 0.0}, Several::OneAtATime),
     variable("temperature", "Temperature", a1, 1.5, {0.6, 0.5, 0.0}, Several::OneAtATime),
 };
@@ -131,14 +132,33 @@ std::vector<Choice> extended(const std::vector<Choice>& choices, const std::vect
     return all;
 }
 
-/// Every choice of one alternative of each variable kind.
+/// Of each variable action that has a load case its alternatives; those of kinds that are variants of one action are
+/// one list.
+std::vector<std::vector<Choice>> alternatives_of_actions(std::span<const ActionKind> kinds,
+                                                         std::span<const CaseAction> cases)
+{
+    std::vector<std::vector<Choice>> all;
+    std::vector<std::string_view> actions;
+    for (const ActionKind& kind : kinds) {
+        std::vector<Choice> of_kind = alternatives(kind, cases);
+        if (kind.is_permanent || of_kind.empty()) continue;
+        const std::string_view action = kind.action.empty() ? kind.id : kind.action;
+        const auto known = std::ranges::find(actions, action);
+        const auto place = static_cast<std::size_t>(known - actions.begin());
+        if (known == actions.end()) {
+            actions.push_back(action);
+            all.emplace_back();
+        }
+        std::ranges::move(of_kind, std::back_inserter(all[place]));
+    }
+    return all;
+}
+
+/// Every choice of one alternative of each variable action.
 std::vector<Choice> full_choices(std::span<const ActionKind> kinds, std::span<const CaseAction> cases)
 {
     std::vector<Choice> all{{}};
-    for (const ActionKind& kind : kinds) {
-        const std::vector<Choice> of_kind = alternatives(kind, cases);
-        if (!kind.is_permanent && !of_kind.empty()) all = extended(all, of_kind);
-    }
+    for (const std::vector<Choice>& of_action : alternatives_of_actions(kinds, cases)) all = extended(all, of_action);
     return all;
 }
 
@@ -390,10 +410,8 @@ std::span<const LimitState> limit_states(DesignCode code)
 bool are_too_many_combinations(DesignCode code, std::span<const CaseAction> actions, std::span<const LimitState> states)
 {
     double n_choices = 1.0, n_kinds = 0.0;
-    for (const ActionKind& kind : action_kinds(code)) {
-        const std::size_t n = alternatives(kind, actions).size();
-        if (kind.is_permanent || n == 0) continue;
-        n_choices *= static_cast<double>(n);
+    for (const std::vector<Choice>& of_action : alternatives_of_actions(action_kinds(code), actions)) {
+        n_choices *= static_cast<double>(of_action.size());
         n_kinds += 1.0;
     }
     const double most = n_choices * std::max(1.0, n_kinds) * std::exp2(n_kinds) * static_cast<double>(states.size());
@@ -410,27 +428,29 @@ std::vector<DesignCombination> design_combinations(DesignCode code, std::span<co
     return collection.all();
 }
 
-std::string formula(const Model& model, const DesignCombination& combination)
+std::string formula(const Model& model, const DesignCombination& combination, const Translator& tr)
 {
     std::string text;
     for (const Combination::Term& term : combination.terms) {
         if (!text.empty()) text += " + ";
-        if (term.factor != 1.0) text += number_text(term.factor) + ' ';
+        if (term.factor != 1.0) text += localized(number_text(term.factor), tr) + ' ';
         text += model.case_name(term.of);
     }
     return text;
 }
 
-std::string combination_name(const Model& model, const DesignCombination& combination, const StatePrefix& prefix)
+std::string combination_name(DesignCode code, const Model& model, const DesignCombination& combination,
+                             const Translator& tr)
 {
-    return prefix(combination.state) + ' ' + formula(model, combination);
+    return tr(short_name(code, combination.state)) + ' ' + formula(model, combination, tr);
 }
 
-std::size_t add_combinations(Model& model, std::span<const DesignCombination> combinations, const StatePrefix& prefix)
+std::size_t add_combinations(DesignCode code, Model& model, std::span<const DesignCombination> combinations,
+                             const Translator& tr)
 {
     std::size_t n = 0;
     for (const DesignCombination& one : combinations) {
-        const std::string name = combination_name(model, one, prefix);
+        const std::string name = combination_name(code, model, one, tr);
         if (model.find_case(name)) continue;
         model.combinations.push_back({name, one.terms});
         ++n;

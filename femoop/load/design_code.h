@@ -1,13 +1,13 @@
 #pragma once
 
 #include <cstdint>
-#include <functional>
 #include <optional>
 #include <span>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "femoop/model/fault/translator.h"
 #include "femoop/model/model.h"
 
 namespace femoop {
@@ -34,6 +34,8 @@ struct ActionKind {
     double favourable = 0.0;   ///< gamma where a permanent action relieves; a variable one is left out
     double psi0 = 0.0, psi1 = 0.0, psi2 = 0.0;
     Several several = Several::Together;
+    /// Kinds that are variants of one action, of which a place has one: snow below and above 1000 m. Empty: its own.
+    std::string_view action = {};
 };
 
 std::span<const DesignCode> design_codes();
@@ -87,17 +89,16 @@ bool are_too_many_combinations(DesignCode code, std::span<const CaseAction> acti
 std::vector<DesignCombination> design_combinations(DesignCode code, std::span<const CaseAction> actions,
                                                    std::span<const LimitState> states);
 
-/// "1.35 G + 1.5 Q + 0.9 W". \pre the cases are load cases of the model
-std::string formula(const Model& model, const DesignCombination& combination);
+/// "1.35 G + 1.5 Q + 0.9 W", with the reader's decimal mark. \pre the cases are load cases of the model
+std::string formula(const Model& model, const DesignCombination& combination, const Translator& tr);
 
-/// How the names of a limit state begin: its short name in the reader's language.
-using StatePrefix = std::function<std::string(LimitState)>;
-
-/// "ULS 1.35 G + 1.5 Q"
-std::string combination_name(const Model& model, const DesignCombination& combination, const StatePrefix& prefix);
+/// "ULS 1.35 G + 1.5 Q", in Portuguese "ELU 1,35 G + 1,5 Q".
+std::string combination_name(DesignCode code, const Model& model, const DesignCombination& combination,
+                             const Translator& tr);
 
 /// Behind the others, each under its name; where the model has a case of that name it stays out.
 /// \returns how many came
-std::size_t add_combinations(Model& model, std::span<const DesignCombination> combinations, const StatePrefix& prefix);
+std::size_t add_combinations(DesignCode code, Model& model, std::span<const DesignCombination> combinations,
+                             const Translator& tr);
 
 } // namespace femoop

@@ -77,9 +77,9 @@ void DesignDraft::combine()
 void DesignDraft::accept(Session& session)
 {
     is_open_ = false;
-    const auto prefix = [&](LimitState state) { return session.view.tr(short_name(code_, state)); };
-    session.change({{translatable("Combinations of {code}"), {{"code", std::string(name(code_))}}},
-                    [&](Document& document) { add_combinations(document.model, combinations(), prefix); }});
+    session.change(
+        {{translatable("Combinations of {code}"), {{"code", std::string(name(code_))}}},
+         [&](Document& document) { add_combinations(code_, document.model, combinations(), session.view.tr); }});
 }
 
 std::optional<std::string> DesignDraft::run_command(Session& session, std::string_view verb, std::string_view argument)

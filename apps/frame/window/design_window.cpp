@@ -95,8 +95,7 @@ void show_combination(const Workspace& workspace, const DesignCombination& one)
 {
     const ui::Catalogue& tr = workspace.session.view.tr;
     const femoop::Model& model = workspace.session.model();
-    const auto prefix = [&](femoop::LimitState state) { return tr(short_name(workspace.design.code(), state)); };
-    ui::wrapped_text(combination_name(model, one, prefix));
+    ui::wrapped_text(combination_name(workspace.design.code(), model, one, tr));
     std::string meaning = std::string(one.clause);
     if (one.leading) meaning += tr(", {case} leads", {{"case", model.case_name(*one.leading)}});
     ImGui::PushStyleColor(ImGuiCol_Text, ImGui::GetColorU32(ImGuiCol_TextDisabled));

@@ -38,7 +38,7 @@ std::set<std::string> written(DesignCode code, LimitState state, const std::vect
     const std::vector<DesignCombination> made = design_combinations(code, actions_of(code, cases), {{state}});
     for (const DesignCombination& one : made) {
         CHECK(one.state == state);
-        all.insert(formula(model, one));
+        all.insert(formula(model, one, english));
     }
     CHECK(all.size() == made.size());
     return all;
@@ -128,6 +128,30 @@ TEST_SUITE("design codes")
         }
     }
 
+    TEST_CASE("A place lies below 1000 m or above: the two kinds of snow never act together, whichever leads")
+    {
+        const std::vector<Typed> cases{{"G", "permanent"}, {"S", "snow"}, {"H", "snow-high"}, {"W", "wind"}};
+        for (const LimitState state : limit_states(DesignCode::EN1990))
+            for (const std::string& one : written(DesignCode::EN1990, state, cases)) {
+                CAPTURE(one);
+                CHECK_FALSE((one.find('S') != std::string::npos && one.find('H') != std::string::npos));
+            }
+        CHECK(written(DesignCode::EN1990, LimitState::Ultimate, cases) ==
+              Set{"1.35 G", "1.35 G + 1.5 S", "1.35 G + 1.5 S + 0.9 W", "1.35 G + 1.5 W", "1.35 G + 0.75 S + 1.5 W",
+                  "1.35 G + 1.5 H", "1.35 G + 1.5 H + 0.9 W", "1.35 G + 1.05 H + 1.5 W", "G + 1.5 S",
+                  "G + 1.5 S + 0.9 W", "G + 1.5 W", "G + 0.75 S + 1.5 W", "G + 1.5 H", "G + 1.5 H + 0.9 W",
+                  "G + 1.05 H + 1.5 W"});
+    }
+
+    TEST_CASE("In Portuguese the factors of a combination's name have a comma")
+    {
+        const Model model = model_of(office);
+        const auto portuguese = [](std::string_view text) { return text == "." ? "," : std::string(text); };
+        const auto made = design_combinations(DesignCode::EN1990, actions_of(DesignCode::EN1990, office),
+                                              {{LimitState::Ultimate}});
+        CHECK(combination_name(DesignCode::EN1990, model, made[1], portuguese) == "ULS 1,35 G + 1,5 Q + 0,9 W");
+    }
+
     TEST_CASE("So many alternatives that nobody would look through their combinations are told beforehand")
     {
         std::vector<Typed> cases{{"G", "permanent"}};
@@ -175,11 +199,10 @@ TEST_SUITE("design codes")
         model.combinations.push_back({"mine", {{CaseId(std::size_t{0}), 2.0}}});
         const std::vector<DesignCombination> made = design_combinations(
             DesignCode::EN1990, actions_of(DesignCode::EN1990, office), limit_states(DesignCode::EN1990));
-        const auto prefix = [](LimitState state) { return std::string(short_name(DesignCode::EN1990, state)); };
-        CHECK(add_combinations(model, made, prefix) == made.size());
+        CHECK(add_combinations(DesignCode::EN1990, model, made, english) == made.size());
         CHECK(model.combinations.front().id == "mine");
         CHECK(model.combinations[1].id == "ULS 1.35 G");
         CHECK(model.combinations.back().id == "SLS quasi-permanent G + 0.3 Q");
-        CHECK(add_combinations(model, made, prefix) == 0);
+        CHECK(add_combinations(DesignCode::EN1990, model, made, english) == 0);
     }
 }
