@@ -14,8 +14,11 @@
 #include "apps/frame/document/companion/companion_file.h"
 #include "femoop/analysis/linear_static.h"
 #include "femoop/io/counting/counting_text.h"
+#include "femoop/io/cross/cross_block.h"
 #include "femoop/io/file_text.h"
+#include "femoop/io/influence/influence_block.h"
 #include "femoop/io/json/json_writer.h"
+#include "femoop/io/train/train_block.h"
 #include "femoop/io/truss/truss_json.h"
 #include "femoop/io/truss/truss_sentence.h"
 
@@ -68,7 +71,21 @@ struct SoundFile {
     std::optional<femoop::Model> model; ///< nothing of a plane model
 };
 
-/// A reading of either kind.
+void add_faults_of(const femoop::Model& model, std::vector<femoop::Fault>& faults)
+{
+    const auto read = [&](const auto& block_of) {
+        try {
+            static_cast<void>(block_of(model));
+        } catch (const femoop::ModelError& error) {
+            faults.insert(faults.end(), error.faults().begin(), error.faults().end());
+        }
+    };
+    read(femoop::influence::block_of);
+    read(femoop::influence::train_block_of);
+    read(femoop::cross::block_of);
+}
+
+/// A reading of either kind, with the blocks that only their own analyses understand.
 SoundFile contents_of(const std::string& file, femoop::AnyReading reading)
 {
     if (auto* plane = std::get_if<femoop::plane::PlaneReading>(&reading)) {
@@ -76,6 +93,7 @@ SoundFile contents_of(const std::string& file, femoop::AnyReading reading)
         return {file, std::move(plane->faults), {}};
     }
     auto& members = std::get<femoop::ModelReading>(reading);
+    if (members.is_sound()) add_faults_of(members.model, members.faults);
     return {file, std::move(members.faults), std::move(members.model)};
 }
 

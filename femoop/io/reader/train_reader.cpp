@@ -135,7 +135,7 @@ influence::TrainBlock ModelReader::train_block(JsonValue value)
 {
     influence::TrainBlock block;
     const Place top, place = top.key("train");
-    if (!reader_.is_object(value, top)) return block;
+    if (!reader_.is_object(value, place)) return block;
     const auto [path, name, axles, spacings, ranges, both_directions, impact, uniform, extent, gap, concentrated, load,
                 expected] = reader_.fields(value, train_block_keys, place);
     block.train.id = reader_.text(name, place).value_or("train");

@@ -35,7 +35,7 @@ void Checker::check_train(const Train& train, const Entry& place)
     if (train.axles.empty() && !train.uniform) add(FaultKind::TrainWithoutLoad, place, {});
     for (std::size_t i = 0; i < train.axles.size(); ++i) require_finite(place, with_key("axle", i + 1), train.axles[i]);
     check_spacings(train, place);
-    require_finite(place, "impact", train.impact);
+    require_not_negative(place, "impact", Quantity(train.impact), dimension::none);
     if (train.uniform) require_finite(place, "uniform", *train.uniform);
     if (train.gap) require_not_negative(place, "gap", *train.gap, dimension::length);
     for (const ConcentratedForce& force : train.concentrated) {
@@ -72,7 +72,7 @@ void Checker::check_envelope(const MovingEnvelope& envelope, const Entry& place)
     for (const TrainId train : envelope.trains)
         require_entry(place, "trains", train.index, model_.moving_loads.trains.size());
     if (envelope.with) require_entry(place, "cases", envelope.with->index, model_.n_cases());
-    require_finite(place, "factor", envelope.factor);
+    require_not_negative(place, "factor", Quantity(envelope.factor), dimension::none);
 }
 
 std::vector<Fault> Checker::run_train(const Train& train, const Entry& place)

@@ -25,6 +25,29 @@ void write(const std::string& path, const std::string& text) { std::ofstream(pat
 
 } // namespace
 
+TEST_CASE("What is wrong in the blocks of influence lines and trains is told by check, each with its place")
+{
+    const auto told = [](const std::string& block) {
+        std::string model = cantilever();
+        model.insert(model.rfind('}'), ", " + block);
+        const Run run = cremona({"check", "-"}, model);
+        CHECK(run.status == 2);
+        return run.err;
+    };
+    CHECK(has(told(R"("train": {"path": ["AB"], "axles": [8, 32], "spacings": []})"), "train: "));
+    CHECK(has(told(R"("train": {"path": ["AB"], "axles": [8], "impact": -1})"),
+              "train: impact is -1; give 0 or a positive value"));
+    CHECK(has(told(R"("train": [1])"), "error: train: "));
+    CHECK(has(told(R"("train": {"path": ["XY"], "axles": [8]})"), "error: train.path"));
+    CHECK(has(
+        told(R"("influence": {"path": ["AB"], "lines": [{"quantity": "reaction", "node": "X", "component": "fy"}]})"),
+        "influence.lines[0]"));
+    CHECK(has(
+        told(
+            R"("trains": [{"id": "t", "path": ["AB"], "axles": [1]}], "moving_envelopes": [{"id": "e", "trains": ["t"], "factor": -2}])"),
+        "factor is -2; give 0 or a positive value"));
+}
+
 TEST_CASE("A sound file is said to be sound on stdout")
 {
     const Run run = cremona({"check", "-"}, cantilever());
