@@ -154,6 +154,11 @@ const std::vector<TrainEffect>& AskedEnvelope::reactions() const
     return found_.reactions.emplace(found_.analysis->effects(found_.envelope, all));
 }
 
+TrainEffect AskedEnvelope::of(const MovingEffect& effect) const
+{
+    return found_.analysis->effects(found_.envelope, {{effect}}).front();
+}
+
 std::vector<TrainEffect> AskedEnvelope::at(const drawing::Cut& cut) const
 {
     const double length = femoop::geometry_of(*found_.model, (*found_.model)[cut.member]).length;

@@ -52,6 +52,8 @@ public:
 
     /// Of each member. \pre there was a picture
     const std::vector<femoop::influence::MemberEnvelope>& members(femoop::MemberComponent component) const;
+    /// Of one section force or reaction. \pre there was a picture
+    femoop::influence::TrainEffect of(const femoop::MovingEffect& effect) const;
     /// Of every section force at a section. \pre there was a picture
     std::vector<femoop::influence::TrainEffect> at(const drawing::Cut& cut) const;
     /// The extremes of every member, as a table a person can read. \pre there was a picture

@@ -54,10 +54,10 @@ void AskedLine::ask(const Model& model, const drawing::Cut& cut)
     begin_trace();
 }
 
-void AskedLine::ask(const Model& model, const drawing::Cut& cut, MemberComponent component, const AskedTrain& train)
+void AskedLine::ask(const Model& model, const MovingEffect& effect, const AskedTrain& train)
 {
-    asked_ = NamedEffect(model, {.member = cut.member, .component = component, .at = femoop::Quantity(cut.x)});
-    last_component_ = component;
+    asked_ = NamedEffect(model, effect);
+    if (effect.component) last_component_ = *effect.component;
     train_ = train;
 }
 
@@ -442,10 +442,11 @@ std::string AskedLine::sum_with_permanent(const drawing::DrawOptions& options) c
     const std::string of_train = drawing::with_minus(units.number(value, measure));
     std::string term = value < 0.0 ? "(" + of_train + ")" : of_train;
     if (factor != 1.0) term = drawing::with_minus(ui::number_text(factor, options.numbers)) + " × " + term;
+    const std::string total = " = " + drawing::with_minus(units.text(sum, measure));
+    if (load_case.empty()) return options.tr("in the envelope: {sum}", {{"sum", term + total}});
     return options.tr("with {case}: {sum}",
                       {{"case", load_case},
-                       {"sum", drawing::with_minus(units.number(found_.permanent, measure)) + " + " + term + " = " +
-                                   drawing::with_minus(units.text(sum, measure))}});
+                       {"sum", drawing::with_minus(units.number(found_.permanent, measure)) + " + " + term + total}});
 }
 
 } // namespace frame

@@ -30,7 +30,7 @@ struct AskedTrain {
 
         friend bool operator==(const Place&, const Place&) = default;
     };
-    /// The envelope that it was asked in: what stays, and the train's factor.
+    /// The envelope that it was asked in: what stays, if anything does, and the train's factor.
     struct Beside {
         std::string load_case;
         double factor = 1.0;
@@ -60,9 +60,8 @@ public:
     void ask(const femoop::Model& model, const drawing::Cut& cut);
     /// Of a support its foremost reaction, upright where it can be; of a node without one its displacement down.
     void ask(const femoop::Model& model, femoop::NodeId node);
-    /// Of a section force in an envelope: with the train that governs, where it is worst.
-    void ask(const femoop::Model& model, const drawing::Cut& cut, femoop::MemberComponent component,
-             const AskedTrain& train);
+    /// Of a section force or a reaction in an envelope: with the train that governs, where it is worst.
+    void ask(const femoop::Model& model, const femoop::MovingEffect& effect, const AskedTrain& train);
     /// Of the same place. \pre one of `choices`
     void choose(const femoop::MovingEffect& effect);
 

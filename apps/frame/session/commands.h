@@ -90,6 +90,8 @@ struct Workspace : ui::Workspace {
     std::optional<femoop::MovingEffect> pointed_number{}; ///< under the pointer, in the picture or in a table
     /// Of a number that a table shows: the case that it is of; else it is of what is shown.
     std::optional<femoop::CaseId> menu_case{}, pointed_case{};
+    /// Of a number of an envelope of trains: the extreme that it is; else the one of the greater magnitude is meant.
+    std::optional<femoop::ExtremeKind> menu_extreme{}, pointed_extreme{};
     std::optional<NamedEffect> asked_number{}; ///< that W or Shift+W was pressed at, until the pointer moves
     Topic topic = Topic::Properties;
     BottomView bottom{};

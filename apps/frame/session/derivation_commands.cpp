@@ -5,6 +5,7 @@
 #include <functional>
 #include <vector>
 
+#include "apps/frame/session/train_commands.h"
 #include "femoop/geometry/member_geometry.h"
 #include "femoop/load/place_along.h"
 
@@ -40,11 +41,37 @@ std::optional<femoop::CaseId> meant_case(const Workspace& workspace)
     return workspace.menu_number ? workspace.menu_case : workspace.pointed_case;
 }
 
+/// The number is one of an envelope of trains: it is of a train that stands somewhere.
+bool is_of_trains(const Workspace& workspace)
+{
+    return workspace.session.shows_train_envelope() && !meant_case(workspace) &&
+           !workspace.session.influence.is_on(workspace.session.model());
+}
+
+std::optional<femoop::MovingEffect> train_number(const Workspace& workspace)
+{
+    const auto number = workspace.menu_number ? workspace.menu_number : workspace.pointed_number;
+    const Session& session = workspace.session;
+    const bool has_values = session.train_envelope.picture(session.model(), session.generation(),
+                                                           session.results_view()) != nullptr;
+    return has_values ? number : std::nullopt;
+}
+
+/// Of an envelope of trains the train that governs is stood on the influence line, with the sum of its forces times the
+/// ordinates.
+void explain_meant(Workspace& workspace)
+{
+    if (!is_of_trains(workspace)) return explain(workspace, *meant_number(workspace), meant_case(workspace));
+    ask_governing(workspace, *train_number(workspace),
+                  workspace.menu_number ? workspace.menu_extreme : workspace.pointed_extreme);
+}
+
 Reason why_not_explain(const Workspace& workspace)
 {
     if (const auto reason = workspace.session.why_no_results()) return reason;
-    if (workspace.session.shows_train_envelope() && !meant_case(workspace))
-        return translatable("an envelope of trains is of many positions; choose a load case first");
+    if (is_of_trains(workspace) && train_number(workspace)) return std::nullopt;
+    if (is_of_trains(workspace))
+        return translatable("an envelope of trains has section forces and reactions; point at one of them first");
     if (meant_number(workspace)) return std::nullopt;
     return translatable("point at a number of the picture or of a table of results first");
 }
@@ -160,10 +187,7 @@ void close_derivation(Workspace& workspace)
 void add_derivation_commands(CommandTable& table)
 {
     Menu menu(table, translatable("View"));
-    menu.step(
-        {"view.why", translatable("Why this number?"), {{Key::W, {}}}},
-        [](Workspace& workspace) { explain(workspace, *meant_number(workspace), meant_case(workspace)); },
-        why_not_explain);
+    menu.step({"view.why", translatable("Why this number?"), {{Key::W, {}}}}, explain_meant, why_not_explain);
     menu.step({"view.release", translatable("Release this force, or hold it again"), {{Key::W, ui::shift}}},
               release_or_hold, why_not_release_force);
     menu.step(

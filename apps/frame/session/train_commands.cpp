@@ -234,18 +234,18 @@ constexpr std::array library_entries{
 
 } // namespace
 
-void ask_governing(Workspace& workspace, const drawing::Cut& cut, femoop::MemberComponent component)
+void ask_governing(Workspace& workspace, const femoop::MovingEffect& effect, std::optional<ExtremeKind> which)
 {
     Session& session = workspace.session;
     const AskedEnvelope& envelope = session.train_envelope;
-    const std::vector<femoop::influence::TrainEffect> all = envelope.at(cut);
-    const auto found = std::ranges::find(all, component, [](const auto& one) { return *one.effect.component; });
-    const bool is_max = std::abs(found->max.value) >= std::abs(found->min.value);
+    const femoop::influence::TrainEffect found = envelope.of(effect);
+    const bool is_larger = std::abs(found.max.value) >= std::abs(found.min.value);
+    const ExtremeKind kind = which.value_or(is_larger ? ExtremeKind::Max : ExtremeKind::Min);
     const femoop::MovingEnvelope shown = envelope.envelope(session.model());
-    AskedTrain train{.name = (is_max ? found->max_train : found->min_train)->id,
-                     .kind = is_max == (shown.factor > 0.0) ? ExtremeKind::Max : ExtremeKind::Min};
-    if (shown.with) train.beside = {session.model().case_name(*shown.with), shown.factor};
-    session.influence.ask(session.model(), cut, component, train);
+    AskedTrain train{.name = (kind == ExtremeKind::Max ? found.max_train : found.min_train)->id, .kind = kind};
+    if (shown.with || shown.factor != 1.0)
+        train.beside = {shown.with ? session.model().case_name(*shown.with) : std::string(), shown.factor};
+    session.influence.ask(session.model(), effect, train);
     workspace.tool_controller.select(ToolKind::Influence);
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string_view>
 #include <vector>
 
@@ -11,9 +12,10 @@ namespace frame {
 /// What is done with the train that stands on the influence line, and the trains that can be taken from the library.
 void add_train_commands(CommandTable& table);
 
-/// Asks for the influence line of a section in the envelope of trains, with the train that governs where it is worst:
-/// for the value of the greater magnitude. \pre the envelope is shown and has values
-void ask_governing(Workspace& workspace, const drawing::Cut& cut, femoop::MemberComponent component);
+/// Asks for the influence line of a section force or a reaction in the envelope of trains, with the train that governs
+/// where it is worst. \param which  nothing: the value of the greater magnitude \pre the envelope is shown and has values
+void ask_governing(Workspace& workspace, const femoop::MovingEffect& effect,
+                   std::optional<femoop::ExtremeKind> which = {});
 
 /// The command that takes one.
 struct LibraryCommand {

@@ -206,6 +206,7 @@ void Application::show_body()
 {
     workspace().pointed_number.reset(); // who shows the one under the pointer says so
     workspace().pointed_case.reset();
+    workspace().pointed_extreme.reset();
     if (ImGui::GetIO().MouseDelta.x != 0.0F || ImGui::GetIO().MouseDelta.y != 0.0F) workspace().asked_number.reset();
     const float below = tables_.height(workspace(), ImGui::GetContentRegionAvail().y);
     show_panels_and_canvas_above(below, [this] { tables_.show(workspace(), commands(), gui(), fonts()); });

@@ -513,6 +513,7 @@ void Canvas::ask_for_menu(Workspace& workspace, const Aim& aim)
     workspace.menu_cut = aim.cut;
     workspace.menu_number = workspace.pointed_number;
     workspace.menu_case.reset();
+    workspace.menu_extreme.reset();
     if (aim.cut) workspace.session.pin = aim.cut; // "at this section" is said of it
     workspace.requests.push_back(Request::ContextMenu);
 }
@@ -595,7 +596,9 @@ void Canvas::ask_at_envelope(Workspace& workspace, const Cut& section)
         if (panel.box.contains(pointer())) show = panel.show;
     std::vector<femoop::MemberComponent> drawn = drawing::shown_components(show, session.model().analysis);
     if (drawn.empty()) drawn = femoop::section_force_components(session.model().analysis);
-    ask_governing(workspace, section, drawn.back());
+    const femoop::Model& model = session.model();
+    const double length = femoop::geometry_of(model, model[section.member]).length;
+    ask_governing(workspace, number_at_section(section, drawn.back(), length));
 }
 
 // In space the left button turns the model, so a tool gets clicks alone.

@@ -6,6 +6,7 @@
 #include "apps/drawing/results/diagram.h"
 #include "apps/frame/influence/asked_line.h"
 #include "femoop/geometry/member_geometry.h"
+#include "femoop/result/components.h"
 
 namespace frame {
 
@@ -36,15 +37,33 @@ std::optional<MemberComponent> shown_component(const Subject::Plan& plan, ui::Po
     return panel->show.contains(Show::Deformed) ? std::optional(MemberComponent::v) : std::nullopt;
 }
 
+/// An envelope of trains has section forces and reactions.
+std::optional<MovingEffect> number_of_envelope(const Session& session, const Subject::Plan& plan, ui::Point at,
+                                               const Pick& under, const Aim& aim)
+{
+    const femoop::Model& model = session.model();
+    const std::optional<femoop::NodeId> node = aim.support ? std::optional(aim.support->node) : under.node;
+    if (node) {
+        const auto number = foremost_effect(model, *node);
+        return number && number->quantity == femoop::ExpectedQuantity::Reaction ? number : std::nullopt;
+    }
+    if (!under.cut) return std::nullopt;
+    const auto shown = shown_component(plan, at, model.analysis);
+    const MemberComponent component = shown && !femoop::is_displacement(*shown)
+                                          ? *shown
+                                          : *foremost_effect(model, *under.cut)->component;
+    return number_at_section(*under.cut, component, femoop::geometry_of(model, model[under.cut->member]).length);
+}
+
 } // namespace
 
 std::optional<MovingEffect> pointed_number(const Session& session, const NumbersOfPicture& picture, ui::Point at,
                                            const Pick& under, const Aim& aim)
 {
     const femoop::Model& model = session.model();
-    const bool has_numbers = session.shown_results() != nullptr && !session.hidden && !session.shows_train_envelope() &&
-                             !session.influence.is_on(model);
+    const bool has_numbers = session.shown_results() != nullptr && !session.hidden && !session.influence.is_on(model);
     if (!has_numbers) return std::nullopt;
+    if (session.shows_train_envelope()) return number_of_envelope(session, picture.plan, at, under, aim);
     if (const auto written = written_number(picture.grips, at)) return written;
     if (under.node) return foremost_effect(model, *under.node);
     if (aim.support) return foremost_effect(model, aim.support->node);

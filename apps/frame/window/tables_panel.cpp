@@ -231,6 +231,7 @@ void TablesPanel::point_at_number(Workspace& workspace)
     select_rows(workspace);
     workspace.menu_number = under_mouse;
     workspace.menu_case = workspace.pointed_case;
+    workspace.menu_extreme.reset();
     workspace.requests.push_back(Request::ContextMenu);
 }
 

@@ -11,12 +11,14 @@
 #include "apps/frame/document/fault/sentence.h"
 #include "apps/frame/window/number_row.h"
 #include "apps/frame/window/result_list.h"
+#include "femoop/geometry/member_geometry.h"
 #include "femoop/result/components.h"
 #include "ui/widgets/item_label.h"
 #include "ui/widgets/wrapped_text.h"
 
 namespace frame {
 
+using femoop::ExtremeKind;
 using femoop::MemberComponent;
 using femoop::MemberId;
 using femoop::influence::TrainEffect;
@@ -71,8 +73,8 @@ void edit_factor(Workspace& workspace, ui::NumberFields& fields)
     AskedEnvelope& envelope = workspace.session.train_envelope;
     if (envelope.choice().is_of_model) return;
     const auto why_not = [](double factor) -> std::optional<ui::Message> {
-        if (factor != 0.0) return std::nullopt;
-        return ui::Message(translatable("a factor of 0 leaves nothing of the trains; type another"));
+        if (factor > 0.0) return std::nullopt;
+        return ui::Message(translatable("the factor of the trains is above 0; type another"));
     };
     ImGui::AlignTextToFramePadding();
     ImGui::TextUnformatted(workspace.session.tr()("Factor of the trains").c_str());
@@ -85,11 +87,12 @@ void edit_factor(Workspace& workspace, ui::NumberFields& fields)
 /// The numbers of one member: its largest and its least value, and where they are.
 class ExtremeTable {
 public:
-    ExtremeTable(Session& session, MemberComponent component)
-        : session_(session),
-          units_(session.units()),
+    ExtremeTable(Workspace& workspace, MemberComponent component)
+        : workspace_(workspace),
+          session_(workspace.session),
+          units_(session_.units()),
           component_(component),
-          has_several_(session.train_envelope.envelope(session.model()).trains.size() > 1)
+          has_several_(session_.train_envelope.envelope(session_.model()).trains.size() > 1)
     {}
 
     void show() const
@@ -102,8 +105,8 @@ public:
         const auto& all = session_.train_envelope.members(component_);
         result_list(id.c_str(), headings(), all.size(), [&](std::size_t i) {
             part_cell(session_, MemberId(i), model.members[i].id);
-            cells(all[i].extreme.max, *all[i].extreme.max_train);
-            cells(all[i].extreme.min, *all[i].extreme.min_train);
+            cells(MemberId(i), ExtremeKind::Max, all[i].extreme.max, *all[i].extreme.max_train);
+            cells(MemberId(i), ExtremeKind::Min, all[i].extreme.min, *all[i].extreme.min_train);
         });
     }
 
@@ -121,13 +124,27 @@ private:
         return all;
     }
 
-    void cells(const WorstSection& worst, const femoop::Train& train) const
+    void cells(MemberId member, ExtremeKind kind, const WorstSection& worst, const femoop::Train& train) const
     {
-        number_cell(drawing::with_minus(units_.number(worst.placing.value, drawing::measure_of(component_))));
+        value_cell(member, kind, worst);
         number_cell(worst.sections.empty() ? "" : units_.number(worst.sections.front(), ui::Measure::Length));
         if (has_several_) name_cell(train.id);
     }
 
+    /// It can be asked where it comes from: at the section where it is worst.
+    void value_cell(MemberId member, ExtremeKind kind, const WorstSection& worst) const
+    {
+        const std::string text = drawing::with_minus(
+            units_.number(worst.placing.value, drawing::measure_of(component_)));
+        if (worst.sections.empty()) return number_cell(text);
+        const double length = femoop::geometry_of(session_.model(), session_.model()[member]).length;
+        const auto number = number_at_section({member, worst.sections.front()}, component_, length);
+        if (!number_cell(workspace_, text, number, member)) return;
+        workspace_.pointed_extreme = kind;
+        if (workspace_.menu_number) workspace_.menu_extreme = kind;
+    }
+
+    Workspace& workspace_;
     Session& session_;
     ui::DisplayUnits units_;
     MemberComponent component_;
@@ -150,9 +167,10 @@ void train_envelope_panel(Workspace& workspace, ui::NumberFields& fields)
             ui::wrapped_text(sentence(fault, session.tr()));
         return;
     }
-    ui::wrapped_text(session.tr()("A click on a section sets the governing train where it is worst for it."));
+    ui::wrapped_text(
+        session.tr()("A click on a section, or W at a number, sets the governing train where it is worst for it."));
     for (const MemberComponent component : femoop::section_force_components(session.model().analysis))
-        ExtremeTable(session, component).show();
+        ExtremeTable(workspace, component).show();
 }
 
 std::vector<drawing::ReadingLine> envelope_lines(const Session& session, const drawing::Cut& cut)

@@ -228,7 +228,7 @@ TEST_SUITE("frame session")
         REQUIRE(envelope.picture(session.model(), session.generation(), session.view) != nullptr);
         const drawing::Cut cut{MemberId(1), 20.0};
         const femoop::influence::TrainEffect moment = envelope.at(cut).back();
-        ask_governing(workspace, cut, femoop::MemberComponent::Mz);
+        ask_governing(workspace, moment.effect);
         CHECK(train(workspace).name == "HS20");
         CHECK(train(workspace).is_worst);
         CHECK(std::abs(moment.max.value) >= std::abs(moment.min.value));
