@@ -113,12 +113,19 @@ UsageError needs_too(std::string_view a, std::string_view b, const ui::Catalogue
 
 femoop::CaseId find_case(const femoop::Model& model, const std::string& name, const ui::Catalogue& tr)
 {
+    return find_case("--case", model, name, tr);
+}
+
+femoop::CaseId find_case(std::string_view option, const femoop::Model& model, const std::string& name,
+                         const ui::Catalogue& tr)
+{
     if (const auto id = model.find_case(name)) return *id;
     std::vector<std::string> names;
     for (const femoop::CaseId id : all_cases(model)) names.push_back(model.case_name(id));
     if (names.empty())
-        throw UsageError(tr("--case: there is no {found}: the model has no load case", {{"found", quoted(name)}}));
-    throw unknown_choice("--case", name, names, tr);
+        throw UsageError(tr("{option}: there is no {found}: the model has no load case",
+                            {{"option", std::string(option)}, {"found", quoted(name)}}));
+    throw unknown_choice(option, name, names, tr);
 }
 
 femoop::MemberId member_named(std::string_view option, const std::string& name, const femoop::Model& model,

@@ -46,8 +46,10 @@ UsageError contradiction(std::string_view a, std::string_view b, const ui::Catal
 /// The second one is missing.
 UsageError needs_too(std::string_view a, std::string_view b, const ui::Catalogue& tr);
 
-/// The load case or combination of this name. \throws UsageError
+/// The load case or combination of this name, asked for by `--case` or another option. \throws UsageError
 femoop::CaseId find_case(const femoop::Model& model, const std::string& name, const ui::Catalogue& tr);
+femoop::CaseId find_case(std::string_view option, const femoop::Model& model, const std::string& name,
+                         const ui::Catalogue& tr);
 std::vector<femoop::CaseId> all_cases(const femoop::Model& model);
 
 /// The members of these names, each once. \throws UsageError naming the option

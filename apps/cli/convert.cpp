@@ -9,6 +9,7 @@
 
 #include "apps/cli/analysis_run.h"
 #include "apps/cli/argument.h"
+#include "apps/cli/asked_bend.h"
 #include "apps/cli/design_actions.h"
 #include "apps/cli/model_input.h"
 #include "apps/cli/output_file.h"
@@ -40,6 +41,7 @@ private:
     std::optional<std::string> units_;
     std::optional<std::string> combinations_;
     std::string actions_;
+    AskedBend bend_;
 };
 
 HelpText Convert::help(const ui::Catalogue& tr) const
@@ -58,6 +60,8 @@ HelpText Convert::help(const ui::Catalogue& tr) const
          {"cremona convert examples/portal.json portal.csv", tr("Every result, for a spreadsheet.")},
          {"cremona convert examples/portal.json out.json --combinations EN1990 --actions G=permanent,W=wind",
           tr("The same structure with the combinations of a code.")},
+         {"cremona convert examples/portal.json arch.json --bend members=BC,curve=parabola,rise=1.5,parts=16",
+          tr("The same structure with a parabola of 16 straight parts for its beam.")},
          {"cremona convert examples/cube.eul cube.off", tr("The surface of a solid, for another program.")}}};
 }
 
@@ -81,6 +85,7 @@ void Convert::declare(CLI::App& app, const ui::Catalogue& tr)
            tr("the action that each load case is, such as G=permanent,Q=offices,W=wind; a case without one is left "
               "out of the combinations"))
         ->option_text("CASE=ACTION,...");
+    bend_.declare(app, tr);
 }
 
 femoop::Units units_named(const std::string& text, const ui::Catalogue& tr)
@@ -136,7 +141,7 @@ ExitStatus Convert::to_json(femoop::plane::PlaneReading& reading, const std::str
     drawing_of(reading);
     console.report(display_name(in_, tr), reading.faults);
     if (!reading.is_sound()) return ExitStatus::BadInput;
-    if (kind != ".json" || units_ || combinations_)
+    if (kind != ".json" || units_ || combinations_ || bend_.is_asked())
         throw UsageError(tr("a plane model is written as .json in its own units; other forms are not built yet"));
     deliver(femoop::plane::write_plane_model(reading.model), console);
     return ExitStatus::Done;
@@ -188,6 +193,7 @@ ExitStatus Convert::run(Console& console)
     console.report(display_name(in_, tr), members.faults);
     if (!members.is_sound()) return ExitStatus::BadInput;
     femoop::Model* const model = &members.model;
+    if (bend_.is_asked()) bend_.apply(*model, console);
     if (combinations_) add_design_combinations(*model, {*combinations_, actions_}, console);
     if (units_ && kind != ".json") throw UsageError(tr("--units: only a .json file is written in other units"));
     if (kind == ".json") return to_json(*model, console);

@@ -2,6 +2,8 @@
 
 #include <functional>
 #include <optional>
+#include <utility>
+#include <variant>
 
 #include "apps/cli/analysis_run.h"
 #include "apps/drawing/draw.h"
@@ -65,9 +67,16 @@ ExitStatus draw_picture(const femoop::Model& model, const std::string& file, con
         if (order.mechanism)
             throw UsageError(console.tr()("--mechanism: the structure is no mechanism; leave the option out"));
         console.report(file, results.warnings());
+        std::optional<drawing::ReferenceResults> reference;
+        if (order.reference) {
+            auto found = reference_of(*order.reference, model, results, console);
+            if (const auto* status = std::get_if<ExitStatus>(&found)) return *status;
+            reference = std::get<drawing::ReferenceResults>(std::move(found));
+        }
         const auto counting = counting_shown(model, order.view);
         const drawing::DrawInput input{.model = model,
                                        .results = &results,
+                                       .reference = reference ? &*reference : nullptr,
                                        .dimensions = order.dimensions,
                                        .counting = counting ? &*counting : nullptr};
         write_picture(

@@ -8,6 +8,7 @@
 #include "apps/cli/console.h"
 #include "apps/cli/exit_status.h"
 #include "apps/cli/picture_file.h"
+#include "apps/cli/reference.h"
 #include "apps/drawing/dimension.h"
 #include "apps/drawing/draw_options.h"
 #include "apps/frame/document/companion/named_view.h"
@@ -20,6 +21,7 @@ struct PictureOrder {
     PictureFile file;
     std::optional<std::size_t> mechanism; ///< which way of moving is drawn when the structure cannot be solved
     drawing::DrawOptions view;
+    std::optional<AskedReference> reference;            ///< whose diagrams stand behind, faint
     std::span<const drawing::DimensionLine> dimensions; ///< that stand beside the model; outlive the drawing
     std::optional<frame::Region> region;                ///< of a plane model that is looked at; the whole when absent
 };

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "apps/cli/argument.h"
+#include "apps/cli/asked_units.h"
 #include "apps/cli/model_input.h"
 #include "apps/cli/moving_picture.h"
 #include "apps/cli/picture.h"
@@ -26,6 +27,7 @@ public:
     ExitStatus run(Console& console) override;
 
 private:
+    void require_sensible_reference(const ui::Catalogue& tr) const;
     PictureOrder order(const ui::Catalogue& tr) const;
     void choose_case(drawing::DrawOptions& view, const femoop::Model& model, const ui::Catalogue& tr) const;
     void look_at_view(PictureOrder& order, const frame::Companion& companion, const femoop::Model& model,
@@ -33,7 +35,8 @@ private:
     frame::CompanionReading companion(const Console& console, const femoop::Model& model) const;
 
     std::string file_, out_, theme_ = "light", size_ = "1280x800", scale_ = "1";
-    std::optional<std::string> show_, case_, view_, magnification_, units_, mechanism_;
+    std::optional<std::string> show_, case_, view_, magnification_, mechanism_, other_, with_;
+    AskedUnits units_;
     MovingPicture moving_;
     TrussPicture truss_;
 };
@@ -56,6 +59,8 @@ HelpText Render::help(const ui::Catalogue& tr) const
               tr("Bending moments on the tension side, for a slide.")},
              {"cremona render examples/portal.json -o sag.pdf --show deformed,labels --magnify 100 --theme print",
               tr("The deformed shape, displacements a hundred times as large, in black for paper.")},
+             {"cremona render examples/portal.json -o wind.svg --show M,labels --case W --with G",
+              tr("The moments of one load case before those of another.")},
              {"cremona render examples/bridge.json -o truck.svg --train HS20",
               tr("A truck where it bends the bridge most, and the bridge under it.")},
              {"cremona render examples/pratt_truss.json -o cremona.svg --cremona",
@@ -86,13 +91,17 @@ void Render::declare(CLI::App& app, const ui::Catalogue& tr)
         ->option_text("K");
     app.add_option("--theme", theme_, tr("light (default), dark, print or projector (large type, thick lines)"))
         ->option_text("NAME");
-    app.add_option(
-           "--unit", units_,
-           tr("units of single quantities, separated by commas, such as moment=kN*cm,length=cm; the others' follow "
-              "from the file's"))
-        ->option_text("QUANTITY=UNIT");
+    units_.declare(app, tr);
     app.add_option("--mechanism", mechanism_, tr("which motion is drawn of a structure that can move (default 1)"))
         ->option_text("N");
+    app.add_option(
+           "--compare", other_,
+           tr("another model file, whose results stand behind, faint, to the same scale, matched by the names of "
+              "the cases"))
+        ->option_text("OTHER");
+    app.add_option("--with", with_,
+                   tr("the load case or combination that is drawn behind: of the file of --compare, else of FILE"))
+        ->option_text("ID");
     moving_.declare(app, tr);
     truss_.declare(app, tr);
 }
@@ -112,24 +121,6 @@ drawing::ShowSet shown(const std::string& list, const ui::Catalogue& tr)
     return set;
 }
 
-ui::UnitChoices unit_choices(const std::string& list, const ui::Catalogue& tr)
-{
-    ui::UnitChoices choices;
-    for (const std::string& word : comma_list(list)) {
-        const std::size_t sign = std::min(word.find('='), word.size());
-        const std::string quantity = word.substr(0, sign), unit = word.substr(std::min(sign + 1, word.size()));
-        if (!unit.empty() && choices.choose(quantity, unit)) continue;
-        std::vector<std::string> quantities, units;
-        for (const ui::QuantityUnits& known : ui::chosen_quantities()) {
-            quantities.emplace_back(known.code);
-            if (known.code == quantity) units.assign(known.names.begin(), known.names.end());
-        }
-        if (units.empty()) throw unknown_choice("--unit", quantity, quantities, tr);
-        throw unknown_choice("--unit " + quantity, unit, units, tr);
-    }
-    return choices;
-}
-
 PictureOrder Render::order(const ui::Catalogue& tr) const
 {
     if (out_.empty()) throw UsageError(tr("no output is given; add -o OUT.png, .svg or .pdf"));
@@ -138,7 +129,7 @@ PictureOrder Render::order(const ui::Catalogue& tr) const
         order.mechanism = static_cast<std::size_t>(whole_number("--mechanism", *mechanism_, {1, 1000}, tr) - 1);
     order.view.theme = theme_named(theme_, tr);
     if (show_) order.view.show = shown(*show_, tr);
-    if (units_) order.view.unit_choices = unit_choices(*units_, tr);
+    order.view.unit_choices = units_.choices(tr);
     if (magnification_) order.view.deformation_scale = positive_number("--magnify", *magnification_, tr);
     return order;
 }
@@ -179,6 +170,16 @@ void Render::look_at_view(PictureOrder& order, const frame::Companion& companion
     if (magnification_) order.view.deformation_scale = asked_for.deformation_scale;
 }
 
+void Render::require_sensible_reference(const ui::Catalogue& tr) const
+{
+    if (!other_ && !with_) return;
+    const std::string_view option = other_ ? "--compare" : "--with";
+    if (truss_.is_asked()) throw ask_for_different_things(option, "--truss", tr);
+    if (moving_.is_asked()) throw ask_for_different_things(option, "--influence, --train", tr);
+    if (case_ == "envelope") throw ask_for_different_things(option, "--case envelope", tr);
+    if (file_ == "-" && other_ == "-") throw UsageError(tr("standard input is one file; name the other one"));
+}
+
 ExitStatus Render::run(Console& console)
 {
     const ui::Catalogue& tr = console.tr();
@@ -186,6 +187,7 @@ ExitStatus Render::run(Console& console)
     moving_.require_sensible(tr);
     truss_.require_sensible(tr);
     if (truss_.is_asked() && moving_.is_asked()) throw ask_for_different_things("--truss", "--influence, --train", tr);
+    require_sensible_reference(tr);
     PictureOrder picture = order(tr);
     const std::optional<femoop::Model> model = load_model(file_, console);
     if (!model) return ExitStatus::BadInput;
@@ -193,6 +195,7 @@ ExitStatus Render::run(Console& console)
     picture.dimensions = beside.companion.dimensions;
     if (view_) look_at_view(picture, beside.companion, *model, tr);
     if (case_) choose_case(picture.view, *model, tr);
+    if (other_ || with_) picture.reference = AskedReference{other_, with_, "--with"};
     if (truss_.is_asked()) return truss_.draw(*model, display_name(file_, tr), picture, show_.has_value(), console);
     if (moving_.is_asked()) return moving_.draw(*model, display_name(file_, tr), picture, show_.has_value(), console);
     return draw_picture(*model, display_name(file_, tr), picture, console);

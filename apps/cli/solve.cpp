@@ -15,6 +15,7 @@
 #include "apps/cli/asked_effect.h"
 #include "apps/cli/asked_funicular.h"
 #include "apps/cli/asked_redundants.h"
+#include "apps/cli/asked_units.h"
 #include "apps/cli/model_input.h"
 #include "apps/cli/output_file.h"
 #include "apps/cli/plane_solve.h"
@@ -83,6 +84,7 @@ private:
     AskedFunicular funicular_;
     PlaneSolve plane_;
     AskedRedundants redundants_;
+    AskedUnits units_;
 };
 
 HelpText Solve::help(const ui::Catalogue& tr) const
@@ -96,6 +98,8 @@ HelpText Solve::help(const ui::Catalogue& tr) const
         {{"cremona solve examples/portal.json", tr("Tables of every load case and combination.")},
          {"cremona solve examples/portal.json --case envelope",
           tr("The largest and smallest of every result, with the case that governs.")},
+         {"cremona solve examples/portal.json --unit moment=kN*cm,displacement=mm",
+          tr("Tables with moments in kN·cm and displacements in mm.")},
          {"cremona solve examples/portal.json --json --stations 11",
           tr("The same numbers for a program: 11 stations along each member, and every load point.")},
          {"cremona solve examples/portal.json --csv results",
@@ -166,6 +170,7 @@ void Solve::declare(CLI::App& app, const ui::Catalogue& tr)
                       "the strains, integrated along each member. node=N,component=ux or member=M,at=X,component=v; of "
                       "the first load case, or that of --case"))
         ->option_text("WHAT");
+    units_.declare(app, tr);
     redundants_.declare(app, tr);
     body_.declare(app, tr);
     funicular_.declare(app, tr);
@@ -193,13 +198,26 @@ Selection Solve::selection(const Model& model, const ui::Catalogue& tr) const
     return selection;
 }
 
+/// "m, kN, kN·cm, mm, rad", each once.
+std::string list(const femoop::ResultUnits& units)
+{
+    std::vector<std::string> names;
+    for (const auto* unit : {&units.length, &units.force, &units.moment, &units.displacement, &units.rotation})
+        if (std::ranges::find(names, unit->name) == names.end()) names.push_back(unit->name);
+    std::string text;
+    for (const std::string& name : names) text += (text.empty() ? "" : ", ") + name;
+    return text;
+}
+
 std::string Solve::tables(const Model& model, const Results& results, const Selection& selection,
                           const ui::Catalogue& tr) const
 {
     std::string text = femoop::heading_text(model, results, tr);
+    const femoop::ResultUnits units = units_.of_results(model, tr);
+    if (units_.are_given()) text += tr("Units of the tables: {units}", {{"units", list(units)}}) + "\n";
     if (selection.cases.empty()) return text + "\n" + tr("The model has no load case.") + "\n";
-    if (selection.is_envelope) return text + femoop::envelope_text(model, results, selection.cases, tr);
-    for (const CaseId id : selection.cases) text += femoop::case_text(model, results, id, tr);
+    if (selection.is_envelope) return text + femoop::envelope_text(model, results, selection.cases, units, tr);
+    for (const CaseId id : selection.cases) text += femoop::case_text(model, results, id, units, tr);
     return text;
 }
 
@@ -232,7 +250,10 @@ void Solve::require_one_output(const ui::Catalogue& tr) const
         refuse(is_given && !is_of_a_case && case_ != "all", option, "--case");
         refuse(is_given && is_of_a_case && !has_envelope && case_ == "envelope", option, "--case envelope");
         refuse(is_given && !has_csv && csv_folder_, option, "--csv");
+        if (is_given && units_.are_given()) throw units_of_file(option, tr);
     }
+    if (is_json_ && units_.are_given()) throw units_of_file("--json", tr);
+    if (csv_folder_ && units_.are_given()) throw units_of_file("--csv", tr);
 }
 
 std::string Solve::description(const Model& model, const Results& results, const Selection& selection,
@@ -391,7 +412,8 @@ ExitStatus Solve::solve_plane(femoop::plane::PlaneReading& reading, const femoop
     const ui::Catalogue& tr = console.tr();
     const bool is_asked_otherwise = traced_member_ || asked_number_ || worked_displacement_ || csv_folder_ ||
                                     is_described_ || is_timed_ || redundants_.are_asked() || body_.is_asked() ||
-                                    funicular_.is_asked() || solver_trace_.are_given() || case_ == "envelope";
+                                    funicular_.is_asked() || solver_trace_.are_given() || units_.are_given() ||
+                                    case_ == "envelope";
     if (is_asked_otherwise)
         throw UsageError(
             tr("a plane model is solved with --case, --at, --cut, --full, --json and --solver; what else was "

@@ -2,6 +2,7 @@
 
 #include "apps/cli/bench.h"
 #include "apps/cli/check.h"
+#include "apps/cli/compare.h"
 #include "apps/cli/convert.h"
 #include "apps/cli/cross.h"
 #include "apps/cli/euler.h"
@@ -22,6 +23,7 @@ std::vector<std::unique_ptr<Subcommand>> all_subcommands()
     all.push_back(solve_command());
     all.push_back(verify_command());
     all.push_back(check_command());
+    all.push_back(compare_command());
     all.push_back(render_command());
     all.push_back(convert_command());
     all.push_back(cross_command());

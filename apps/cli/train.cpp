@@ -13,6 +13,7 @@
 #include "apps/cli/asked_effect.h"
 #include "apps/cli/model_input.h"
 #include "apps/cli/moving_picture.h"
+#include "apps/cli/train_why.h"
 #include "femoop/io/train/train_block.h"
 #include "femoop/io/train/train_json.h"
 #include "femoop/io/train/train_table.h"
@@ -48,11 +49,13 @@ private:
     void choose_effects(Question& question, const Model& model, const ui::Catalogue& tr) const;
     std::vector<TrainResults> results(const Question& question, TrainAnalysis& analysis) const;
     void answer(const Model& model, Console& console) const;
+    void explain(const Question& question, const Model& model, Console& console) const;
     void describe(const Question& question, const Model& model, Console& console) const;
 
     std::string file_, stations_ = "11";
     std::vector<std::string> trains_, envelopes_;
     AskedEffect asked_;
+    std::optional<std::string> why_;
     bool is_json_ = false, is_proved_ = false, is_described_ = false;
 };
 
@@ -71,6 +74,8 @@ HelpText Train::help(const ui::Catalogue& tr) const
          {"cremona train examples/bridge.json --train HS20 --member BC --at 50% --component M --proof",
           tr("One moment, with all candidates and their values.")},
          {"cremona train examples/bridge.json --member BC --component M", tr("The worst of all sections of a member.")},
+         {"cremona train examples/bridge.json --envelope \"deck + G\" --why member=BC,at=50%,component=M",
+          tr("Which train governs a number of an envelope, where it stands, and what its forces come to.")},
          {"cremona train examples/bridge.json --envelope \"deck + G\" --json",
           tr("Permanent load and the worst of the trains, for a program.")}}};
 }
@@ -88,6 +93,12 @@ void Train::declare(CLI::App& app, const ui::Catalogue& tr)
     app.add_option("--stations", stations_, tr("how many sections of each member are looked at (default 11)"))
         ->option_text("N");
     app.add_flag("--proof", is_proved_, tr("print breaks and roots, and the value at each of them"));
+    app.add_option(
+           "--why", why_,
+           tr("print where one number of a train or an envelope comes from: member=M,at=X,component=C (without at: "
+              "where it is worst) or node=N,component=fy; which train governs and where it stands, its forces "
+              "times the ordinates of the line, and the analysis with the train standing there"))
+        ->option_text("WHAT");
     app.add_flag("--json", is_json_, tr("print JSON with every digit instead of tables"));
     app.add_flag(
         "--describe", is_described_,
@@ -156,6 +167,20 @@ std::vector<TrainResults> Train::results(const Question& question, TrainAnalysis
     return all;
 }
 
+void Train::explain(const Question& question, const Model& model, Console& console) const
+{
+    const ui::Catalogue& tr = console.tr();
+    if (question.trains.size() + question.envelopes.size() != 1)
+        throw UsageError(tr("--why: the number is of one train or envelope; name it by --train or --envelope"));
+    AskedEffect asked;
+    asked.set("--why", *why_, tr);
+    asked.require_sensible(tr, AskedEffect::Place::Optional);
+    const TrainNumber number{.train = question.trains.empty() ? nullptr : question.trains.front(),
+                             .envelope = question.envelopes.empty() ? nullptr : question.envelopes.front(),
+                             .effect = asked.sound_effect(model, tr)};
+    console.print(train_why(model, number, is_json_, console));
+}
+
 void Train::describe(const Question& question, const Model& model, Console& console) const
 {
     if (question.trains.empty()) throw UsageError(console.tr()("--describe: asks for a train, not for an envelope"));
@@ -171,6 +196,7 @@ void Train::answer(const Model& model, Console& console) const
     const auto block = femoop::influence::train_block_of(model);
     Question question;
     choose_loads(question, model, block, tr);
+    if (why_) return explain(question, model, console);
     if (is_described_) return describe(question, model, console);
     choose_effects(question, model, tr);
     TrainAnalysis analysis(model);
@@ -184,6 +210,9 @@ ExitStatus Train::run(Console& console)
 {
     if (file_.empty()) throw no_file("train", console.tr());
     asked_.require_sensible(console.tr(), AskedEffect::Place::Optional);
+    if (why_ && is_described_) throw ask_for_different_things("--why", "--describe", console.tr());
+    if (why_ && is_proved_) throw ask_for_different_things("--why", "--proof", console.tr());
+    if (why_ && asked_.is_asked()) throw ask_for_different_things("--why", asked_.option(), console.tr());
     if (is_json_ && is_described_) throw ask_for_different_things("--json", "--describe", console.tr());
     if (is_proved_ && is_described_) throw ask_for_different_things("--proof", "--describe", console.tr());
     const std::optional<Model> model = load_model(file_, console);

@@ -2,8 +2,10 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <string_view>
 #include <vector>
 
+#include "femoop/model/fault/translator.h"
 #include "femoop/model/model.h"
 
 namespace femoop {
@@ -18,6 +20,10 @@ struct Bend {
 };
 
 inline constexpr std::size_t least_bend_parts = 2, most_bend_parts = 200;
+
+/// Why a rise of 0 bends nothing.
+inline constexpr std::string_view no_rise = translatable(
+    "a rise of 0 leaves the member straight; give another one, negative to the other side");
 
 /// The nodes and members that were one member, from its first end to its last.
 struct BentMember {

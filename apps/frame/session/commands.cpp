@@ -21,6 +21,8 @@
 #include "apps/frame/session/truss_commands.h"
 #include "apps/frame/session/view_commands.h"
 #include "apps/frame/session/virtual_work_commands.h"
+#include "femoop/analysis/linear_static.h"
+#include "femoop/io/results/difference_text.h"
 #include "ui/workspace/standard_commands.h"
 
 #include <array>
@@ -101,6 +103,7 @@ void add_show_commands(CommandTable& table)
                 Session& session = workspace.session;
                 ShowSet& show = session.hidden && is_hideable(item) ? *session.hidden : session.view.show;
                 is_on ? show.insert(item) : show.erase(item);
+                if (item == Show::Deformed) session.shows_deformed_to_animate = false; // it is asked for by itself
             });
 }
 
@@ -138,20 +141,32 @@ Reason why_not_compare_tab(const Workspace& workspace)
     const auto place = neighbour_tab(workspace);
     if (!place) return translatable("no other document is open; open it in a tab first");
     if (!tab(workspace, *place).solution().results) return translatable("the document in the other tab has no results");
-    const femoop::Model &other = tab(workspace, *place).model(), &present = workspace.session.model();
-    if (other.analysis != present.analysis)
+    if (tab(workspace, *place).model().analysis != workspace.session.model().analysis)
         return translatable("the document in the other tab is of another kind of structure");
-    if (other.units == present.units) return std::nullopt;
-    return translatable("the document in the other tab counts in other units; convert one of the files first");
+    return std::nullopt;
+}
+
+// Numbers of another document are counted in the units of the present one.
+ReferenceResults converted_results(const Session& other, const femoop::Units& units)
+{
+    if (other.model().units == units) return {.model = other.model(), .results = *other.solution().results};
+    femoop::Model model = femoop::comparable(other.model(), units);
+    femoop::Results results = femoop::analyse(model);
+    return {.model = std::move(model), .results = std::move(results)};
 }
 
 void compare_tab(Workspace& workspace)
 {
     const std::size_t place = *neighbour_tab(workspace);
     const Session& other = tab(workspace, place);
-    workspace.session.reference = std::make_shared<const ReferenceResults>(ReferenceResults{
-        .model = other.model(), .results = *other.solution().results, .name = tab_name(workspace, place)});
-    workspace.topic = Topic::Results;
+    try {
+        ReferenceResults reference = converted_results(other, workspace.session.model().units);
+        reference.name = tab_name(workspace, place);
+        workspace.session.reference = std::make_shared<const ReferenceResults>(std::move(reference));
+        workspace.topic = Topic::Results;
+    } catch (const femoop::ModelError& error) { // numbers that the units of this document cannot hold
+        workspace.session.notice = refusal_of(error.faults());
+    }
 }
 
 Reason why_not_compare(const Workspace& workspace)
@@ -165,14 +180,20 @@ Reason why_not_compare(const Workspace& workspace)
 Reason why_no_envelope(const Workspace& workspace)
 {
     const bool is_shown = workspace.session.view.is_envelope && !workspace.session.shows_train_envelope();
-    if (is_shown || workspace.session.model().n_cases() > 1) return std::nullopt;
+    if (is_shown) return std::nullopt;
+    if (shown_work(workspace.session) != nullptr)
+        return translatable("virtual work is of one load case; close it with Esc first");
+    if (workspace.session.model().n_cases() > 1) return std::nullopt;
     return translatable("the model has no other load case");
 }
 
 void animate(Workspace& workspace, bool is_on)
 {
-    workspace.session.is_animated = is_on;
-    if (is_on) workspace.session.view.show.insert(Show::Deformed);
+    Session& session = workspace.session;
+    session.is_animated = is_on;
+    if (is_on) session.shows_deformed_to_animate = !session.view.show.contains(Show::Deformed);
+    if (is_on) session.view.show.insert(Show::Deformed);
+    else if (std::exchange(session.shows_deformed_to_animate, false)) session.view.show.erase(Show::Deformed);
 }
 
 Reason why_not_animate(const Workspace& workspace)

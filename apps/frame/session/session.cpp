@@ -19,6 +19,7 @@
 #include "femoop/io/free_body/free_body_text.h"
 #include "femoop/io/funicular/funicular_text.h"
 #include "femoop/io/model_file.h"
+#include "femoop/io/results/difference_text.h"
 #include "femoop/io/results/results_table.h"
 #include "femoop/io/virtual_work/virtual_work_text.h"
 #include "femoop/model/check/check.h"
@@ -459,6 +460,24 @@ std::string virtual_work_text(const Session& session)
     return "\n" + femoop::virtual_work::virtual_work_text(shown->work, session.model(), session.tr());
 }
 
+/// What changes most from the results that are kept.
+std::string comparison_text(const Session& session, const DrawOptions& shown)
+{
+    const femoop::Results* const results = session.shown_results();
+    if (results == nullptr || shown.is_envelope || !session.reference) return {};
+    const drawing::ReferenceResults& reference = *session.reference;
+    const auto counterpart = reference.counterpart(session.model(), shown.load_case);
+    const auto solved = session.solution().solved_cases();
+    if (!counterpart || std::ranges::find(solved, shown.load_case) == solved.end()) return {};
+    const ui::Catalogue& tr = shown.tr;
+    const std::string name = reference.name.empty() ? tr("the results that were kept") : reference.name;
+    return "\n" + session.model().case_name(shown.load_case) + ": " + tr("Compared with {name}", {{"name", name}}) +
+           "\n" +
+           femoop::differences_sentences({&session.model(), (*results)[shown.load_case]},
+                                         {&reference.model, reference.results[*counterpart]},
+                                         femoop::result_units(session.model().units), tr);
+}
+
 /// Of trains, or why there is none.
 std::string train_envelope_text(const Session& session)
 {
@@ -507,6 +526,7 @@ std::string description(const Session& session)
         words += "\n" + tr("Case {case} has no results.", {{"case", session.model().case_name(one.id)}}) + "\n";
         for (const femoop::Fault& fault : one.faults) words += sentence(fault, tr) + "\n";
     }
+    words += comparison_text(session, shown);
     words += counting_text(session) + free_body_text(session) + funicular_text(session) + virtual_work_text(session);
     if (session.truss.is_on()) words += "\n" + truss_text(session);
     if (session.shows_train_envelope()) words += "\n" + train_envelope_text(session);

@@ -115,13 +115,14 @@ public:
     std::optional<Cut> hover;
     std::optional<Cut> pin;
     bool is_animated = false;
-    KeptCounting counting;         ///< of the degree of indeterminacy, where it is shown
-    AskedBody free_body;           ///< that is lifted out in place of the results of a case
-    AskedFunicular funicular;      ///< likewise
-    AskedWork virtual_work;        ///< of a displacement, likewise
-    AskedLine influence;           ///< that is looked at in place of the results of a case
-    AskedEnvelope train_envelope;  ///< that takes the place of the cases' where the view shows an envelope
-    AskedTruss truss;              ///< likewise: a plane truss that is worked out by hand
+    bool shows_deformed_to_animate = false; ///< the deformed shape goes when the motion stops
+    KeptCounting counting;                  ///< of the degree of indeterminacy, where it is shown
+    AskedBody free_body;                    ///< that is lifted out in place of the results of a case
+    AskedFunicular funicular;               ///< likewise
+    AskedWork virtual_work;                 ///< of a displacement, likewise
+    AskedLine influence;                    ///< that is looked at in place of the results of a case
+    AskedEnvelope train_envelope;           ///< that takes the place of the cases' where the view shows an envelope
+    AskedTruss truss;                       ///< likewise: a plane truss that is worked out by hand
     Prediction prediction;         ///< of moments that the class has not seen yet: part of the tab, not of the document
     std::optional<ShowSet> hidden; ///< results that are kept from the class until they are revealed
     std::size_t mechanism = 0;     ///< which of several is shown

@@ -155,6 +155,17 @@ std::optional<std::size_t> tab_of(const Workspace& workspace, const std::filesys
     return std::nullopt;
 }
 
+// Units that a person chose are that person's, whatever is opened: a file that comes under them says so.
+void tell_units(Workspace& workspace)
+{
+    const std::string chosen = workspace.session.view.unit_choices.text();
+    if (chosen.empty() || workspace.session.notice) return;
+    workspace.notify(
+        {ui::translatable("shown in the units that you chose: {units}; Shift+U changes them, the file keeps "
+                          "its own"),
+         {{"units", chosen}}});
+}
+
 } // namespace
 
 bool open_file(Workspace& workspace, const std::filesystem::path& chosen, Session::Purpose purpose)
@@ -170,6 +181,7 @@ bool open_file(Workspace& workspace, const std::filesystem::path& chosen, Sessio
         return false;
     }
     add_tab(workspace, std::move(session));
+    tell_units(workspace);
     return true;
 }
 

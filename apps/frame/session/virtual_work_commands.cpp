@@ -56,6 +56,7 @@ void begin_virtual_work(Workspace& workspace)
     session.funicular.clear();
     session.truss.close();
     ask_for_selected(session);
+    if (session.notice && session.notice->seconds_left) session.notice.reset(); // such as that none is shown
     session.selection.clear();
     session.pin.reset();
     session.draw_state.camera.reset(); // it has half the sheet

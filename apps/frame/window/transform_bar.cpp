@@ -2,10 +2,12 @@
 
 #include <imgui.h>
 
-#include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
+#include <optional>
 #include <string>
+#include <utility>
 
 #include "apps/frame/session/edit_commands.h"
 #include "apps/frame/window/number_row.h"
@@ -54,8 +56,9 @@ private:
         transform_.bend.curve = static_cast<femoop::BendCurve>(curve);
         ImGui::SameLine();
         femoop::Quantity rise(transform_.bend.rise);
-        number(tr_("rise"), "rise", Measure::Length, rise);
-        if (std::abs(rise) > 0.0) transform_.bend.rise = rise;
+        number(tr_("rise"), "rise", Measure::Length, rise,
+               [](double value) { return value == 0.0 ? std::optional(ui::Message(femoop::no_rise)) : std::nullopt; });
+        transform_.bend.rise = rise;
         int parts = static_cast<int>(transform_.bend.n_parts);
         count(tr_("parts"), "parts", parts,
               {static_cast<int>(femoop::least_bend_parts), static_cast<int>(femoop::most_bend_parts)});
@@ -86,10 +89,13 @@ private:
         ImGui::TextUnformatted(text.c_str());
         ImGui::SameLine();
     }
-    void number(const std::string& label, const char* id, Measure measure, femoop::Quantity& value)
+    using WhyNot = std::function<std::optional<ui::Message>(double)>;
+
+    void number(const std::string& label, const char* id, Measure measure, femoop::Quantity& value, WhyNot why_not = {})
     {
         name(workspace_.session.units().label(label, measure));
-        is_changed_ |= edit_quantity(workspace_, fields_, {id, measure, 4.0F * ImGui::GetFontSize()}, value);
+        is_changed_ |= edit_quantity(workspace_, fields_,
+                                     {id, measure, 4.0F * ImGui::GetFontSize(), std::move(why_not)}, value);
         ImGui::SameLine();
     }
     void factor()
@@ -110,8 +116,14 @@ private:
     {
         femoop::Quantity typed(value);
         name(label);
-        if (edit_quantity(workspace_, fields_, {id, Measure::Plain, 3.0F * ImGui::GetFontSize()}, typed)) {
-            value = static_cast<int>(std::lround(std::clamp<double>(typed, limits.least, limits.most)));
+        const auto why_not = [limits](double number) -> std::optional<ui::Message> {
+            const bool is_whole = std::trunc(number) == number;
+            if (is_whole && number >= limits.least && number <= limits.most) return std::nullopt;
+            return ui::Message{ui::translatable("wanted a whole number from {least} to {most}"),
+                               {{"least", std::to_string(limits.least)}, {"most", std::to_string(limits.most)}}};
+        };
+        if (edit_quantity(workspace_, fields_, {id, Measure::Plain, 3.0F * ImGui::GetFontSize(), why_not}, typed)) {
+            value = static_cast<int>(std::lround(static_cast<double>(typed)));
             is_changed_ = true;
         }
         ImGui::SameLine();

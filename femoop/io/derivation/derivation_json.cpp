@@ -62,16 +62,22 @@ void write_steps(JsonWriter& json, const Derivation& derivation, const Model& mo
     json.end();
 }
 
-std::string derivation_json(const Derivation& derivation, const Model& model, const Translator& tr)
+void write_why(JsonWriter& json, const Derivation& derivation, const Model& model, const Translator& tr)
 {
-    JsonWriter json;
-    begin_output(json, model.units);
     json.key("why").begin_object(Layout::Block);
     influence::write_effect(json, model, derivation.effect);
     json.member("case", model.case_name(derivation.load_case)).member("value", derivation.value);
     json.member("closing_error", derivation.closing_error);
     write_steps(json, derivation, model, tr);
-    json.end().end();
+    json.end();
+}
+
+std::string derivation_json(const Derivation& derivation, const Model& model, const Translator& tr)
+{
+    JsonWriter json;
+    begin_output(json, model.units);
+    write_why(json, derivation, model, tr);
+    json.end();
     return json.take();
 }
 

@@ -54,6 +54,7 @@ std::string derivation_latex(const Derivation& derivation, const Model& model, c
 
 /// The same for a program, with every digit; the sentences are in the language of `tr`.
 std::string derivation_json(const Derivation& derivation, const Model& model, const Translator& tr);
+void write_why(JsonWriter& json, const Derivation& derivation, const Model& model, const Translator& tr);
 void write_steps(JsonWriter& json, const Derivation& derivation, const Model& model, const Translator& tr);
 
 } // namespace femoop::derivation

@@ -9,7 +9,6 @@
 #include "femoop/io/results/matrix_table.h"
 #include "femoop/model/quantity/dimension.h"
 #include "femoop/model/quantity/number_text.h"
-#include "femoop/model/quantity/unit_signs.h"
 #include "femoop/result/case_magnitudes.h"
 #include "femoop/result/components.h"
 #include "femoop/result/envelope.h"
@@ -22,31 +21,27 @@ namespace {
 
 constexpr std::size_t indent = 2;
 
-tabular::Column in_unit(std::string_view what, Dimension dimension, const Units& units)
+tabular::Column in_unit(std::string_view what, const PrintedUnit& unit) { return {std::string(what), unit.name}; }
+
+tabular::Column displacement_header(Dof dof, const ResultUnits& units)
 {
-    return {std::string(what), printed_unit(dimension, units)};
+    return in_unit(name(dof), units.of_displacement(dof));
 }
 
-tabular::Column displacement_header(Dof dof, const Units& units)
+tabular::Column force_header(Dof dof, const ResultUnits& units)
 {
-    return is_rotation(dof) ? tabular::Column(std::string(name(dof)), "rad")
-                            : in_unit(name(dof), dimension::length, units);
+    return in_unit(force_name(dof), units.of_force(dof));
 }
 
-tabular::Column force_header(Dof dof, const Units& units)
+tabular::Column component_header(MemberComponent component, AnalysisKind analysis, const ResultUnits& units)
 {
-    return in_unit(force_name(dof), is_rotation(dof) ? dimension::moment : dimension::force, units);
+    return in_unit(name(component, analysis), units.of(component));
 }
 
-Dimension dimension_of(MemberComponent component)
+/// In its unit, 0 where it is nothing but rounding beside numbers of this size.
+tabular::Cell cell(double value, double size, const PrintedUnit& unit)
 {
-    if (is_displacement(component)) return dimension::length;
-    return is_moment(component) ? dimension::moment : dimension::force;
-}
-
-tabular::Column component_header(MemberComponent component, const Model& model)
-{
-    return in_unit(name(component, model.analysis), dimension_of(component), model.units);
+    return without_rounding(value, size) * unit.factor;
 }
 
 std::string section(const std::string& title, const tabular::Table& table, const Translator& tr)
@@ -105,46 +100,48 @@ std::vector<MemberComponent> shown_forces(const Model& model, const std::vector<
 }
 
 tabular::Table displacement_table(const Model& model, const CaseResult& result, const Magnitudes& most,
-                                  const Translator& tr)
+                                  const ResultUnits& units, const Translator& tr)
 {
     const std::vector<Dof> dofs = dof_list(model.analysis);
     std::vector<tabular::Column> headers{tr("node")};
-    for (const Dof dof : dofs) headers.push_back(displacement_header(dof, model.units));
+    for (const Dof dof : dofs) headers.push_back(displacement_header(dof, units));
 
     tabular::Table table(headers);
     for (std::size_t i = 0; i < model.nodes.size(); ++i) {
         const NodeVector u = result.displacement(NodeId(i));
         std::vector<tabular::Cell> row{model.nodes[i].id};
-        for (const Dof dof : dofs) row.emplace_back(without_rounding(u[index(dof)], most.displacement_of(dof)));
+        for (const Dof dof : dofs)
+            row.push_back(cell(u[index(dof)], most.displacement_of(dof), units.of_displacement(dof)));
         table.add_row(std::move(row));
     }
     return table;
 }
 
 tabular::Table reaction_table(const Model& model, const CaseResult& result, const Magnitudes& most,
-                              const Translator& tr)
+                              const ResultUnits& units, const Translator& tr)
 {
     const std::vector<Dof> dofs = dof_list(model.analysis);
     std::vector<tabular::Column> headers{tr("node")};
-    for (const Dof dof : dofs) headers.push_back(force_header(dof, model.units));
+    for (const Dof dof : dofs) headers.push_back(force_header(dof, units));
 
     tabular::Table table(headers);
     for (std::size_t i = 0; i < model.nodes.size(); ++i) {
         if (!result.is_supported(NodeId(i))) continue;
         const NodeVector reaction = result.reaction(NodeId(i));
         std::vector<tabular::Cell> row{model.nodes[i].id};
-        for (const Dof dof : dofs) row.emplace_back(without_rounding(reaction[index(dof)], most.force_of(dof)));
+        for (const Dof dof : dofs) row.push_back(cell(reaction[index(dof)], most.force_of(dof), units.of_force(dof)));
         table.add_row(std::move(row));
     }
     return table;
 }
 
 tabular::Table end_force_table(const Model& model, const CaseResult& result, const Magnitudes& most,
-                               const Translator& tr)
+                               const ResultUnits& units, const Translator& tr)
 {
     const std::vector<MemberComponent> components = shown_forces(model, {result});
     std::vector<tabular::Column> headers{tr("member"), tr("at node")};
-    for (const MemberComponent component : components) headers.push_back(component_header(component, model));
+    for (const MemberComponent component : components)
+        headers.push_back(component_header(component, model.analysis, units));
 
     tabular::Table table(headers);
     for (std::size_t i = 0; i < model.members.size(); ++i) {
@@ -155,7 +152,7 @@ tabular::Table end_force_table(const Model& model, const CaseResult& result, con
             const double x = end == 0 ? 0.0 : curve.length();
             const Side side = end == 0 ? Side::After : Side::Before;
             for (const MemberComponent component : components)
-                row.emplace_back(without_rounding(curve.value(component, x, side), most.of(component)));
+                row.push_back(cell(curve.value(component, x, side), most.of(component), units.of(component)));
             table.add_row(std::move(row));
         }
     }
@@ -164,9 +161,9 @@ tabular::Table end_force_table(const Model& model, const CaseResult& result, con
 
 tabular::Table extremes_table(const Model& model, const CaseResult& result,
                               const std::vector<MemberComponent>& components, const Magnitudes& most,
-                              const Translator& tr)
+                              const ResultUnits& units, const Translator& tr)
 {
-    const tabular::Column at = in_unit(tr("at x"), dimension::length, model.units);
+    const tabular::Column at = in_unit(tr("at x"), units.length);
     tabular::Table table({tr("member"), "", tr("largest"), at, tr("smallest"), at});
     for (std::size_t i = 0; i < model.members.size(); ++i) {
         const Curve curve = result.curve(MemberId(i));
@@ -174,8 +171,9 @@ tabular::Table extremes_table(const Model& model, const CaseResult& result,
             const Extremes extremes = curve.extremes(component);
             const double size = most.of(component);
             table.add_row({component == components.front() ? model.members[i].id : std::string(),
-                           component_header(component, model).label(), without_rounding(extremes.max.value, size),
-                           extremes.max.x, without_rounding(extremes.min.value, size), extremes.min.x},
+                           component_header(component, model.analysis, units).label(),
+                           cell(extremes.max.value, size, units.of(component)), extremes.max.x * units.length.factor,
+                           cell(extremes.min.value, size, units.of(component)), extremes.min.x * units.length.factor},
                           static_cast<std::size_t>(component));
         }
     }
@@ -193,11 +191,11 @@ std::string sign_legend(AnalysisKind kind, const Translator& tr)
 }
 
 std::string equilibrium_text(const Model& model, const Equilibrium& equilibrium, const Magnitudes& most,
-                             const Translator& tr)
+                             const ResultUnits& units, const Translator& tr)
 {
     const std::vector<Dof> dofs = equilibrium_dofs(model.analysis);
     std::vector<tabular::Column> headers{""};
-    for (const Dof dof : dofs) headers.push_back(force_header(dof, model.units));
+    for (const Dof dof : dofs) headers.push_back(force_header(dof, units));
 
     tabular::Table table(headers);
     std::vector<tabular::Cell> loads{tr("loads")}, reactions{tr("reactions")}, sums{tr("sum")};
@@ -205,9 +203,9 @@ std::string equilibrium_text(const Model& model, const Equilibrium& equilibrium,
     for (const Dof dof : dofs) {
         const double size = largest.force_of(dof);
         const double load = equilibrium.sum_loads[index(dof)], reaction = equilibrium.sum_reactions[index(dof)];
-        loads.emplace_back(without_rounding(load, size));
-        reactions.emplace_back(without_rounding(reaction, size));
-        sums.emplace_back(without_rounding(load + reaction, size));
+        loads.push_back(cell(load, size, units.of_force(dof)));
+        reactions.push_back(cell(reaction, size, units.of_force(dof)));
+        sums.push_back(cell(load + reaction, size, units.of_force(dof)));
     }
     table.add_row(std::move(loads));
     table.add_row(std::move(reactions));
@@ -226,13 +224,19 @@ public:
     GoverningTable(const Model& model, std::string_view what, const Translator& tr)
         : model_(model), table_({std::string(what), "", tr("largest"), tr("case"), tr("smallest"), tr("case")})
     {}
-    /// \param size  of the numbers that these may be round-off of
-    void add(const std::string& of, Dof dof, const tabular::Column& of_what, const GoverningRange& range, double size)
+    struct Row {
+        std::string part;
+        Dof dof;
+        std::string_view name;
+        const PrintedUnit& unit;
+        double size; ///< of the numbers that these may be round-off of
+    };
+    void add(const Row& row, const GoverningRange& range)
     {
-        table_.add_row({of, of_what.label(), without_rounding(range.max.value, size),
-                        model_.case_name(range.max.load_case), without_rounding(range.min.value, size),
+        table_.add_row({row.part, in_unit(row.name, row.unit).label(), cell(range.max.value, row.size, row.unit),
+                        model_.case_name(range.max.load_case), cell(range.min.value, row.size, row.unit),
                         model_.case_name(range.min.load_case)},
-                       index(dof));
+                       index(row.dof));
     }
     const tabular::Table& table() const { return table_; }
 
@@ -256,19 +260,19 @@ Magnitudes largest_of(const Results& results, const std::vector<CaseId>& cases)
 
 tabular::Table member_envelope(const Model& model, const Envelope& envelope,
                                const std::vector<MemberComponent>& components, const Magnitudes& most,
-                               const Translator& tr)
+                               const ResultUnits& units, const Translator& tr)
 {
-    const tabular::Column at = in_unit(tr("at x"), dimension::length, model.units);
+    const tabular::Column at = in_unit(tr("at x"), units.length);
     tabular::Table table({tr("member"), "", tr("largest"), at, tr("case"), tr("smallest"), at, tr("case")});
     for (std::size_t i = 0; i < model.members.size(); ++i)
         for (const MemberComponent component : components) {
             const GoverningExtremes extremes = envelope.extremes(MemberId(i), component);
             const double size = most.of(component);
             table.add_row({component == components.front() ? model.members[i].id : std::string(),
-                           component_header(component, model).label(), without_rounding(extremes.max.value, size),
-                           extremes.max.x, model.case_name(extremes.max.load_case),
-                           without_rounding(extremes.min.value, size), extremes.min.x,
-                           model.case_name(extremes.min.load_case)},
+                           component_header(component, model.analysis, units).label(),
+                           cell(extremes.max.value, size, units.of(component)), extremes.max.x * units.length.factor,
+                           model.case_name(extremes.max.load_case), cell(extremes.min.value, size, units.of(component)),
+                           extremes.min.x * units.length.factor, model.case_name(extremes.min.load_case)},
                           static_cast<std::size_t>(component));
         }
     return table;
@@ -321,25 +325,38 @@ std::string heading_text(const Model& model, const Results& results, const Trans
     return text;
 }
 
-std::string case_text(const Model& model, const Results& results, CaseId id, const Translator& tr)
+std::string case_text(const Model& model, const Results& results, CaseId id, const ResultUnits& units,
+                      const Translator& tr)
 {
     const CaseResult result = results[id];
     const Magnitudes most = result.magnitudes();
     const std::string title = case_title(model, id, tr);
     std::string text = "\n" + title + "\n" + std::string(tabular::shown_width(title), '=') + "\n";
-    text += section(tr("Displacements of the nodes"), displacement_table(model, result, most, tr), tr);
-    text += section(tr("Reactions of the supports on the structure"), reaction_table(model, result, most, tr), tr);
+    text += section(tr("Displacements of the nodes"), displacement_table(model, result, most, units, tr), tr);
+    text += section(tr("Reactions of the supports on the structure"), reaction_table(model, result, most, units, tr),
+                    tr);
     text += section(tr("Section forces at the ends of the members") + "\n  (" + sign_legend(model.analysis, tr) + ")",
-                    end_force_table(model, result, most, tr), tr);
+                    end_force_table(model, result, most, units, tr), tr);
     text += section(tr("Extreme section forces along the members"),
-                    extremes_table(model, result, shown_forces(model, {result}), most, tr), tr);
+                    extremes_table(model, result, shown_forces(model, {result}), most, units, tr), tr);
     text += section(tr("Extreme displacements along the members, in their own axes"),
-                    extremes_table(model, result, local_displacement_components(model.analysis), most, tr), tr);
-    return text + equilibrium_text(model, result.equilibrium(), most, tr);
+                    extremes_table(model, result, local_displacement_components(model.analysis), most, units, tr), tr);
+    return text + equilibrium_text(model, result.equilibrium(), most, units, tr);
+}
+
+std::string case_text(const Model& model, const Results& results, CaseId id, const Translator& tr)
+{
+    return case_text(model, results, id, result_units(model.units), tr);
 }
 
 std::string envelope_text(const Model& model, const Results& results, const std::vector<CaseId>& cases,
                           const Translator& tr)
+{
+    return envelope_text(model, results, cases, result_units(model.units), tr);
+}
+
+std::string envelope_text(const Model& model, const Results& results, const std::vector<CaseId>& cases,
+                          const ResultUnits& units, const Translator& tr)
 {
     const Envelope envelope(results, cases);
     const Magnitudes most = largest_of(results, cases);
@@ -347,11 +364,11 @@ std::string envelope_text(const Model& model, const Results& results, const std:
     for (std::size_t i = 0; i < model.nodes.size(); ++i) {
         std::string id = model.nodes[i].id;
         for (const Dof dof : dof_list(model.analysis)) {
-            displacements.add(id, dof, displacement_header(dof, model.units), envelope.displacement(NodeId(i), dof),
-                              most.displacement_of(dof));
+            displacements.add({id, dof, name(dof), units.of_displacement(dof), most.displacement_of(dof)},
+                              envelope.displacement(NodeId(i), dof));
             if (results[cases.front()].is_supported(NodeId(i)))
-                reactions.add(id, dof, force_header(dof, model.units), envelope.reaction(NodeId(i), dof),
-                              most.force_of(dof));
+                reactions.add({id, dof, force_name(dof), units.of_force(dof), most.force_of(dof)},
+                              envelope.reaction(NodeId(i), dof));
             id.clear();
         }
     }
@@ -364,9 +381,10 @@ std::string envelope_text(const Model& model, const Results& results, const std:
            section(tr("Displacements of the nodes"), displacements.table(), tr) +
            section(tr("Reactions of the supports on the structure"), reactions.table(), tr) +
            section(tr("Extreme section forces along the members"),
-                   member_envelope(model, envelope, shown_forces(model, shown), most, tr), tr) +
+                   member_envelope(model, envelope, shown_forces(model, shown), most, units, tr), tr) +
            section(tr("Extreme displacements along the members, in their own axes"),
-                   member_envelope(model, envelope, local_displacement_components(model.analysis), most, tr), tr);
+                   member_envelope(model, envelope, local_displacement_components(model.analysis), most, units, tr),
+                   tr);
 }
 
 std::string trace_text(const MemberTrace& trace, const Units& units, const Translator& tr)

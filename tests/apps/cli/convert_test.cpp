@@ -49,6 +49,40 @@ TEST_CASE("In other units the structure sags the same, and its checks still pass
     CHECK(solved["cases"]["P"]["nodes"]["B"]["u"]["uy"].get<double>() == doctest::Approx(-12.8)); // mm
 }
 
+TEST_CASE("A bent member is a chain on its curve, and stands on the same reactions under what it bore")
+{
+    const Folder folder;
+    const std::string in = folder.write("in.json", cantilever()), out = folder.path("bent.json");
+    const Run run = cremona({"convert", in, out, "--bend", "members=AB,curve=parabola,rise=150 cm,parts=4"});
+    REQUIRE_MESSAGE(run.status == 0, run.err);
+    CHECK(has(run.err, "AB is bent; its parts are "));
+    const json model = json::parse(folder.read("bent.json"));
+    REQUIRE(model["members"].size() == 4);
+    CHECK(model["nodes"][3]["at"] == json({2, 1.5})); // the crown
+    const json solved = json::parse(cremona({"solve", out, "--json", "--case", "P"}).out)["cases"]["P"];
+    CHECK(solved["nodes"]["A"]["reaction"]["fy"].get<double>() == doctest::Approx(12.0));
+    CHECK(solved["nodes"]["A"]["reaction"]["mz"].get<double>() == doctest::Approx(48.0));
+}
+
+TEST_CASE("A curve that is none is refused in words: without a rise, in one part, of a truss, misspelt")
+{
+    const auto refused = [](const std::string& file, const std::string& bend, const std::string& reason) {
+        const Run run = cremona({"convert", file, "-", "--bend", bend}, cantilever());
+        CAPTURE(run.err);
+        CHECK(run.status == 2);
+        CHECK(run.out.empty());
+        CHECK(has(run.err, reason));
+    };
+    refused("-", "members=AB,rise=0", "a rise of 0 leaves the member straight");
+    refused("-", "members=AB,rise=1,parts=1", "wanted a whole number from 2 to 200");
+    refused("-", "members=AB,rise=1,parts=201", "wanted a whole number from 2 to 200");
+    refused("-", "members=AB,rise=1,curve=circle", "wanted one of arc, parabola");
+    refused("-", "members=AB,rise=1 kN", "--bend rise: ");
+    refused("-", "members=BC,rise=1", "there is no \"BC\"");
+    refused("-", "AB", "says no curve");
+    refused("examples/truss.json", "members=1,rise=1", "the bars of a truss stay straight");
+}
+
 TEST_CASE("With the combinations of a code a model has them as ordinary ones, and each is told with its clause")
 {
     const Folder folder;

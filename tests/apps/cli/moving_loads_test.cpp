@@ -1,10 +1,15 @@
 #include <doctest/doctest.h>
 
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
 #include "tests/apps/cli/run_cremona.h"
 
 using cli_test::cremona;
 using cli_test::has;
 using cli_test::Run;
+using nlohmann::json;
 
 TEST_SUITE_BEGIN("cremona");
 
@@ -31,6 +36,30 @@ TEST_CASE("A train is told in sentences: where it is worst, and what stands wher
     CHECK(cremona({"train", "examples/bridge.json", "--describe", "--json"}).status == 2);
     CHECK(has(cremona({"train", "examples/bridge.json", "--envelope", "deck + G", "--describe"}).err,
               "asks for a train"));
+}
+
+TEST_CASE(
+    "A number of an envelope goes back to the train that governs, its sum, and an analysis with it standing there")
+{
+    const std::vector<std::string> asked{"train", "examples/bridge.json",        "--envelope", "deck + G",
+                                         "--why", "member=BC,at=50%,component=M"};
+    const Run told = cremona(asked);
+    REQUIRE(told.status == 0);
+    CHECK(has(told.out, "M(BC, 50%) = 1374.32 kip·ft under deck + G: where it comes from\nTrain HS20 governs.\n"));
+    CHECK(has(told.out, "  412.222 + 1.35 × (712.667) = 1374.32 kip·ft\n"));
+    std::vector<std::string> for_programs = asked;
+    for_programs.emplace_back("--json");
+    const json why = json::parse(cremona(for_programs).out);
+    double sum = 0.0;
+    for (const json& force : why["standing"]["forces"])
+        sum += force["force"].get<double>() * force["ordinate"].get<double>();
+    CHECK(why["why"]["value"].get<double>() == doctest::Approx(sum));
+    CHECK(why["permanent"].get<double>() + why["factor"].get<double>() * sum ==
+          doctest::Approx(why["value"].get<double>()));
+    const Run worst = cremona({"train", "examples/bridge.json", "--train", "lane", "--why", "member=BC,component=V"});
+    CHECK(worst.status == 0);
+    CHECK(has(cremona({"train", "examples/bridge.json", "--why", "node=B,component=fy"}).err,
+              "name it by --train or --envelope"));
 }
 
 TEST_CASE("Where a value is nothing but rounding beside the others, the table has 0")

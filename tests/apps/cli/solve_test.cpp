@@ -67,6 +67,20 @@ TEST_CASE("A tip load P sags a cantilever P L^3 / 3 E I, and its combination 1.5
     CHECK(cases["P"]["nodes"]["A"]["reaction"]["fy"].get<double>() == doctest::Approx(P));
 }
 
+TEST_CASE("--unit, given again or with commas, chooses the units of tables quantity by quantity, and of nothing else")
+{
+    const Run run = cremona(
+        {"solve", "-", "--case", "P", "--unit", "moment=kN*cm", "--unit", "displacement=mm,length=cm"}, cantilever());
+    REQUIRE(run.status == 0);
+    CHECK(has(run.out, "Units of the tables: cm, kN, kN·cm, mm, rad\n"));
+    CHECK(has(run.out, "M [kN·cm]"));
+    CHECK(has(run.out, "-4800")); // P L
+    CHECK(has(run.out, "-12.8")); // mm
+    CHECK(has(cremona({"solve", "-", "--unit", "force=tf", "--case", "envelope"}, cantilever()).out, "fy [tf]"));
+    CHECK(cremona({"solve", "-", "--unit", "moment=kN*cm", "--json"}, cantilever()).status == 2);
+    CHECK(has(cremona({"solve", "-", "--unit", "moment=kN*m2"}, cantilever()).err, "choose from: N·mm"));
+}
+
 TEST_CASE("--stations N gives N even places and every load point, twice where the result jumps")
 {
     std::string model = cantilever();
