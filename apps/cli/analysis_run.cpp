@@ -42,8 +42,35 @@ ExitStatus status_of(const std::vector<Fault>& faults)
     return is_structural ? ExitStatus::CannotSolve : ExitStatus::BadInput;
 }
 
+namespace {
+
+/// A primary structure moves since forces were released: what mends a structure does not help, other redundants do.
+bool is_of_redundants(const femoop::MechanismError& error)
+{
+    return std::ranges::any_of(error.causes(),
+                               [](const Fault& cause) { return cause.kind == femoop::FaultKind::PrimaryMoves; });
+}
+
+/// What stands before the last semicolon: the motion without its remedy.
+std::string motion(const std::string& sentence) { return sentence.substr(0, sentence.rfind(';')); }
+
+void report_primary(const femoop::MechanismError& error, const std::string& file, const Console& console)
+{
+    for (const Fault& cause : error.causes()) {
+        const std::string words = console.sentence(cause);
+        console.message(file + ": " + words);
+        if (words.find('[') != std::string::npos)
+            console.message("  " + console.tr()("in brackets stands the node at which a member is cut"));
+    }
+    for (const femoop::Mechanism& mechanism : error.mechanisms())
+        console.message("  " + motion(console.sentence(mechanism.fault)));
+}
+
+} // namespace
+
 void report_mechanisms(const femoop::MechanismError& error, const std::string& file, const Console& console)
 {
+    if (is_of_redundants(error)) return report_primary(error, file, console);
     const ui::Catalogue& tr = console.tr();
     const std::size_t n = error.mechanisms().size() + error.n_more();
     for (const Fault& cause : error.causes()) console.message(file + ": " + console.sentence(cause));

@@ -339,6 +339,10 @@ TEST_CASE("--force-method refuses what cannot be released, and says how the stru
     const Run moves = refused({"node=A,component=fx"});
     CHECK(moves.status == 3);
     CHECK(has(moves.err, "without fx(A) the structure can move; release other forces"));
+    CHECK(!has(moves.err, "add a ")); // what mends a structure is no remedy here
+    const Run cut = cremona({"solve", "examples/gerber_beam.json", "--force-method", "member=EF,at=50%,component=M"});
+    CHECK(has(cut.err, "without M(EF, 50%) [G] the structure can move; release other forces\n"
+                       "  in brackets stands the node at which a member is cut\n"));
     CHECK(moves.out.empty());
     const Run free = refused({"node=B,component=fx"});
     CHECK(free.status == 2);
