@@ -39,8 +39,10 @@ public:
     {
         for (const Gap& gap : gaps_) length_ += gap.most;
         for (const femoop::Quantity& axle : train.axles) largest_ = std::max(largest_, std::abs(axle.value()));
-        const double room = painter.size().width - 2.0 * side();
-        scale_ = length_ > 0.0 ? room / length_ : 0.0;
+        if (train.uniform && train.uniform_extent == femoop::UniformExtent::Outside && !train.axles.empty())
+            free_ = train.gap ? train.gap->value() : 0.0;
+        const double room = painter.size().width - 2.0 * side(), length = length_ + 2.0 * free_;
+        scale_ = length > 0.0 ? room / length : 0.0;
         ground_ = painter.size().height - px(44);
     }
 
@@ -55,18 +57,29 @@ public:
         double x = first();
         for (std::size_t i = 0; i < train_.axles.size(); ++i) {
             draw_axle(x, i);
+            places_.push_back(x);
             if (i >= gaps_.size()) break;
             const double next = x - scale_ * gaps_[i].least, farthest = x - scale_ * gaps_[i].most;
             draw_gap(x, next, farthest, gaps_[i]);
             x = next;
         }
+        draw_forces();
         draw_direction();
     }
 
 private:
     double px(double pixels) const { return look_.theme.type().normal / ui::TypeSizes{}.normal * pixels; }
     double side() const { return px(44); } ///< kept free beside the outer axles
-    double first() const { return train_.axles.size() > 1 ? painter_.size().width - side() : middle(); }
+    double first() const
+    {
+        return train_.axles.size() > 1 ? painter_.size().width - side() - scale_ * free_ : middle();
+    }
+    double last() const
+    {
+        double x = first();
+        for (const Gap& gap : gaps_) x -= scale_ * gap.least;
+        return x;
+    }
     double middle() const { return 0.5 * painter_.size().width; }
     double wheel() const { return px(5); }
     double strip_top() const { return px(22); }
@@ -94,11 +107,39 @@ private:
         const double force = train_.axles[i].value();
         const ui::Stroke wheel_line = look_.theme.stroke(Role::Member);
         painter_.disc({x, ground_ - wheel()}, wheel(), wheel_line.color);
-        const double share = largest_ > 0.0 ? std::abs(force) / largest_ : 0.0;
-        const Point foot{x, ground_ - 2.0 * wheel()}, top{x, foot.y - std::max(px(14), share * most_height())};
+        const Point foot{x, ground_ - 2.0 * wheel()}, top{x, top_of(i)};
         const ui::Stroke stroke = look_.theme.stroke(Role::Load);
         if (force != 0.0) arrow(force > 0.0 ? top : foot, force > 0.0 ? foot : top, stroke);
-        text({x, top.y - px(2)}, with_minus(look_.units.number(force, Measure::Force)), Role::Load, Anchor::Bottom);
+    }
+
+    /// Of an axle; of several with one force that are too near for a number each "4 × 80" over their middle.
+    void draw_forces()
+    {
+        for (std::size_t i = 0; i < places_.size();) {
+            std::size_t last = i;
+            const std::string one = force_text(i);
+            while (last + 1 < places_.size() && force_text(last + 1) == one && touches(one, last)) ++last;
+            const std::string number = last > i ? std::to_string(last - i + 1) + " × " + one : one;
+            const double middle = 0.5 * (places_[i] + places_[last]);
+            text({middle, top_of(i) - px(2)}, number, Role::Load, Anchor::Bottom);
+            i = last + 1;
+        }
+    }
+    std::string force_text(std::size_t i) const
+    {
+        return with_minus(look_.units.number(train_.axles[i].value(), Measure::Force));
+    }
+    /// The numbers of an axle and of the next one.
+    bool touches(const std::string& number, std::size_t i) const
+    {
+        ui::TextStyle style = look_.theme.text(Role::Load, Anchor::Bottom);
+        style.size = look_.theme.type().small;
+        return std::abs(places_[i] - places_[i + 1]) < painter_.measure(number, style).width + px(4);
+    }
+    double top_of(std::size_t i) const
+    {
+        const double share = largest_ > 0.0 ? std::abs(train_.axles[i].value()) / largest_ : 0.0;
+        return ground_ - 2.0 * wheel() - std::max(px(14), share * most_height());
     }
 
     // The least distance, and dashed behind it how much farther off the axle may be.
@@ -121,16 +162,26 @@ private:
         text({0.5 * (from + to), y + px(4)}, length, Role::Dimension, Anchor::Top);
     }
 
+    /// Over the whole length, or before and behind what it leaves free beside the axles.
     void draw_uniform(double load)
     {
-        const double top = strip_top(), foot = strip_foot(), left = px(8), right = painter_.size().width - px(8);
+        const double left = px(8), right = painter_.size().width - px(8);
+        if (free_ > 0.0) {
+            draw_strip(load, left, last() - scale_ * free_);
+            draw_strip(load, first() + scale_ * free_, right);
+        } else draw_strip(load, left, right);
+        text({left, strip_top() - px(2)}, words(load, Measure::ForcePerLength), Role::Load, Anchor::BottomLeft);
+    }
+
+    void draw_strip(double load, double left, double right)
+    {
+        const double top = strip_top(), foot = strip_foot();
         const ui::Stroke stroke = look_.theme.stroke(Role::Load);
         painter_.line({left, top}, {right, top}, stroke);
         painter_.line({left, foot}, {right, foot}, stroke);
         const double step = px(16);
         for (double x = left; x <= right; x += step)
             load >= 0.0 ? arrow({x, top}, {x, foot}, stroke) : arrow({x, foot}, {x, top}, stroke);
-        text({left, top - px(2)}, words(load, Measure::ForcePerLength), Role::Load, Anchor::BottomLeft);
     }
 
     // Which way it runs, the unit of the numbers, and what its forces are multiplied by.
@@ -155,6 +206,8 @@ private:
     const Train& train_;
     const TrainLook& look_;
     std::vector<Gap> gaps_;
+    std::vector<double> places_; ///< of the axles that are drawn
+    double free_ = 0.0;          ///< length beside the outer axles that the uniform load leaves out
     double length_ = 0.0, largest_ = 0.0, scale_ = 0.0, ground_ = 0.0;
 };
 

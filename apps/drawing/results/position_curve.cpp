@@ -18,7 +18,7 @@ using Run = PositionCurve::Run;
 // Where a run begins and ends, and from break to break so densely that it looks smooth; at a break both sides.
 std::vector<Place> places_of(const Run& run)
 {
-    constexpr int n = 8; // parts of a piece: mostly straight, of degree four at most
+    constexpr int n = 16; // parts of a piece: mostly straight, of degree four at most
     std::vector<Place> places{{run.from, run.effect.value(run.from, Side::Before, 0.0)}};
     for (const PositionFunction::Piece& piece : run.effect.pieces()) {
         if (piece.to < run.from || piece.from > run.to) continue;

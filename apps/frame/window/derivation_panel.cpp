@@ -35,7 +35,7 @@ void show_steps(Workspace& workspace, const CommandTable& commands)
     DerivationShow& show = workspace.derivation;
     int step = static_cast<int>(show.step()) + 1;
     ImGui::SetNextItemWidth(10.0F * ImGui::GetFontSize());
-    if (ImGui::SliderInt("###step", &step, 1, static_cast<int>(show.n_steps()), "%d", ImGuiSliderFlags_NoInput))
+    if (ImGui::SliderInt("###step", &step, 1, static_cast<int>(show.n_steps()), "", ImGuiSliderFlags_NoInput))
         show.go_to(static_cast<std::size_t>(step - 1));
     ImGui::SameLine();
 }

@@ -14,7 +14,6 @@
 #include "apps/frame/session/train_commands.h"
 #include "apps/frame/window/number_row.h"
 #include "ui/widgets/item_label.h"
-#include "ui/widgets/tooltip.h"
 #include "ui/widgets/wrapped_text.h"
 
 namespace frame {
@@ -328,7 +327,9 @@ void TrainWindow::show_new(Workspace& workspace) const
     for (const LibraryCommand& entry : library_commands()) {
         if (ImGui::Selectable((tr(entry.label) + "###" + std::string(entry.id)).c_str()))
             draft.add(session, *entry.train);
-        if (ImGui::IsItemHovered()) ui::show_tooltip(std::string(entry.train->source));
+        ImGui::Indent();
+        ImGui::TextDisabled("%s", std::string(entry.train->source).c_str());
+        ImGui::Unindent();
     }
     ImGui::EndCombo();
 }

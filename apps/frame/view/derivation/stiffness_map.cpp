@@ -3,8 +3,10 @@
 #include <algorithm>
 #include <cmath>
 #include <string>
+#include <utility>
 #include <vector>
 
+#include "femoop/io/derivation/derivation_text.h"
 #include "femoop/load/case_terms.h"
 #include "femoop/methods/derivation/renumbering.h"
 #include "ui/paint/wrapped_lines.h"
@@ -23,11 +25,22 @@ namespace {
 constexpr double decades = 6.0; // from the largest number to the palest cell
 constexpr double least_share = 0.18;
 
+/// What stands above K and f; where ties leave fewer equations these are others.
+struct SystemSymbols {
+    std::string K = "K", f = "f";
+};
+SystemSymbols symbols_of(bool is_reduced)
+{
+    if (!is_reduced) return {};
+    return {femoop::derivation::with_raised_powers("G^T K G"),
+            femoop::derivation::with_raised_powers("G^T (f − K u0)")};
+}
+
 class StiffnessMap {
 public:
     StiffnessMap(ui::Painter& painter, const femoop::SystemTrace& system, const Step& step, const femoop::Model& model,
-                 const DerivationLook& look, const ui::Box& box)
-        : painter_(painter), system_(system), step_(step), model_(model), look_(look)
+                 const DerivationLook& look, const ui::Box& box, SystemSymbols symbols)
+        : painter_(painter), system_(system), step_(step), model_(model), look_(look), symbols_(std::move(symbols))
     {
         small_ = look.theme.type().small;
         for (const femoop::SystemTrace::Unknown& unknown : system.unknowns)
@@ -43,6 +56,7 @@ public:
         const double margin = has_names_ ? names : 0.0;
         cell_ = std::min(side(margin), 3.6 * small_);
         corner_ = {box.min.x + margin, box.min.y + head};
+        right_ = box.max.x;
     }
 
     double bottom() const { return corner_.y + n() * cell_; }
@@ -132,6 +146,14 @@ private:
         if (step_.load_case) outline({load_at(0).min, load_at(last).max}, stroke);
     }
 
+    /// Over its column, but beside the other symbol and on the sheet.
+    double place_of_f(double middle_of_K, const ui::TextStyle& head) const
+    {
+        const double half = 0.5 * painter_.measure(symbols_.f, head).width;
+        const double beside = middle_of_K + 0.5 * painter_.measure(symbols_.K, head).width + small_ + half;
+        return std::min(std::max(load_at(0).center().x, beside), right_ - half);
+    }
+
     void draw_names() const
     {
         const ui::LayerScope layer(painter_, ui::Layer::Labels);
@@ -139,8 +161,9 @@ private:
         head.color = look_.theme[Role::Label].text;
         head.weight = ui::Weight::Bold;
         const double y = corner_.y - (has_names_ ? 1.4 : 0.3) * small_;
-        painter_.text({corner_.x + 0.5 * n() * cell_, y}, "K", head);
-        if (step_.load_case) painter_.text({load_at(0).center().x, y}, "f", head);
+        const double middle = corner_.x + 0.5 * n() * cell_;
+        painter_.text({middle, y}, symbols_.K, head);
+        if (step_.load_case) painter_.text({place_of_f(middle, head), y}, symbols_.f, head);
         if (!has_names_) return;
         for (Index i = 0; i < static_cast<Index>(names_.size()); ++i) {
             const bool is_lit = std::ranges::find(step_.rows, i) != step_.rows.end();
@@ -179,9 +202,11 @@ private:
     const Step& step_;
     const femoop::Model& model_;
     const DerivationLook& look_;
+    SystemSymbols symbols_;
     double small_ = 0.0, cell_ = 0.0;
     double widest_ = 0.0; ///< of the numbers above the columns
     Point corner_;
+    double right_ = 0.0; ///< end of the box
     bool has_names_ = false;
     std::vector<std::string> names_; ///< "4  B.ux"
 };
@@ -217,7 +242,8 @@ std::vector<Index> solved_rows(const femoop::SystemTrace& system, const std::vec
 
 /// What is solved, its unknowns where `place` puts them; the step's rows are marked.
 void draw_order(ui::Painter& painter, const femoop::SystemTrace& system, const std::vector<Index>& rows,
-                const femoop::Model& model, const DerivationLook& look, const ui::Box& box, const std::string& title)
+                const femoop::Model& model, const DerivationLook& look, const ui::Box& box, const std::string& title,
+                bool is_reduced)
 {
     ui::TextStyle style = look.theme.text(Role::Label, Anchor::TopLeft);
     const std::size_t end = title.find('\n');
@@ -226,7 +252,9 @@ void draw_order(ui::Painter& painter, const femoop::SystemTrace& system, const s
     Step lit;
     lit.kind = StepKind::Stiffness;
     lit.rows = rows;
-    StiffnessMap(painter, system, lit, model, look, {box.min + Point{0.0, 2.9 * style.size}, box.max}).draw();
+    StiffnessMap(painter, system, lit, model, look, {box.min + Point{0.0, 2.9 * style.size}, box.max},
+                 symbols_of(is_reduced))
+        .draw();
 }
 
 } // namespace
@@ -245,7 +273,7 @@ void draw_stiffness_map(ui::Painter& painter, const femoop::derivation::Derivati
         shown.kind = StepKind::Equations;
         shown.rows = solved_rows(derivation.system, step.rows);
     }
-    StiffnessMap(painter, system, shown, model, look, box).draw();
+    StiffnessMap(painter, system, shown, model, look, box, symbols_of(is_reduced)).draw();
 }
 
 void draw_numbering(ui::Painter& painter, const femoop::derivation::Derivation& derivation, const Step& step,
@@ -257,14 +285,16 @@ void draw_numbering(ui::Painter& painter, const femoop::derivation::Derivation& 
     const std::vector<Index> given = solved_rows(derivation.system, step.rows);
     std::vector<Index> eliminated;
     for (const Index row : given) eliminated.push_back(order.place[static_cast<std::size_t>(row)]);
+    const bool is_reduced = derivation.system.ties.has_value();
     const double gap = look.theme.type().normal, half = 0.5 * (box.width() - gap);
     const auto title = [&](const std::string& what, const femoop::derivation::Reach& reach) {
         return what + "\n" + look.tr("half bandwidth {width}", {{"width", std::to_string(reach.half_bandwidth)}});
     };
     draw_order(painter, femoop::derivation::as_given(derivation.system), given, model, look,
-               {box.min, {box.min.x + half, box.max.y}}, title(look.tr("numbered as given"), order.given));
+               {box.min, {box.min.x + half, box.max.y}}, title(look.tr("numbered as given"), order.given), is_reduced);
     draw_order(painter, femoop::derivation::as_eliminated(derivation.system), eliminated, model, look,
-               {{box.max.x - half, box.min.y}, box.max}, title(look.tr("in the solver's order"), order.solved));
+               {{box.max.x - half, box.min.y}, box.max}, title(look.tr("in the solver's order"), order.solved),
+               is_reduced);
 }
 
 } // namespace frame
