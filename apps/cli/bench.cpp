@@ -10,6 +10,7 @@
 #include "apps/cli/bench_frame.h"
 #include "apps/cli/bench_halfedge.h"
 #include "apps/cli/bench_mesh.h"
+#include "apps/cli/bench_plane.h"
 #include "apps/cli/bench_regions.h"
 #include "femoop/io/json/json_writer.h"
 #include "femoop/solver/blas.h"
@@ -27,11 +28,12 @@ public:
 
 private:
     ExitStatus frame(Console& console) const;
+    ExitStatus plane(Console& console) const;
     std::string halfedge(const ui::Catalogue& tr) const;
     std::string regions(const ui::Catalogue& tr) const;
     std::string mesh(const ui::Catalogue& tr) const;
 
-    std::string what_, bays_ = "19", storeys_ = "50", solver_ = "automatic", n_ = "1000", triangles_ = "100000";
+    std::string what_, bays_ = "19", storeys_ = "50", solver_ = "automatic", n_, triangles_ = "100000", element_ = "Q4";
     std::string segments_ = "1000", kind_ = "long", seed_ = "1";
     bool is_json_ = false, is_one_by_one_ = false;
 };
@@ -50,26 +52,33 @@ HelpText Bench::help(const ui::Catalogue& tr) const
             tr("`bench mesh` fills the unit square with five round holes with about N triangles, no angle below 30 degrees, "
                "and prints how many triangles and vertices there are, the smallest angle, and the time of meshing.") +
             "\n\n" +
+            tr("`bench plane` fills the unit square with N by N elements in plane stress, its left side fixed, its right side "
+               "loaded upwards, and prints how long each phase took, from the mesh to the stresses at 4 points of each "
+               "element, and uy in the middle of the right side.") +
+            "\n\n" +
             tr("`bench regions` divides a square of 2^20 by random straight lines, which are inserted one after the "
                "other, and prints the vertices, edges, regions and components that they make."),
         {{"cremona bench frame --bays 249 --storeys 400", tr("300 000 degrees of freedom.")},
          {"cremona bench frame --bays 19 --storeys 50 --solver ldlt --json", tr("Another solver, for a program.")},
          {"cremona bench halfedge --n 1000", tr("2 002 001 Euler operators.")},
          {"cremona bench mesh --triangles 1000000 --json", tr("A million triangles.")},
+         {"cremona bench plane --n 500 --element Q4 --json", tr("Half a million displacements.")},
          {"cremona bench regions --segments 1000 --kind long --seed 1 --json",
           tr("A thousand lines that cross everywhere.")}}};
 }
 
 void Bench::declare(CLI::App& app, const ui::Catalogue& tr)
 {
-    app.add_option("WHAT", what_, tr("what is built: frame, halfedge, mesh or regions"))->option_text(" ");
+    app.add_option("WHAT", what_, tr("what is built: frame, halfedge, mesh, plane or regions"))->option_text(" ");
     app.add_option("--bays", bays_, tr("how many bays the frame has (default 19)"))->option_text("B");
     app.add_option("--storeys", storeys_, tr("how many storeys the frame has (default 50)"))->option_text("S");
     app.add_option("--solver", solver_,
                    tr("who solves K u = f: automatic (the fastest, default), skyline, multifrontal, ldlt or cholmod"))
         ->option_text("NAME");
-    app.add_option("--n", n_, tr("how many quadrilaterals lie along each side of the grid (default 1000)"))
+    app.add_option("--n", n_,
+                   tr("how many quadrilaterals or elements lie along each side (default 1000; 100 of `plane`)"))
         ->option_text("N");
+    app.add_option("--element", element_, tr("of `plane`: T3, T6, Q4 (default), Q8 or Q9"))->option_text("KIND");
     app.add_option("--triangles", triangles_, tr("how many triangles fill the square, about (default 100000)"))
         ->option_text("N");
     app.add_option("--segments", segments_, tr("how many lines divide the square (default 1000)"))->option_text("N");
@@ -80,48 +89,104 @@ void Bench::declare(CLI::App& app, const ui::Catalogue& tr)
     app.add_flag("--json", is_json_, tr("print JSON with every digit instead of tables"));
 }
 
-std::string json(const FrameBench& bench)
+/// The shapes of plane elements, by their names.
+std::optional<femoop::ShapeKind> element_named(std::string_view name)
 {
-    femoop::JsonWriter json;
-    json.begin_object()
-        .member("dofs", bench.statistics.dofs)
-        .member("assemble", bench.statistics.assemble)
-        .member("order", bench.statistics.order)
-        .member("factor", bench.statistics.factor)
-        .member("solve", bench.statistics.solve)
+    for (const femoop::ShapeKind kind : femoop::shape_kinds())
+        if (femoop::name(kind) == name && !name.starts_with("Line")) return kind;
+    return std::nullopt;
+}
+
+/// Of a frame or a plate.
+template <class Bench> void write_phases(femoop::JsonWriter& json, const Bench& bench)
+{
+    const femoop::AnalysisStatistics& statistics = bench.statistics;
+    json.member("dofs", statistics.dofs)
+        .member("assemble", statistics.assemble)
+        .member("order", statistics.order)
+        .member("factor", statistics.factor)
+        .member("solve", statistics.solve)
         .member("recover", bench.recover)
         .member("total", bench.total)
         .member("peak_mb", bench.peak_mb)
-        .member("nnz_factor", bench.statistics.factor_nonzeros)
-        .member("sway", bench.sway)
-        .end();
+        .member("nnz_factor", statistics.factor_nonzeros);
+}
+
+std::string json(const FrameBench& bench)
+{
+    femoop::JsonWriter json;
+    json.begin_object();
+    write_phases(json, bench);
+    json.member("sway", bench.sway).end();
     return json.take();
 }
 
+std::string json(const PlaneBench& bench)
+{
+    femoop::JsonWriter json;
+    json.begin_object();
+    write_phases(json, bench);
+    json.member("tip", bench.tip).end();
+    return json.take();
+}
+
+/// Lines of a number, its unit and what it is.
+class BenchTable {
+public:
+    explicit BenchTable(const ui::Catalogue& tr) : tr_(tr) { text_ << std::fixed; }
+
+    void line(double value, int decimals, std::string_view unit, const std::string& what)
+    {
+        text_ << std::setw(16) << std::setprecision(decimals) << value << ' ' << std::left << std::setw(4) << unit
+              << what << std::right << '\n';
+    }
+    void phases(const femoop::AnalysisStatistics& statistics, double recover)
+    {
+        line(static_cast<double>(statistics.dofs), 0, "", tr_("dofs"));
+        line(statistics.assemble, 6, "s", tr_("assemble"));
+        line(statistics.order, 6, "s", tr_("order"));
+        line(statistics.factor, 6, "s", tr_("factor"));
+        line(statistics.solve, 6, "s", tr_("solve"));
+        line(recover, 6, "s", tr_("recover"));
+    }
+    void size(const femoop::AnalysisStatistics& statistics, double peak_mb)
+    {
+        line(peak_mb, 1, "MB", tr_("peak of memory"));
+        line(static_cast<double>(statistics.factor_nonzeros), 0, "", tr_("nonzeros of the factor"));
+    }
+    std::string text(const femoop::AnalysisStatistics& statistics) const
+    {
+        const femoop::Blas blas = femoop::blas();
+        return text_.str() +
+               tr_("solver {solver}; BLAS: {blas}; threads: {threads}",
+                   {{"solver", statistics.solver}, {"blas", blas.name}, {"threads", std::to_string(blas.threads)}}) +
+               "\n";
+    }
+
+private:
+    const ui::Catalogue& tr_;
+    std::ostringstream text_;
+};
+
 std::string table(const FrameBench& bench, const ui::Catalogue& tr)
 {
-    std::ostringstream text;
-    text << std::fixed;
-    const auto line = [&](double value, int decimals, std::string_view unit, const std::string& what) {
-        text << std::setw(16) << std::setprecision(decimals) << value << ' ' << std::left << std::setw(4) << unit
-             << what << std::right << '\n';
-    };
-    line(static_cast<double>(bench.statistics.dofs), 0, "", tr("dofs"));
-    line(bench.statistics.assemble, 6, "s", tr("assemble"));
-    line(bench.statistics.order, 6, "s", tr("order"));
-    line(bench.statistics.factor, 6, "s", tr("factor"));
-    line(bench.statistics.solve, 6, "s", tr("solve"));
-    line(bench.recover, 6, "s", tr("recover"));
-    line(bench.total, 6, "s", tr("all, from the model in memory to the last station"));
-    line(bench.resolve, 6, "s", tr("again with other loads"));
-    line(bench.peak_mb, 1, "MB", tr("peak of memory"));
-    line(static_cast<double>(bench.statistics.factor_nonzeros), 0, "", tr("nonzeros of the factor"));
-    line(bench.sway, 9, "m", tr("ux of the top left node"));
-    const femoop::Blas blas = femoop::blas();
-    return text.str() +
-           tr("solver {solver}; BLAS: {blas}; threads: {threads}",
-              {{"solver", bench.statistics.solver}, {"blas", blas.name}, {"threads", std::to_string(blas.threads)}}) +
-           "\n";
+    BenchTable table(tr);
+    table.phases(bench.statistics, bench.recover);
+    table.line(bench.total, 6, "s", tr("all, from the model in memory to the last station"));
+    table.line(bench.resolve, 6, "s", tr("again with other loads"));
+    table.size(bench.statistics, bench.peak_mb);
+    table.line(bench.sway, 9, "m", tr("ux of the top left node"));
+    return table.text(bench.statistics);
+}
+
+std::string table(const PlaneBench& bench, const ui::Catalogue& tr)
+{
+    BenchTable table(tr);
+    table.phases(bench.statistics, bench.recover);
+    table.line(bench.total, 6, "s", tr("all, from the mesh in memory to the last stress"));
+    table.size(bench.statistics, bench.peak_mb);
+    table.line(bench.tip, 9, "", tr("uy in the middle of the right side"));
+    return table.text(bench.statistics);
 }
 
 std::string json(const HalfEdgeBench& bench)
@@ -220,9 +285,25 @@ ExitStatus Bench::frame(Console& console) const
     return ExitStatus::Done;
 }
 
+ExitStatus Bench::plane(Console& console) const
+{
+    const ui::Catalogue& tr = console.tr();
+    const auto element = element_named(element_);
+    if (!element) throw unknown_choice("--element", element_, {"T3", "T6", "Q4", "Q8", "Q9"}, tr);
+    const long n = whole_number("--n", n_.empty() ? "100" : n_, {1, 1500}, tr);
+    const femoop::AnalysisOptions options{.solver = solver_named(solver_, tr)};
+    try {
+        const PlaneBench bench = bench_plane(unit_square(static_cast<std::size_t>(n), *element), options);
+        console.print(is_json_ ? json(bench) : table(bench, tr));
+    } catch (const femoop::ModelError& error) {
+        return report_unsolved(error, "cremona bench plane", console);
+    }
+    return ExitStatus::Done;
+}
+
 std::string Bench::halfedge(const ui::Catalogue& tr) const
 {
-    const long n = whole_number("--n", n_, {1, 10000}, tr);
+    const long n = whole_number("--n", n_.empty() ? "1000" : n_, {1, 10000}, tr);
     const HalfEdgeBench bench = bench_halfedge(static_cast<std::size_t>(n));
     return is_json_ ? json(bench) : table(bench, tr);
 }
@@ -248,11 +329,12 @@ ExitStatus Bench::run(Console& console)
 {
     const ui::Catalogue& tr = console.tr();
     if (what_ == "frame") return frame(console);
-    if (what_.empty()) throw UsageError(tr("nothing to build is given; add frame, halfedge, mesh or regions"));
+    if (what_ == "plane") return plane(console);
+    if (what_.empty()) throw UsageError(tr("nothing to build is given; add frame, halfedge, mesh, plane or regions"));
     if (what_ == "halfedge") console.print(halfedge(tr));
     else if (what_ == "mesh") console.print(mesh(tr));
     else if (what_ == "regions") console.print(regions(tr));
-    else throw unknown_choice("WHAT", what_, {"frame", "halfedge", "mesh", "regions"}, tr);
+    else throw unknown_choice("WHAT", what_, {"frame", "halfedge", "mesh", "plane", "regions"}, tr);
     return ExitStatus::Done;
 }
 

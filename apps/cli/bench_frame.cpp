@@ -103,14 +103,14 @@ double sum_of_stations(const CaseResult& result, std::size_t n_members)
     return first.get() + second;
 }
 
+} // namespace
+
 double peak_megabytes()
 {
     rusage usage{};
     getrusage(RUSAGE_SELF, &usage);
     return static_cast<double>(usage.ru_maxrss) / 1024.0;
 }
-
-} // namespace
 
 Model plane_frame(FrameSize size)
 {

@@ -16,6 +16,8 @@ struct FrameSize {
 /// level.
 femoop::Model plane_frame(FrameSize size);
 
+double peak_megabytes(); ///< of memory, of the whole process so far
+
 /// What it costs, in seconds, from the model in memory to the last station.
 struct FrameBench {
     femoop::AnalysisStatistics statistics;

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "apps/cli/bench_frame.h"
 #include "femoop/analysis/stopwatch.h"
 #include "femoop/plane/analysis/plane_analysis.h"
 #include "topology/meshing/mapped_mesher.h"
@@ -120,6 +121,7 @@ PlaneBench bench_plane(const fp::PlaneModel& model, const femoop::AnalysisOption
     bench.recover = watch.lap();
     bench.total = solved + bench.recover;
     bench.statistics = results.statistics();
+    bench.peak_mb = peak_megabytes();
     bench.tip = result.displacement(results.locator().find({1.0, 0.5}).front()).y();
     return bench;
 }

@@ -16,8 +16,9 @@ struct PlaneBench {
     femoop::AnalysisStatistics statistics;
     double recover = 0.0;
     double total = 0.0;
-    double tip = 0.0; ///< uy at (1, 0.5)
-    double sum = 0.0; ///< of what was recovered, so that nothing can be left out
+    double peak_mb = 0.0; ///< of the whole process
+    double tip = 0.0;     ///< uy at (1, 0.5)
+    double sum = 0.0;     ///< of what was recovered, so that nothing can be left out
 };
 PlaneBench bench_plane(const femoop::plane::PlaneModel& model, const femoop::AnalysisOptions& options);
 

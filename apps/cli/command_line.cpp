@@ -52,6 +52,7 @@ public:
         app_.set_version_flag("--version", "cremona " CREMONA_VERSION, tr_("print the version and leave"));
         app_.footer(help_footer({.summary = {}, .description = {}, .examples = first_examples(tr_)}, tr_));
         prepare(app_);
+        app_.require_subcommand(0, 1); // so that a word behind a command is never another one: `cremona bench mesh`
         for (const std::unique_ptr<Subcommand>& subcommand : subcommands_) {
             const HelpText help = subcommand->help(tr_);
             CLI::App* app = app_.add_subcommand(std::string(subcommand->name()),

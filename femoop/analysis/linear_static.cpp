@@ -27,18 +27,6 @@ constexpr double poor_condition = 1e10;    // leaves some six correct digits
 constexpr double unmeant_motion = 1e5;     // of the structure's size; exercises with E I = 1 stay well below
 constexpr double unmeant_soft_motion = 10; // where a pivot is so small that something is soft beside the rest
 
-void note_size(const ReducedSystem& system, AnalysisStatistics& statistics)
-{
-    const SymmetricSolver* solver = system.solver();
-    if (solver == nullptr) return;
-    statistics.dofs = static_cast<std::size_t>(system.matrix().rows());
-    statistics.nonzeros = static_cast<std::size_t>(system.matrix().nonZeros());
-    statistics.factor_nonzeros = solver->factor_nonzeros();
-    statistics.factor_operations = solver->predicted_operations();
-    statistics.factor_bytes = solver->predicted_bytes();
-    statistics.solver = solver->name();
-}
-
 } // namespace
 
 /// The equations, and what was found of them when they were factored.
@@ -67,7 +55,7 @@ struct LinearStatic::Parts {
     {
         const MechanismReport report(model, system);
         const Pivots pivots = system.factorize();
-        note_size(system.reduced(), statistics);
+        system.note_size(statistics);
         smallest_pivot = pivots.smallest_ratio;
         const bool is_doubtful = !pivots.is_complete || pivots.smallest_ratio <= doubtful_pivot ||
                                  (is_soft() && system.reduced().condition() >= poor_condition);

@@ -85,6 +85,18 @@ template <class Scalar> auto StaticSystem::load_vectors_of(const std::vector<Cas
     return F;
 }
 
+void StaticSystem::note_size(AnalysisStatistics& statistics) const
+{
+    const SymmetricSolver* solver = reduced_->solver();
+    if (solver == nullptr) return;
+    statistics.dofs = static_cast<std::size_t>(reduced_->matrix().rows());
+    statistics.nonzeros = static_cast<std::size_t>(reduced_->matrix().nonZeros());
+    statistics.factor_nonzeros = solver->factor_nonzeros();
+    statistics.factor_operations = solver->predicted_operations();
+    statistics.factor_bytes = solver->predicted_bytes();
+    statistics.solver = solver->name();
+}
+
 Eigen::MatrixXd StaticSystem::load_vectors(const std::vector<CaseLoads>& loads) const
 {
     return load_vectors_of<double>(loads);

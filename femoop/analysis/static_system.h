@@ -30,6 +30,7 @@ public:
     void update(std::shared_ptr<const Discretisation> structure);
     void analyse(const AnalysisOptions& options) { reduced_->analyse(options); } ///< symbolic. \pre assemble
     Pivots factorize() { return reduced_->factorize(); }                         ///< \pre analyse
+    void note_size(AnalysisStatistics& statistics) const;                        ///< and who solves. \pre analyse
 
     const std::shared_ptr<const Discretisation>& structure() const { return structure_; }
     const Equations& equations() const { return equations_; }

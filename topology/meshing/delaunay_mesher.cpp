@@ -31,6 +31,19 @@ double smallest_angle(const FlatPoint& a, const FlatPoint& b, const FlatPoint& c
     return area * std::abs(area) * least / (squares[0] * squares[1] * squares[2]);
 }
 
+/// Of a chain of edges none may lead back to where it starts, or along another one.
+void require_apart(const std::vector<CellEdge>& edges)
+{
+    std::vector<CellEdge> sorted;
+    for (const auto& [a, b] : edges) {
+        if (a == b) throw CrossingEdges({a, b}, {a, b});
+        sorted.push_back({std::min(a, b), std::max(a, b)});
+    }
+    std::sort(sorted.begin(), sorted.end());
+    const auto twice = std::adjacent_find(sorted.begin(), sorted.end());
+    if (twice != sorted.end()) throw CrossingEdges(*twice, *twice);
+}
+
 } // namespace
 
 double MeshDomain::area() const
@@ -48,6 +61,7 @@ DelaunayMesher::DelaunayMesher(const MeshDomain& domain, DelaunayOptions options
     for (const auto& loop : domain.loops)
         for (std::size_t i = 0; i < loop.size(); ++i) edges_.push_back({loop[i], loop[(i + 1) % loop.size()]});
     edges_.insert(edges_.end(), domain.segments.begin(), domain.segments.end());
+    require_apart(edges_);
     std::vector<double> sums(domain.nodes.size()), counts(domain.nodes.size());
     for (const CellEdge& edge : edges_)
         for (const CellNode node : edge) {
@@ -109,9 +123,11 @@ void DelaunayMesher::fix_edge(const CellEdge& edge)
         throw CrossingEdges(edge, {(*obstacle)[0] - n, (*obstacle)[1] - n});
 }
 
-/// Triangles that are left of the loops' edges, and those that are reached from them.
+/// Triangles that are left of the loops' edges, and those that are reached from them: none at the frame, unless a loop
+/// lies outside the one that should be around it.
 void DelaunayMesher::find_inside()
 {
+    constexpr Index n = Triangulation::n_frame_vertices;
     is_inside_.assign(triangles_.n_triangles(), false);
     std::vector<Index> found;
     const auto add = [&](Index triangle) {
@@ -119,15 +135,20 @@ void DelaunayMesher::find_inside()
         is_inside_[triangle] = true;
         found.push_back(triangle);
     };
-    std::size_t n_of_loops = 0;
+    const auto is_at_frame = [&](Index triangle) {
+        const auto& corners = triangles_.vertices(triangle);
+        return std::any_of(corners.begin(), corners.end(), [&](Index vertex) { return triangles_.is_frame(vertex); });
+    };
+    std::size_t n_of_loops = 0, n_spread = 0;
     for (const auto& loop : domain_.loops) n_of_loops += loop.size();
     for (std::size_t i = 0; i < n_of_loops; ++i) {
-        constexpr Index n = Triangulation::n_frame_vertices;
         add(*triangles_.triangle_left_of(edges_[i][0] + n, edges_[i][1] + n));
+        for (; n_spread < found.size(); ++n_spread) {
+            if (is_at_frame(found[n_spread])) throw CrossingEdges(edges_[i], edges_[i]);
+            for (Index corner = 3 * found[n_spread]; corner < 3 * found[n_spread] + 3; ++corner)
+                if (!triangles_.is_fixed(corner)) add(triangles_.twin(corner) / 3);
+        }
     }
-    for (std::size_t i = 0; i < found.size(); ++i)
-        for (Index corner = 3 * found[i]; corner < 3 * found[i] + 3; ++corner)
-            if (!triangles_.is_fixed(corner)) add(triangles_.twin(corner) / 3);
     std::sort(found.begin(), found.end());
     for (const Index triangle : found) suspect(triangle);
     const double smallest = *std::min_element(sizes_.begin() + Triangulation::n_frame_vertices, sizes_.end());

@@ -40,7 +40,7 @@ public:
         Done
     };
 
-    DelaunayMesher(const MeshDomain& domain, DelaunayOptions options);
+    DelaunayMesher(const MeshDomain& domain, DelaunayOptions options); ///< \throws CrossingEdges
 
     Step next();                                                  ///< makes one step. \throws CrossingEdges
     CellMesh run(const std::function<bool()>& is_cancelled = {}); ///< all steps; what there is, if it was cancelled

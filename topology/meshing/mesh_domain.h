@@ -46,7 +46,8 @@ struct CellMesh {
     std::vector<Cell> cells;
 };
 
-/// Two edges of a domain that cross or touch where neither ends, or a node that lies on an edge: nothing can be meshed.
+/// Two edges of a domain that cross or touch where neither ends, a node that lies on an edge, an edge twice or between a
+/// node and itself, a loop on the wrong side of others: nothing can be meshed.
 struct CrossingEdges : std::runtime_error {
     CrossingEdges(const CellEdge& a, const CellEdge& b) : runtime_error("edges of the boundary cross"), edges{a, b} {}
     std::array<CellEdge, 2> edges;

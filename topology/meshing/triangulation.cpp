@@ -148,6 +148,10 @@ std::optional<Triangulation::Index> Triangulation::triangle_left_of(Index a, Ind
 /// The corner opposite the edge from a to b, in the triangle to its left.
 std::optional<Triangulation::Index> Triangulation::edge_between(Index a, Index b) const
 {
+    if (is_frame(a) && !is_frame(b)) { // around the frame's vertices is no full turn
+        const auto other_way = edge_between(b, a);
+        return other_way ? std::optional(twin(*other_way)) : std::nullopt;
+    }
     Index corner = corners_[a];
     do {
         if (vertex(next(corner)) == b) return previous(corner);

@@ -12,6 +12,7 @@
 #include "femoop/analysis/memory_fault.h"
 #include "femoop/analysis/overflow_check.h"
 #include "femoop/analysis/static_system.h"
+#include "femoop/analysis/stopwatch.h"
 #include "femoop/load/case_terms.h"
 #include "femoop/plane/analysis/plate_mechanism.h"
 #include "femoop/plane/check/plane_check.h"
@@ -110,25 +111,38 @@ void keep_axial_sums(detail::Solution& solution)
             *sum = {0.0, (*sum)[1], 0.0, 0.0, 0.0, 0.0};
 }
 
-std::vector<detail::CaseSolution> solved(const PlaneStructure& structure, const std::vector<CaseLoads>& loads,
-                                         const AnalysisOptions& options)
+struct Solved {
+    std::vector<detail::CaseSolution> cases;
+    AnalysisStatistics statistics;
+};
+
+Solved solved(const PlaneStructure& structure, const std::vector<CaseLoads>& loads, const AnalysisOptions& options)
 {
+    Stopwatch watch;
+    Solved done;
     StaticSystem system(structure.discretisation(), options.solver.kind);
+    done.statistics.order = watch.lap();
     system.assemble();
+    done.statistics.assemble = watch.lap();
     require_finite_stiffness(structure.model(), system);
     try {
         system.analyse(options);
     } catch (const InsufficientMemory& refusal) {
         throw ModelError({insufficient_memory(refusal, system.reduced().matrix().rows())});
     }
+    done.statistics.order += watch.lap();
     const Pivots pivots = system.factorize();
+    system.note_size(done.statistics);
     if (!pivots.is_complete || pivots.smallest_ratio <= no_pivot || system.has_unrestrained_unknown())
         refuse_soft_motion(structure, system);
+    done.statistics.factor = watch.lap();
     const Eigen::MatrixXd F = system.load_vectors(loads);
     require_finite(structure.model(), F);
     const ReducedSystem::Displacements u = system.solve(F, {});
     require_finite(structure.model(), u.all);
-    return system.solutions(loads, F, u);
+    done.cases = system.solutions(loads, F, u);
+    done.statistics.solve = watch.lap();
+    return done;
 }
 
 } // namespace
@@ -142,12 +156,13 @@ PlaneResults analyse(const PlaneModel& model, const AnalysisOptions& options)
     solution->structure = structure->discretisation();
     solution->loads = structure->loads();
     solution->cases = cases_of(structure->model());
-    solution->solutions = solved(*structure, solution->loads, options);
+    Solved done = solved(*structure, solution->loads, options);
+    solution->solutions = std::move(done.cases);
     add_reactions(*solution);
     if (model.analysis == StressState::Axisymmetric) keep_axial_sums(*solution);
     if (auto faults = ill_conditioned_cases(*solution); !faults.empty()) throw ModelError(std::move(faults));
     solution->warnings = inaccurate_cases(*solution);
-    PlaneResults results(std::move(structure), solution);
+    PlaneResults results(std::move(structure), solution, done.statistics);
     require_finite_results(results, *solution);
     return results;
 }

@@ -46,10 +46,11 @@ struct PlaneCase::Recovered {
 };
 
 PlaneResults::PlaneResults(std::shared_ptr<const PlaneStructure> structure,
-                           std::shared_ptr<const detail::Solution> solution)
+                           std::shared_ptr<const detail::Solution> solution, AnalysisStatistics statistics)
     : structure_(std::move(structure)),
       solution_(std::move(solution)),
-      locator_(std::make_shared<const Locator>(structure_->model()))
+      locator_(std::make_shared<const Locator>(structure_->model())),
+      statistics_(std::move(statistics))
 {}
 
 PlaneCase PlaneResults::operator[](CaseId id) const { return {structure_, solution_, locator_, id.index}; }

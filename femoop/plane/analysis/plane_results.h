@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "femoop/analysis/analysis_options.h"
 #include "femoop/discretisation/solution.h"
 #include "femoop/model/fault/fault.h"
 #include "femoop/plane/analysis/plane_structure.h"
@@ -104,18 +105,21 @@ private:
 /// The solution of a plane model: all its load cases, then its combinations. Holds what it needs.
 class PlaneResults {
 public:
-    PlaneResults(std::shared_ptr<const PlaneStructure> structure, std::shared_ptr<const detail::Solution> solution);
+    PlaneResults(std::shared_ptr<const PlaneStructure> structure, std::shared_ptr<const detail::Solution> solution,
+                 AnalysisStatistics statistics);
 
     const PlaneModel& model() const { return structure_->model(); }
     std::size_t n_cases() const { return solution_->cases.size(); }
     PlaneCase operator[](CaseId id) const;
     const Locator& locator() const { return *locator_; }
     const std::vector<Fault>& warnings() const { return solution_->warnings; }
+    const AnalysisStatistics& statistics() const { return statistics_; }
 
 private:
     std::shared_ptr<const PlaneStructure> structure_;
     std::shared_ptr<const detail::Solution> solution_;
     std::shared_ptr<const Locator> locator_;
+    AnalysisStatistics statistics_;
 };
 
 } // namespace femoop::plane

@@ -129,12 +129,19 @@ TEST_SUITE("Delaunay meshes")
         check_mesh(domain, meshed(domain, {.size = 0.5, .min_angle = 33.0}));
     }
 
-    TEST_CASE("Outlines that cross, and nodes on edges, are told")
+    TEST_CASE("Outlines that cross or go nowhere, holes that are outside, and nodes on edges, are told")
     {
         const MeshDomain crossed = polygon({{0.0, 0.0}, {1.0, 1.0}, {1.0, 0.0}, {0.0, 1.0}});
         CHECK_THROWS_AS(meshed(crossed), CrossingEdges);
         const MeshDomain touching = polygon({{0.0, 0.0}, {2.0, 0.0}, {2.0, 1.0}, {1.0, 0.0}, {0.0, 1.0}});
         CHECK_THROWS_AS(meshed(touching), CrossingEdges);
+        MeshDomain hole_outside = square_with_hole(4, 0.2);
+        for (const CellNode node : hole_outside.loops[1]) hole_outside.nodes[node].x += 3.0;
+        CHECK_THROWS_AS(meshed(hole_outside), CrossingEdges);
+        MeshDomain two_edges = polygon({{0.0, 0.0}, {1.0, 0.0}});
+        CHECK_THROWS_AS(meshed(two_edges), CrossingEdges);
+        two_edges.loops = {{0}};
+        CHECK_THROWS_AS(meshed(two_edges), CrossingEdges);
     }
 
     TEST_CASE("Steps come in their order: nodes, edges, what is outside, places, smoothing")

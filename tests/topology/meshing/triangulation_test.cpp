@@ -102,6 +102,21 @@ TEST_SUITE("triangulations")
         }
     }
 
+    TEST_CASE("An edge along the outside, past places in line, takes the place of those to the frame")
+    {
+        FlatBox box;
+        box.add({0.0, 0.0});
+        box.add({10.0, 3.0});
+        Triangulation triangles(box);
+        for (int i = 0; i <= 8; ++i) insert(triangles, {static_cast<double>(i), 0.1 * i * (8 - i) / 16.0});
+        insert(triangles, {9.0, -2.0});
+        insert(triangles, {-1.0, 3.0});
+        REQUIRE_FALSE(triangles.fix(13, 12).has_value());
+        check_structure(triangles);
+        REQUIRE_FALSE(triangles.fix(11, 13).has_value());
+        check_structure(triangles);
+    }
+
     TEST_CASE("A place on a vertex, and one behind an edge that is fixed, have no cavity")
     {
         FlatBox box;
