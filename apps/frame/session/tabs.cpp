@@ -31,6 +31,7 @@ void adopt_look(Session& session, const Session& from)
     session.view.numbers = from.view.numbers;
     session.view.theme = from.view.theme;
     session.view.units = from.view.units;
+    session.view.unit_choices = from.view.unit_choices;
     session.view.layout = from.view.layout;
     const bool is_truss = femoop::is_truss(session.model().analysis);
     const bool was_truss = femoop::is_truss(from.model().analysis);
@@ -155,18 +156,16 @@ std::optional<std::size_t> tab_of(const Workspace& workspace, const std::filesys
     return std::nullopt;
 }
 
-// Units that a person chose are that person's, whatever is opened: a file that comes under them says so.
-void tell_units(Workspace& workspace)
-{
-    const std::string chosen = workspace.session.view.unit_choices.text();
-    if (chosen.empty() || workspace.session.notice) return;
-    workspace.notify(
-        {ui::translatable("shown in the units that you chose: {units}; Shift+U changes them, the file keeps "
-                          "its own"),
-         {{"units", chosen}}});
-}
-
 } // namespace
+
+void tell_units(Session& session)
+{
+    const std::string chosen = session.view.unit_choices.text();
+    if (chosen.empty() || session.notice) return;
+    session.notify({ui::translatable("shown in the units that you chose: {units}; Shift+U changes them, the file keeps "
+                                     "its own"),
+                    {{"units", chosen}}});
+}
 
 bool open_file(Workspace& workspace, const std::filesystem::path& chosen, Session::Purpose purpose)
 {
@@ -181,7 +180,7 @@ bool open_file(Workspace& workspace, const std::filesystem::path& chosen, Sessio
         return false;
     }
     add_tab(workspace, std::move(session));
-    tell_units(workspace);
+    tell_units(workspace.session);
     return true;
 }
 

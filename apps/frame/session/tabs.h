@@ -32,5 +32,8 @@ void new_document(Workspace& workspace, femoop::AnalysisKind kind = femoop::Anal
 /// open document stays as it is and its `notice` says why; false then.
 bool open_file(Workspace& workspace, const std::filesystem::path& path,
                Session::Purpose purpose = Session::Purpose::Work);
+/// Units that a person chose are that person's, whatever is opened, as language and digits are: a document that comes
+/// under them says so.
+void tell_units(Session& session);
 
 } // namespace frame

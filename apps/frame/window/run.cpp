@@ -4,6 +4,7 @@
 #include <string>
 
 #include "apps/frame/session/session.h"
+#include "apps/frame/session/tabs.h"
 #include "apps/frame/window/application.h"
 #include "apps/frame/window/stage.h"
 #include "ui/app/run_app.h"
@@ -26,6 +27,7 @@ Session begin(const Options& options)
     session.view.show = options.show.value_or(shown_by_default | ShowSet{is_truss ? Show::N : Show::M});
     session.view.units = options.settings.units;
     session.view.unit_choices = options.settings.unit_choices.value_or(ui::UnitChoices());
+    if (!options.files.empty()) tell_units(session);
     return session;
 }
 

@@ -15,7 +15,11 @@ bool stage_button(const std::string& words, bool is_shown)
     const ImVec2 corner = ImGui::GetCursorPos();
     const float width = ImGui::GetContentRegionAvail().x;
     const ImVec2 size = ImGui::CalcTextSize(words.c_str(), nullptr, false, width);
+    ImVec4 hovered = ImGui::GetStyleColorVec4(ImGuiCol_HeaderHovered); // paler than the one that is shown
+    if (!is_shown) hovered.w *= 0.35F;
+    ImGui::PushStyleColor(ImGuiCol_HeaderHovered, hovered);
     const bool is_clicked = ImGui::Selectable("###stage", is_shown, ImGuiSelectableFlags_None, {width, size.y});
+    ImGui::PopStyleColor();
     if (is_shown && !ImGui::IsItemVisible()) ImGui::SetScrollHereY();
     ImGui::SetCursorPos(corner);
     ui::wrapped_text(words);

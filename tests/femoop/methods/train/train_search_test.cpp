@@ -154,6 +154,19 @@ TEST_CASE("A spacing that varies is as the effect wants it: at an end of its ran
     CHECK(largest(line, below).value == Approx(18.0 + 4.0 * 2.4));
 }
 
+TEST_CASE("With each spacing more that varies the pieces of the effect grow by about as many, not by a factor")
+{
+    const auto n_pieces = [](std::size_t n) {
+        MovingTrain train{.axles = std::vector<double>(n + 1, 10.0), .spacings = {}};
+        for (std::size_t i = 0; i < n; ++i) train.spacings.push_back({4.0 + 0.1 * static_cast<double>(i), 9.0});
+        return TrainSearch(moment_line(30.0), {0.0, L}, train).over_positions(ExtremeKind::Max, false).pieces().size();
+    };
+    const std::size_t few = n_pieces(5), many = n_pieces(20);
+    CAPTURE(few);
+    CAPTURE(many);
+    CHECK(many < 5 * few);
+}
+
 TEST_CASE("What a placing says adds up to its value, and no other placing goes beyond")
 {
     for (std::uint32_t seed = 0; seed < 300; ++seed) {
