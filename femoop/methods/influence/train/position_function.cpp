@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <deque>
 #include <limits>
 #include <utility>
 
@@ -71,11 +72,20 @@ std::vector<double> quadratic_roots(double a, double b, double c, double end)
     return roots;
 }
 
+/// Its first coefficient outweighs all the others up to the end; most stretches are too short for a zero.
+bool keeps_sign(const Polynomial& p, double end)
+{
+    double others = 0.0;
+    for (std::size_t k = p.n_terms(); k-- > 1;) others = end * (others + std::abs(p[k]));
+    return std::abs(p[0]) > others;
+}
+
 /// Where the two are equal within (0, end).
 void add_crossings(std::vector<double>& places, const Polynomial& p, const Polynomial& q, double end)
 {
     Polynomial difference;
     for (std::size_t i = 0; i < std::max(p.n_terms(), q.n_terms()); ++i) difference.append(p[i] - q[i]);
+    if (keeps_sign(difference, end)) return;
     for (const double root : difference.roots(end)) places.push_back(root);
 }
 
@@ -135,15 +145,28 @@ private:
     Branch last_;
 };
 
-/// Of candidates in ascending order, the largest value among those that stay within a moving window.
-double largest_between(const std::vector<Trial>& candidates, double from, double to)
-{
-    double largest = -std::numeric_limits<double>::infinity();
-    auto next = std::lower_bound(candidates.begin(), candidates.end(), from,
-                                 [](const Trial& candidate, double x) { return candidate.x < x; });
-    for (; next != candidates.end() && next->x <= to; ++next) largest = std::max(largest, next->value);
-    return largest;
-}
+/// Of candidates in ascending order, the largest value within a window that moves on: those that a later and larger one
+/// outlives are let go.
+class WindowMaximum {
+public:
+    explicit WindowMaximum(const std::vector<Trial>& candidates) : candidates_(candidates) {}
+
+    /// \pre neither end goes back
+    double between(double from, double to)
+    {
+        for (; next_ < candidates_.size() && candidates_[next_].x <= to; ++next_) {
+            while (!alive_.empty() && alive_.back()->value <= candidates_[next_].value) alive_.pop_back();
+            alive_.push_back(&candidates_[next_]);
+        }
+        while (!alive_.empty() && alive_.front()->x < from) alive_.pop_front();
+        return alive_.empty() ? -std::numeric_limits<double>::infinity() : alive_.front()->value;
+    }
+
+private:
+    const std::vector<Trial>& candidates_;
+    std::size_t next_ = 0;
+    std::deque<const Trial*> alive_; ///< ascending, their values descending
+};
 
 } // namespace
 
@@ -237,6 +260,7 @@ PositionFunction PositionFunction::largest_within(double least, double most, dou
     }
     std::sort(cuts.begin(), cuts.end());
     UpperEnvelope envelope(shortest);
+    WindowMaximum inside(inner);
     Walker near(*this), far(*this);
     for (std::size_t i = 0; i + 1 < cuts.size(); ++i) {
         const double from = cuts[i], to = cuts[i + 1], middle = 0.5 * (from + to);
@@ -245,7 +269,7 @@ PositionFunction PositionFunction::largest_within(double least, double most, dou
         const Polynomial at_far = far.polynomial_about(from - most, middle - most);
         std::vector<Branch> branches{{Branch::Of::NearEnd, near.piece(), at_near},
                                      {Branch::Of::FarEnd, far.piece(), at_far}};
-        const double within = largest_between(inner, middle - most, middle - least);
+        const double within = inside.between(middle - most, middle - least);
         if (std::isfinite(within)) branches.push_back({Branch::Of::Within, 0, constant(within)});
         envelope.append(branches, from, to);
     }
