@@ -29,8 +29,9 @@ MODEL, NUMBERS = "femoop/model/", "femoop/solver/"
 GEOMETRY, SECTION = "femoop/geometry/", "femoop/section/"
 ELEMENT = ["femoop/element/", "femoop/shape/", "femoop/rule/", "femoop/material/"]
 LOAD, DISCRETISATION, RESULT = "femoop/load/", "femoop/discretisation/", "femoop/result/"
+HALVES = "femoop/tabular/halves.h"  # who writes a number rounds its last digit alike
 FEMOOP = {
-    "model": [MODEL],
+    "model": [MODEL, HALVES],
     "model/check": [MODEL, SECTION, GEOMETRY, LOAD, *ELEMENT],
     "section": [MODEL],
     "geometry": [MODEL],
@@ -65,7 +66,7 @@ ALLOWED = {
     "ui/canvas": ["ui/canvas/", "ui/paint/"],
     "ui/history": UI_BASE,
     "ui/command": UI_BASE,
-    "ui/text": UI_BASE,
+    "ui/text": [*UI_BASE, HALVES],
     "ui/scenario": UI_BASE,
     "ui/files": [*UI_BASE, "ui/files/", "femoop/files/", SYSTEM],
     "ui/workbench": [*UI_BASE, "ui/files/", "ui/workbench/", "femoop/files/"],
