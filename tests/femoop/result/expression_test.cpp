@@ -38,6 +38,12 @@ TEST_SUITE("result")
         CHECK(text(M[0]) == "21 x - 3.5 x²");
     }
 
+    TEST_CASE("A coefficient 1 is not written before x, but alone it is")
+    {
+        CHECK(text(expression(Polynomial{2.0, -1.0}, 0.0, 4.0, 4.0)) == "2 - x");
+        CHECK(text(expression(Polynomial{1.0, 0.0, 1.0}, 0.0, 4.0, 4.0)) == "1 + x²");
+    }
+
     TEST_CASE("Under a point load there are two formulas, and where nothing changes one")
     {
         const Model model = beam(false);

@@ -1,5 +1,6 @@
 #include <doctest/doctest.h>
 
+#include <cmath>
 #include <stdexcept>
 
 #include "femoop/tabular/plain_text.h"
@@ -19,6 +20,18 @@ TEST_CASE("Numbers of a column share their decimals, six significant digits of t
                                "A       0\n"
                                "B     -12.3457\n"
                                "C       7.5000\n");
+}
+
+TEST_CASE("Equal forces that a calculation left a bit apart at half of the last digit read alike")
+{
+    Table table({"bar", "N"});
+    table.add_row({"a", -63.28125});
+    table.add_row({"b", std::nextafter(-63.28125, -100.0)});
+    table.add_row({"c", std::nextafter(-63.28125, 0.0)});
+    CHECK(plain_text(table) == "bar         N\n"
+                               "a    -63.2813\n"
+                               "b    -63.2813\n"
+                               "c    -63.2813\n");
 }
 
 TEST_CASE("Counts are written whole and stand to the right")

@@ -26,6 +26,15 @@ TEST_SUITE("ui text")
         CHECK(ui::number_text(0.1 + 0.2, {.digits = 15}) == "0.3");
     }
 
+    TEST_CASE("Half of the last digit is rounded away from zero, whichever way a calculation missed it")
+    {
+        for (const double value : {63.28125, std::nextafter(63.28125, 0.0), std::nextafter(63.28125, 100.0)}) {
+            CHECK(ui::number_text(value, {.digits = 6}) == "63.2813");
+            CHECK(ui::number_text(-value, {.digits = 6}) == "-63.2813");
+        }
+        CHECK(ui::number_text(0.1, {.digits = 15}) == "0.1"); // what is edited keeps its digits
+    }
+
     TEST_CASE("Very small and very large numbers are written with a power of ten")
     {
         CHECK(ui::number_text(1.2e-5) == "1.2e-5");
