@@ -98,7 +98,10 @@ public:
         dimension({left, low.y}, {left, high.y}, figure_.height(), Anchor::Right);
         dimension({low.x, below}, {high.x, below}, figure_.width(), Anchor::Top);
         const bool is_off_middle = std::abs(figure_.top + figure_.bottom) > 1e-9 * figure_.height();
-        const double right = fit_.centroid.x + fit_.scale * std::max(figure_.right, -figure_.left) + px(46);
+        const double beside = fit_.centroid.x + fit_.scale * std::max(figure_.right, -figure_.left) + px(46);
+        const std::string words = look_.units.text(yc, ui::Measure::SectionLength);
+        const double width = painter_.measure(words, style_of(Role::Dimension)).width;
+        const double right = std::min(beside, painter_.size().width - px(10) - width); // none of it is cut off
         if (is_off_middle) dimension({right, low.y}, {right, fit_.centroid.y}, yc, Anchor::Left);
     }
 

@@ -61,6 +61,29 @@ TEST_SUITE("frame session")
         CHECK(names(workspace) == "portal.json *gerber_beam.json truss.json ");
     }
 
+    TEST_CASE(
+        "Beside a case that is kept the model in words tells what changes most, and a case by itself changes nothing")
+    {
+        Workspace workspace = workspace_with("portal.json");
+        CHECK(description(workspace.session).find("changes most") == std::string::npos);
+        run(workspace, "view.compare_case");
+        CHECK(description(workspace.session).find("No change: N, V, M, fx, fy, mz, ux, uy, rz.") != std::string::npos);
+        workspace.session.view.load_case = femoop::CaseId(1);
+        const std::string words = description(workspace.session);
+        CHECK(words.find("\nQ: Compared with G\n") != std::string::npos);
+        CHECK(words.find("M changes most in member BC at x = 4 m: 83.2702 kN·m now, 58.5228 kN·m before") !=
+              std::string::npos);
+    }
+
+    TEST_CASE("Units that were chosen follow into another tab, whatever it opens")
+    {
+        Workspace workspace = workspace_with("portal.json");
+        REQUIRE(workspace.session.view.unit_choices.choose("moment", "kN·cm"));
+        REQUIRE(open_file(workspace, examples + "truss.json"));
+        CHECK(workspace.session.view.unit_choices.text() == "moment=kN·cm");
+        CHECK(workspace.session.notice.has_value());
+    }
+
     TEST_CASE("A draft is told by the title of its document, and by its size")
     {
         Workspace workspace = workspace_with("portal.json");
