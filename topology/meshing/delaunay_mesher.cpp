@@ -12,7 +12,8 @@ namespace topology {
 namespace {
 
 constexpr double largest_circle = 0.77; // its radius over the edge that is wanted; an equilateral triangle has 0.58
-constexpr double least_distance = 0.6;  // of a place from others, over the edge that is wanted
+constexpr std::size_t most_smoothed = 200'000; // triangles: of more nobody sees the shapes
+constexpr double least_distance = 0.6;         // of a place from others, over the edge that is wanted
 
 double square(double value) { return value * value; }
 
@@ -94,7 +95,7 @@ DelaunayMesher::Step DelaunayMesher::next()
         return Step::Outside;
     }
     if (insert_point()) return Step::Point;
-    if (n_sweeps_ >= options_.n_sweeps) return Step::Done;
+    if (n_sweeps_ >= options_.n_sweeps || triangles_.n_triangles() > most_smoothed) return Step::Done;
     smooth();
     ++n_sweeps_;
     return Step::Smoothed;

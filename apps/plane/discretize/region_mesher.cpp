@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "apps/plane/discretize/entry_name.h"
+#include "apps/plane/discretize/untangle.h"
 #include "femoop/element/continuum/continuum_formulation.h"
 #include "femoop/element/continuum/element_geometry.h"
 #include "topology/meshing/delaunay_mesher.h"
@@ -97,7 +98,12 @@ void RegionMesher::run()
         for (std::size_t i = 0; i + 1 < chain.size(); ++i)
             set_middle(chain[i], chain[i + 1], add_node(on_edge(e, 0.5 * (shares[i] + shares[i + 1]))));
     }
+    const std::size_t n_of_curves = nodes_.size();
     for (std::size_t i = 0; i < outlines_.size() && errors_.empty(); ++i) mesh(i);
+    if (!errors_.empty()) return;
+    std::vector<bool> is_held(nodes_.size());
+    std::fill_n(is_held.begin(), n_of_curves, true);
+    untangle(nodes_, elements_, is_held);
     require_right_way_round();
 }
 
@@ -230,22 +236,38 @@ RegionMesher::Chain RegionMesher::chain_along(HalfEdgeId h) const
     return chain;
 }
 
+/// A region that is mapped of itself, not because it asks for it, is meshed freely where the map turns cells inside out.
 void RegionMesher::mesh(std::size_t outline)
 {
     const MeshSettings& settings = settings_[outline];
     const RegionId region = outlines_[outline].region;
     const auto start = std::chrono::steady_clock::now();
+    const auto& sides = divisions_.mapped()[outline];
+    bool is_mapped = sides.has_value();
+    if (is_mapped) {
+        const std::vector<Cell> cells = mapped_cells(*sides, settings);
+        is_mapped = settings.method == "mapped" ||
+                    std::all_of(cells.begin(), cells.end(), [&](const Cell& cell) { return is_well_shaped(cell); });
+        if (is_mapped) add_mapped(cells, settings, region);
+    }
+    if (!is_mapped) mesh_freely(outlines_[outline], settings);
     RegionReport& report = reports_[region.index];
-    const std::string method = method_of(outline);
+    const std::string method = is_mapped ? "mapped" : settings.is_triangle() ? "delaunay" : "quads";
     if (report.method.empty()) report.method = method;
     else if (report.method.find(method) == std::string::npos) report.method += ", " + method;
-    if (divisions_.mapped()[outline]) mesh_mapped(*divisions_.mapped()[outline], settings, region);
-    else mesh_freely(outlines_[outline], settings);
     report.seconds += std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
 
+bool RegionMesher::is_well_shaped(const Cell& cell) const
+{
+    constexpr double least_quality = 0.1; // sine of 6 degrees
+    std::vector<FlatPoint> corners;
+    for (const CellNode node : cell.nodes()) corners.push_back(nodes_[node]);
+    return topology::QuadMesher::quality(corners) > least_quality;
+}
+
 /// Elements with middle nodes are mapped with these, on a grid of twice as many rows, so that they follow the sides too.
-void RegionMesher::mesh_mapped(const MappedOutline& outline, const MeshSettings& settings, RegionId region)
+std::vector<Cell> RegionMesher::mapped_cells(const MappedOutline& outline, const MeshSettings& settings)
 {
     topology::MappedSides sides;
     for (std::size_t i = 0; i < sides.size(); ++i)
@@ -271,7 +293,11 @@ void RegionMesher::mesh_mapped(const MappedOutline& outline, const MeshSettings&
             }
         }
     }
-    const std::vector<Cell> quadrilaterals = topology::quadrilaterals(rows);
+    return topology::quadrilaterals(rows);
+}
+
+void RegionMesher::add_mapped(const std::vector<Cell>& quadrilaterals, const MeshSettings& settings, RegionId region)
+{
     if (!settings.is_triangle()) {
         for (const Cell& cell : quadrilaterals) add_element(cell, settings, region);
         return;

@@ -57,7 +57,10 @@ private:
     void require_right_way_round();
     double n_expected(std::size_t outline) const;
     void mesh(std::size_t outline);
-    void mesh_mapped(const MappedOutline& sides, const MeshSettings& settings, femoop::plane::RegionId region);
+    std::vector<topology::Cell> mapped_cells(const MappedOutline& sides, const MeshSettings& settings);
+    bool is_well_shaped(const topology::Cell& cell) const;
+    void add_mapped(const std::vector<topology::Cell>& quadrilaterals, const MeshSettings& settings,
+                    femoop::plane::RegionId region);
     void mesh_freely(const FaceOutline& outline, const MeshSettings& settings);
     std::string method_of(std::size_t outline) const;
     topology::MeshDomain domain_of(const FaceOutline& outline, Chain& of_domain) const;

@@ -37,12 +37,29 @@ TEST_CASE("A grid of 30 by 30 takes 1861 operators and no more than 100 bytes an
     CHECK(has(cremona({"bench", "halfedge", "--n", "0"}).err, "--n: found \"0\"; wanted a whole number from 1 to"));
 }
 
+TEST_CASE("A meshed square has no angle below 30 degrees and about as many triangles as asked for")
+{
+    const auto report = nlohmann::json::parse(cremona({"bench", "mesh", "--triangles", "2000", "--json"}).out);
+    CHECK(report["triangles"].get<double>() == doctest::Approx(2000.0).epsilon(0.1));
+    CHECK(report["min_angle"].get<double>() >= 30.0);
+    CHECK(report["vertices"].get<int>() > 1000);
+}
+
+TEST_CASE("A square of quadrilaterals sags at its side as independent programs have it")
+{
+    const auto report = nlohmann::json::parse(cremona({"bench", "plane", "--n", "100", "--json"}).out);
+    CHECK(report["dofs"] == 20200);
+    CHECK(report["tip"].get<double>() == doctest::Approx(6.8314657).epsilon(1e-8));
+    CHECK(has(cremona({"bench", "plane", "--element", "Q7"}).err, "--element"));
+}
+
 TEST_CASE("A frame of no size, or another benchmark, is answered with what is wanted")
 {
     CHECK(has(cremona({"bench", "frame", "--bays", "0"}).err, "--bays: found \"0\"; wanted a whole number from 1 to"));
     CHECK(cremona({"bench", "fram"}).err == "cremona bench: WHAT: there is no \"fram\"; did you mean \"frame\"?\n");
     CHECK(cremona({"bench"}).status == 2);
-    CHECK(cremona({"bench"}).err == "cremona bench: nothing to build is given; add frame, halfedge or regions\n");
+    CHECK(cremona({"bench"}).err ==
+          "cremona bench: nothing to build is given; add frame, halfedge, mesh, plane or regions\n");
 }
 
 TEST_CASE("A frame that memory cannot hold is refused in the user's language")

@@ -217,6 +217,21 @@ TEST_CASE("Divisions spread through mapped regions, from one to the next")
     for (const std::size_t curve : {1U, 3U, 4U, 5U}) CHECK(meshed.n_along(curve) == 7);
 }
 
+TEST_CASE("A region with four corners that no map fits is meshed freely, unless it asks for the map")
+{
+    const auto arrow = [](const std::string& method) { // a dart: its fourth corner lies inside the other three
+        return R"({"cremona": 1, "analysis": "plane_stress", "units": {"length": "m", "force": "N"},
+            "materials": [{"id": "m", "E": 300, "nu": 0.2}], "mesh": {"size": 0.5)" +
+               method + R"(}, "curves": [{"id": "dart", "kind": "line", "closed": true,
+            "points": [[0, 0], [4, 0], [1, 0.5], [0, 4]]}], "regions": [{"id": "r", "material": "m", "thickness": 1}]})";
+    };
+    const Meshed freely(arrow(""));
+    REQUIRE(freely.mesh.is_sound());
+    CHECK(freely.mesh.reports()[0].method == "delaunay");
+    CHECK(freely.area() == Approx(3.0).epsilon(1e-12));
+    CHECK(sentences_of(arrow(R"(, "method": "mapped")")).find("turned inside out") != std::string::npos);
+}
+
 TEST_CASE("Middle nodes of a curve lie on it, so that a round hole's area is met to the fourth order")
 {
     const auto hole_of = [](int n) {
