@@ -133,6 +133,11 @@ void Sketch::keep_clear(const std::vector<ui::Point>& area)
     if (is_obstacle(Clearance::Hard)) placer_.obstacles().add_polygon(area);
 }
 
+void Sketch::shade(const std::vector<ui::Point>& area)
+{
+    if (!is_measured_ && area.size() > 2) placer_.obstacles().add_inside(area, ui::Firmness::Soft);
+}
+
 ui::TextStyle Sketch::style_of(const Caption& caption) const
 {
     ui::TextStyle style = theme_->text(caption.role);

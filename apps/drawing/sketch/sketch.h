@@ -121,6 +121,9 @@ public:
     /// Labels keep clear of the area as if it were filled.
     void keep_clear(const std::vector<ui::Point>& area);
 
+    /// Labels stay off the area if they can, and on a plate of their own where they cannot.
+    void shade(const std::vector<ui::Point>& area);
+
     /// The same string twice within a few pixels is written once.
     void caption(Caption caption);
     /// Whether a caption would be left out without a look: see Setup::is_crowded.

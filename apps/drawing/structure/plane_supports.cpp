@@ -2,6 +2,7 @@
 
 #include "apps/drawing/sketch/symbols.h"
 #include "apps/drawing/structure/support_side.h"
+#include "apps/drawing/structure/support_symbol.h"
 
 #include <array>
 #include <cmath>
@@ -15,33 +16,18 @@ namespace {
 
 using Eigen::Vector3d;
 using femoop::Dof;
-using femoop::DofSet;
 
 using std::numbers::pi;
 
-/// Which symbol stands for what is blocked, apart from springs.
-enum class Symbol : std::uint8_t { None, Wall, Pin, RollerX, RollerY, SliderX, SliderY, NoRotation };
-
-Symbol symbol_of(DofSet blocked)
-{
-    const bool x = blocked.contains(Dof::ux);
-    const bool y = blocked.contains(Dof::uy);
-    const bool turn = blocked.contains(Dof::rz);
-    if (x && y) return turn ? Symbol::Wall : Symbol::Pin;
-    if (x) return turn ? Symbol::SliderX : Symbol::RollerX;
-    if (y) return turn ? Symbol::SliderY : Symbol::RollerY;
-    return turn ? Symbol::NoRotation : Symbol::None;
-}
-
-std::vector<SideChoice> choices_for(Symbol symbol, const std::array<Vector3d, 2>& axes)
+std::vector<SideChoice> choices_for(SupportSymbol symbol, const std::array<Vector3d, 2>& axes)
 {
     const Vector3d& x = axes[0];
     const Vector3d& y = axes[1];
     switch (symbol) {
-    case Symbol::Wall: return {{-y, 0.0}, {-x, 0.0}, {x, 0.0}, {y, 0.05}};
-    case Symbol::Pin: return {{-y, 0.0}, {-x, 0.45}, {x, 0.45}, {y, 0.55}};
-    case Symbol::RollerX:
-    case Symbol::SliderX: return {{-x, 0.0}, {x, 0.0}};
+    case SupportSymbol::Wall: return {{-y, 0.0}, {-x, 0.0}, {x, 0.0}, {y, 0.05}};
+    case SupportSymbol::Pin: return {{-y, 0.0}, {-x, 0.45}, {x, 0.45}, {y, 0.55}};
+    case SupportSymbol::RollerX:
+    case SupportSymbol::SliderX: return {{-x, 0.0}, {x, 0.0}};
     default: break;
     }
     return {{-y, 0.0}, {y, 0.5}};
@@ -52,73 +38,6 @@ SymbolFrame standing(const Scene& scene, femoop::NodeId node, const Vector3d& si
 {
     const Vector3d up = -side;
     return scene.projection.frame(scene.shape[node], {up.y(), -up.x(), 0.0}, up);
-}
-
-void draw_triangle(Sketch& sketch, const SymbolFrame& f, double half, double height)
-{
-    const std::vector<ui::Point> corners{f(0.0, 0.0), f(-half, -height), f(half, -height)};
-    sketch.polygon(corners, sketch.theme().fill(ui::Role::Support));
-    sketch.polyline(corners, sketch.stroke(ui::Role::Support), Clearance::Hard, ui::PathEnds::Closed);
-}
-
-void draw_rollers(Sketch& sketch, const SymbolFrame& f, double depth, int count)
-{
-    const double r = sketch.px(3.0);
-    for (int i = 0; i < count; ++i) {
-        const double x = (i - 0.5 * (count - 1)) * 2.6 * r;
-        sketch.disc(f(x, -depth - r), r, sketch.theme().background());
-        sketch.ring(f(x, -depth - r), r, sketch.thin(ui::Role::Support));
-    }
-    draw_ground(sketch, f.moved(0.0, -depth - 2.0 * r), sketch.px(15.0));
-}
-
-void draw_plate(Sketch& sketch, const SymbolFrame& f, double half)
-{
-    ui::Stroke stroke = sketch.stroke(ui::Role::Support);
-    stroke.width *= 2.2;
-    sketch.line(f(-half, 0.0), f(half, 0.0), stroke);
-}
-
-void draw_slider(Sketch& sketch, const SymbolFrame& f)
-{
-    draw_plate(sketch, f, sketch.px(14.0));
-    draw_rollers(sketch, f, sketch.px(2.0), 3);
-}
-
-// A plate on rollers on a plate on rollers: it moves both ways and does not turn.
-void draw_double_slider(Sketch& sketch, const SymbolFrame& f)
-{
-    const double depth = sketch.px(10.0);
-    draw_plate(sketch, f, sketch.px(11.0));
-    const double r = sketch.px(3.0);
-    for (const double x : {-1.5, 1.5}) sketch.ring(f(x * r, -sketch.px(2.0) - r), r, sketch.thin(ui::Role::Support));
-    const SymbolFrame block = f.moved(0.0, -depth);
-    const double half = sketch.px(11.0);
-    const double h = sketch.px(14.0);
-    const std::vector<ui::Point> corners{block(-half, 0.0), block(half, 0.0), block(half, -h), block(-half, -h)};
-    sketch.polygon(corners, sketch.theme().fill(ui::Role::Support));
-    sketch.polyline(corners, sketch.stroke(ui::Role::Support), Clearance::Hard, ui::PathEnds::Closed);
-    const SymbolFrame wall = block.moved(half, -0.5 * h).turned(pi / 2);
-    for (const double x : {-1.3, 1.3}) sketch.ring(wall(x * r, -r), r, sketch.thin(ui::Role::Support));
-    draw_ground(sketch, wall.moved(0.0, -2.0 * r), sketch.px(11.0));
-}
-
-void draw_symbol(Sketch& sketch, Symbol symbol, const SymbolFrame& f)
-{
-    const double half = sketch.px(10.0);
-    const double height = sketch.px(17.0);
-    switch (symbol) {
-    case Symbol::None: return;
-    case Symbol::Wall: return draw_ground(sketch, f, sketch.px(16.0));
-    case Symbol::Pin:
-        draw_triangle(sketch, f, half, height);
-        return draw_ground(sketch, f.moved(0.0, -height), sketch.px(15.0));
-    case Symbol::RollerX:
-    case Symbol::RollerY: draw_triangle(sketch, f, half, 0.8 * height); return draw_rollers(sketch, f, 0.8 * height, 3);
-    case Symbol::SliderX:
-    case Symbol::SliderY: return draw_slider(sketch, f);
-    case Symbol::NoRotation: return draw_double_slider(sketch, f);
-    }
 }
 
 void draw_spring(const Scene& scene, femoop::NodeId node, const femoop::Spring& spring,
@@ -174,10 +93,10 @@ std::optional<Vector3d> plane_support_side(const Scene& scene, femoop::NodeId no
 {
     const auto& support = scene.model[node].support;
     if (!support) return std::nullopt;
-    const Symbol symbol = symbol_of(support->blocked(scene.model.analysis));
-    if (symbol == Symbol::None) return std::nullopt;
+    const SupportSymbol symbol = support_symbol(support->blocked(scene.model.analysis));
+    if (symbol == SupportSymbol::None) return std::nullopt;
     // A wall stands square to the member that it holds, so it looks for the side straight opposite.
-    const double room_enough = symbol == Symbol::Wall ? -1.0 : 0.3;
+    const double room_enough = symbol == SupportSymbol::Wall ? -1.0 : 0.3;
     return least_occupied(scene, node, choices_for(symbol, plane_support_axes(*support)), room_enough);
 }
 
@@ -186,7 +105,7 @@ void draw_plane_support(const Scene& scene, femoop::NodeId node)
     const femoop::Support& support = *scene.model[node].support;
     const auto axes = plane_support_axes(support);
     if (const auto side = plane_support_side(scene, node)) {
-        draw_symbol(scene.sketch, symbol_of(support.blocked(scene.model.analysis)), standing(scene, node, *side));
+        draw(scene.sketch, support_symbol(support.blocked(scene.model.analysis)), standing(scene, node, *side));
         mark_support(scene, node, *side, scene.sketch.px(28.0));
     }
     for (const femoop::Spring& spring : support.springs) draw_spring(scene, node, spring, axes);
