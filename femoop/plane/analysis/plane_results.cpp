@@ -255,16 +255,18 @@ double PlaneCase::energy() const
     return 0.5 * twice;
 }
 
-double PlaneCase::error_estimate() const
+std::vector<double> PlaneCase::element_errors() const
 {
     const StressState state = structure_->model().analysis;
-    double of_error = 0.0, of_whole = 0.0;
+    std::vector<double> errors;
+    double of_whole = 0.0;
     for (std::size_t e = 0; e < structure_->model().elements.size(); ++e) {
         const ContinuumElement& element = structure_->element(ElementId(e));
         const ElementField inside = field(ElementId(e));
         const TangentMatrix D = element.formulation().material().tangent(
             {.strain = StrainVector::Zero(n_components(state))});
         const Eigen::PartialPivLU<Eigen::MatrixXd> compliance(D);
+        double of_error = 0.0;
         for (const IntegrationPoint& point : element.formulation().rule().points) {
             const StressVector smooth = vector_of(smoothed_stress({.element = ElementId(e), .at = point.at}), state);
             const Eigen::VectorXd error = smooth - inside.stress(point.at), whole = smooth;
@@ -272,8 +274,17 @@ double PlaneCase::error_estimate() const
             of_error += volume * error.dot(compliance.solve(error));
             of_whole += volume * whole.dot(compliance.solve(whole));
         }
+        errors.push_back(std::max(of_error, 0.0));
     }
-    return of_whole > 0.0 ? std::sqrt(std::max(of_error, 0.0) / of_whole) : 0.0;
+    for (double& error : errors) error = of_whole > 0.0 ? std::sqrt(error / of_whole) : 0.0;
+    return errors;
+}
+
+double PlaneCase::error_estimate() const
+{
+    double sum = 0.0;
+    for (const double error : element_errors()) sum += error * error;
+    return std::sqrt(sum);
 }
 
 /// sx', sy', txy' of the mean of the elements that hold a place of a cut, times no thickness.

@@ -71,6 +71,9 @@ public:
     double energy() const; ///< half the integral of stress times mechanical strain
     /// Zienkiewicz and Zhu's: the norm in energy of recovered less element stresses over that of the recovered ones.
     double error_estimate() const;
+    /// What each element has of it: the norm in energy of its own recovered less element stresses, over that of the
+    /// recovered stresses of the whole body; their squares sum to that of the estimate.
+    std::vector<double> element_errors() const;
 
     CutForces forces(const Cut& cut) const;
     std::vector<CutStation> stations(const Cut& cut) const;

@@ -1,0 +1,42 @@
+#include "femoop/plane/result/round_levels.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace femoop::plane {
+
+namespace {
+
+constexpr double rounding = 1e-9; // of the larger end: a narrower range is one value
+
+/// The round number that is not less than this, but for rounding.
+double round_step(double least)
+{
+    const double power = std::pow(10.0, std::floor(std::log10(least)));
+    for (const double factor : {1.0, 2.0, 2.5, 5.0})
+        if (factor * power >= least * (1.0 - rounding)) return factor * power;
+    return 10.0 * power;
+}
+
+} // namespace
+
+std::vector<double> round_levels(double low, double high, int n_steps)
+{
+    const double size = std::max(std::abs(low), std::abs(high));
+    if (!(high - low > rounding * size))
+        return size > 0.0 ? std::vector{low, high + rounding * size} : std::vector{0.0, 1.0};
+    const double step = round_step((high - low) / n_steps);
+    const double first = std::floor(low / step + rounding), last = std::ceil(high / step - rounding);
+    std::vector<double> levels;
+    for (double k = first; k <= last + 0.5; k += 1.0) levels.push_back(k * step);
+    return levels;
+}
+
+std::vector<double> equal_levels(double low, double high, int n_steps)
+{
+    std::vector<double> levels;
+    for (int k = 0; k <= n_steps; ++k) levels.push_back(low + (high - low) * k / n_steps);
+    return levels;
+}
+
+} // namespace femoop::plane
