@@ -86,7 +86,7 @@ BORROWED = {
     "frame": ["apps/cross/document/", "apps/mohr/document/"],  # it hands documents of theirs over
 }
 # What is wrong with a structure is said in one way in every picture too.
-VIEW_BORROWED = {"cross": ["apps/frame/document/fault/"]}
+VIEW_BORROWED = {"cross": ["apps/frame/document/fault/"], "plane": ["apps/plane/discretize/"]}
 APP_WINDOW_PART = re.compile(r"window/|panels?[/_.]|main\.cpp$")
 
 

@@ -1,0 +1,257 @@
+#include "apps/plane/view/cut_panel.h"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+
+namespace plane {
+
+namespace {
+
+namespace fp = femoop::plane;
+using ui::Point;
+using ui::Role;
+
+constexpr double panel_height = 210.0, narrowest_panel = 400.0, words_share = 0.34; // [px]
+
+/// What stands at a place of a cut.
+struct CutValue {
+    double s = 0.0, value = 0.0;
+};
+
+ui::TextStyle small_words(const ui::Theme& theme, Role role, ui::Anchor anchor)
+{
+    ui::TextStyle style = theme.text(role, anchor);
+    style.size = theme.type().small;
+    return style;
+}
+
+/// One stress along a cut: the values to the right of the axis where they are positive, s upwards.
+class StressPlot {
+public:
+    StressPlot(ui::Painter& painter, const ui::Theme& theme, const ui::Box& box)
+        : painter_(painter), theme_(theme), box_(box)
+    {}
+
+    void fit(const std::vector<CutValue>& a, const std::vector<CutValue>& b)
+    {
+        for (const auto* values : {&a, &b})
+            for (const CutValue& v : *values) {
+                low_ = std::min(low_, v.value);
+                high_ = std::max(high_, v.value);
+            }
+        start_ = a.front().s;
+        end_ = a.back().s;
+        if (!(high_ > low_)) high_ = low_ + 1.0;
+    }
+
+    void draw_area(const std::vector<CutValue>& values, const ui::RoleStyle& look)
+    {
+        std::vector<Point> line = points(values), area = line;
+        area.push_back({x(0.0), y(values.back().s)});
+        area.push_back({x(0.0), y(values.front().s)});
+        painter_.polygon(area, look.fill);
+        painter_.polyline(line, look.stroke);
+    }
+
+    void draw_line(const std::vector<CutValue>& values, const ui::Stroke& stroke)
+    {
+        painter_.polyline(points(values), stroke);
+    }
+
+    void draw_axis()
+    {
+        const ui::Stroke stroke{.color = theme_.stroke(Role::Edge).color, .width = 1.0};
+        painter_.line({x(0.0), y(start_) + 3.0}, {x(0.0), y(end_) - 3.0}, stroke);
+    }
+
+    void write(const CutValue& at, const std::string& text)
+    {
+        const bool is_right = at.value >= 0.0;
+        ui::TextStyle style = small_words(theme_, Role::Label, is_right ? ui::Anchor::Left : ui::Anchor::Right);
+        style.plate = ui::with_opacity(theme_.background(), 0.75);
+        const double edge = 0.7 * style.size;
+        const double height = std::clamp(y(at.s), box_.min.y + edge, box_.max.y - edge);
+        painter_.text({x(at.value) + (is_right ? 5.0 : -5.0), height}, text, style);
+    }
+
+private:
+    double x(double value) const
+    {
+        // room for the numbers on both sides
+        const double margin = 4.2 * theme_.type().small, left = box_.min.x + margin, right = box_.max.x - margin;
+        return left + (value - low_) / (high_ - low_) * (right - left);
+    }
+    double y(double s) const { return box_.max.y - 4.0 - (s - start_) / (end_ - start_) * (box_.height() - 8.0); }
+    std::vector<Point> points(const std::vector<CutValue>& values) const
+    {
+        std::vector<Point> line;
+        for (const CutValue& v : values) line.push_back({x(v.value), y(v.s)});
+        return line;
+    }
+
+    ui::Painter& painter_;
+    const ui::Theme& theme_;
+    ui::Box box_;
+    double low_ = 0.0, high_ = 0.0, start_ = 0.0, end_ = 1.0;
+};
+
+/// The panel of one cut.
+class CutPanel {
+public:
+    CutPanel(ui::Painter& painter, const CutPicture& picture, const PlateOptions& options,
+             const ui::DisplayUnits& units, const ui::Box& box)
+        : painter_(painter), picture_(picture), options_(options), units_(units), theme_(options.theme), box_(box)
+    {}
+
+    void draw(std::size_t n)
+    {
+        const double words = words_share * box_.width(), plot = 0.5 * (box_.width() - words);
+        write_words(n);
+        const double top = box_.min.y + 2.4 * theme_.type().small;
+        draw_plot({{box_.min.x + words, top}, {box_.min.x + words + plot, box_.max.y - 6.0}}, "σx′",
+                  &fp::CutStation::sx, &fp::CutTheory::Station::sigma);
+        draw_plot({{box_.min.x + words + plot, top}, {box_.max.x - 6.0, box_.max.y - 6.0}}, "τx′y′",
+                  &fp::CutStation::txy, &fp::CutTheory::Station::tau);
+    }
+
+private:
+    std::string text(double value, ui::Measure measure) const
+    {
+        return ui::with_minus_signs(units_.text(value, measure));
+    }
+    std::string place(const Eigen::Vector2d& at) const
+    {
+        const auto number = [&](double v) { return ui::with_minus_signs(units_.number(v, ui::Measure::Length)); };
+        const char* const comma = options_.numbers.mark == ui::DecimalMark::Comma ? "; " : ", ";
+        return "(" + number(at.x()) + comma + number(at.y()) + ")";
+    }
+
+    void write_words(std::size_t n)
+    {
+        const ui::Catalogue& tr = options_.tr;
+        ui::TextStyle title = theme_.text(Role::Label, ui::Anchor::TopLeft);
+        title.weight = ui::Weight::Bold;
+        const ui::TextStyle line = small_words(theme_, Role::Label, ui::Anchor::TopLeft);
+        double y = box_.min.y + 4.0;
+        const double left = box_.min.x + 14.0;
+        const auto write = [&](const std::string& words, const ui::TextStyle& style) {
+            painter_.text({left, y}, words, style);
+            y += 1.4 * style.size;
+        };
+        write(tr("Cut {n}", {{"n", std::to_string(n)}}), title);
+        write(place(picture_.cut.start) + " – " + place(picture_.cut.end), line);
+        write("N = " + text(rounded(picture_.forces.N, force_size()), ui::Measure::Force), line);
+        write("V = " + text(rounded(picture_.forces.V, force_size()), ui::Measure::Force), line);
+        write("M = " + text(rounded(picture_.forces.M, force_size() * picture_.cut.length()), ui::Measure::Moment),
+              line);
+        y += 0.5 * line.size;
+        draw_key(left, y, line);
+    }
+
+    /// What is rounding beside the others is nothing.
+    static double rounded(double value, double beside) { return std::abs(value) < 1e-9 * beside ? 0.0 : value; }
+    double force_size() const
+    {
+        const fp::CutForces& f = picture_.forces;
+        return std::max({std::abs(f.N), std::abs(f.V), std::abs(f.M) / picture_.cut.length()});
+    }
+
+    ui::RoleStyle of_elements() const { return theme_.series(0); }
+    ui::Stroke of_theory() const
+    {
+        ui::Stroke stroke = theme_.series(5).stroke;
+        stroke.dash = ui::DashPattern{6.0, 3.0}.scaled(theme_.symbol_scale());
+        stroke.width *= 1.2;
+        return stroke;
+    }
+
+    void draw_key(double left, double y, const ui::TextStyle& style)
+    {
+        const ui::Catalogue& tr = options_.tr;
+        const double length = 22.0 * theme_.symbol_scale(), half = 0.6 * style.size;
+        painter_.line({left, y + half}, {left + length, y + half}, of_elements().stroke);
+        painter_.text({left + length + 6.0, y}, tr("elements"), style);
+        y += 1.4 * style.size;
+        painter_.line({left, y + half}, {left + length, y + half}, of_theory());
+        painter_.text({left + length + 6.0, y}, tr("beam theory"), style);
+        y += 1.4 * style.size;
+        painter_.text({left + length + 6.0, y}, "N/A − My/I,  VQ/(It)", style);
+    }
+
+    void draw_plot(const ui::Box& box, const std::string& name, double fp::CutStation::*of_elements_at,
+                   double fp::CutTheory::Station::*of_theory_at)
+    {
+        std::vector<CutValue> elements, theory;
+        for (const fp::CutStation& station : picture_.stations)
+            elements.push_back({station.s, station.*of_elements_at});
+        for (const auto& station : picture_.theory.stations) theory.push_back({station.s, station.*of_theory_at});
+        // a sheet's shear may be rounding alone beside its other stress
+        double largest = 0.0;
+        for (const fp::CutStation& s : picture_.stations)
+            largest = std::max({largest, std::abs(s.sx), std::abs(s.txy)});
+        for (auto* values : {&elements, &theory})
+            for (CutValue& v : *values) v.value = rounded(v.value, largest);
+        const ui::DisplayUnit unit = units_.unit(ui::Measure::Stress);
+        painter_.text({box.center().x, box.min.y - 1.6 * theme_.type().small}, name + " [" + unit.name + "]",
+                      small_words(theme_, Role::Label, ui::Anchor::Top));
+        StressPlot plot(painter_, theme_, box);
+        plot.fit(elements, theory);
+        plot.draw_area(elements, of_elements());
+        plot.draw_line(theory, of_theory());
+        plot.draw_axis();
+        const auto [low, high] = std::ranges::minmax(elements, {}, &CutValue::value);
+        const auto number = [&](double v) { return ui::with_minus_signs(units_.number(v, ui::Measure::Stress)); };
+        plot.write(high, number(high.value));
+        if (low.value < high.value) plot.write(low, number(low.value));
+    }
+
+    ui::Painter& painter_;
+    const CutPicture& picture_;
+    const PlateOptions& options_;
+    const ui::DisplayUnits& units_;
+    ui::Theme theme_;
+    ui::Box box_;
+};
+
+} // namespace
+
+CutPicture cut_picture(const fp::PlaneResults& results, const fp::PlaneCase& result, const fp::Cut& cut)
+{
+    return {.cut = cut,
+            .forces = result.forces(cut),
+            .stations = result.stations(cut),
+            .theory = fp::beam_theory(results, result, cut)};
+}
+
+void draw_cut(const PlateScene& scene, const fp::Cut& cut, std::size_t n)
+{
+    const Point start = scene.place(cut.start), end = scene.place(cut.end);
+    ui::Stroke stroke = scene.sketch.stroke(Role::Selection);
+    stroke.width = scene.sketch.px(2.0);
+    stroke.dash = ui::DashPattern{12.0, 3.0, 3.0, 3.0}.scaled(scene.sketch.theme().symbol_scale());
+    const ui::LayerScope layer(scene.sketch.painter(), ui::Layer::Symbols);
+    scene.sketch.line(start, end, stroke);
+    scene.sketch.disc(start, scene.sketch.px(3.5), stroke.color);
+    scene.sketch.caption({.text = std::to_string(n),
+                          .target = end,
+                          .toward = end - start,
+                          .rank = drawing::Rank::Extreme,
+                          .weight = ui::Weight::Bold});
+}
+
+void draw_cut_panel(ui::Painter& painter, const CutPicture& picture, std::size_t n, const PlateOptions& options,
+                    const ui::DisplayUnits& units, const ui::Box& box)
+{
+    const ui::LayerScope layer(painter, ui::Layer::Overlay);
+    CutPanel(painter, picture, options, units, box).draw(n);
+}
+
+double cut_panel_height(const ui::Theme& theme) { return panel_height * theme.symbol_scale(); }
+
+std::size_t most_cuts(const ui::Theme& theme, double width)
+{
+    return static_cast<std::size_t>(std::max(1.0, std::floor(width / (narrowest_panel * theme.symbol_scale()))));
+}
+
+} // namespace plane

@@ -1,0 +1,33 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "apps/plane/view/plate_scene.h"
+#include "femoop/plane/result/cut_theory.h"
+
+namespace plane {
+
+/// A cut with what acts on it, and what the theory of beams says of it.
+struct CutPicture {
+    femoop::plane::Cut cut;
+    femoop::plane::CutForces forces;
+    std::vector<femoop::plane::CutStation> stations;
+    femoop::plane::CutTheory theory;
+};
+CutPicture cut_picture(const femoop::plane::PlaneResults& results, const femoop::plane::PlaneCase& result,
+                       const femoop::plane::Cut& cut);
+
+/// The line of the cut across the body, its first end marked; the n-th of them, counted from 1.
+void draw_cut(const PlateScene& scene, const femoop::plane::Cut& cut, std::size_t n);
+
+/// sigma and tau along the cut, those of the elements as areas and those of beam theory as dashes, with N, V and M.
+/// The cut runs upwards in its panel.
+void draw_cut_panel(ui::Painter& painter, const CutPicture& picture, std::size_t n, const PlateOptions& options,
+                    const ui::DisplayUnits& units, const ui::Box& box);
+
+/// How narrow and how high a panel may be, and how many stand beside each other on a sheet as wide.
+double cut_panel_height(const ui::Theme& theme);
+std::size_t most_cuts(const ui::Theme& theme, double width);
+
+} // namespace plane

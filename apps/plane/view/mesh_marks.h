@@ -1,0 +1,19 @@
+#pragma once
+
+#include "apps/plane/view/plate_scene.h"
+
+namespace plane {
+
+/// The sides of all elements, curved ones as curves, where the body is drawn. They are drawn as few long lines.
+void draw_mesh(const PlateScene& scene);
+/// The body where its displacements take it, over its outline at rest.
+void draw_deformed(const PlateScene& scene);
+
+/// The round factor by which displacements are drawn: the one asked for, else one that makes the largest about a tenth of
+/// the body.
+double magnification(const PlateOptions& options, const femoop::plane::PlaneModel& mesh,
+                     const femoop::plane::PlaneCase& result);
+/// Of all points of the mesh, moved by so many times their displacements.
+PlaceLine displaced(const femoop::plane::PlaneModel& mesh, const femoop::plane::PlaneCase& result, double factor);
+
+} // namespace plane

@@ -1,0 +1,259 @@
+#include "apps/plane/view/plate_picture.h"
+
+#include <algorithm>
+#include <limits>
+
+#include "apps/drawing/sheet/legend.h"
+#include "apps/plane/view/cut_panel.h"
+#include "apps/plane/view/direction_marks.h"
+#include "apps/plane/view/field_picture.h"
+#include "apps/plane/view/geometry_marks.h"
+#include "apps/plane/view/load_marks.h"
+#include "apps/plane/view/mesh_marks.h"
+#include "apps/plane/view/plate_scene.h"
+#include "apps/plane/view/probe_marks.h"
+#include "apps/plane/view/support_marks.h"
+#include "femoop/plane/mesh/mesh_geometry.h"
+
+namespace plane {
+
+namespace {
+
+using Eigen::Vector2d;
+
+constexpr double edge_margin = 14.0; // [px] about what is drawn
+constexpr double flatness = 0.01;    // [px] that a curve may stray
+constexpr int n_fits = 3;
+
+void append(std::string& line, const std::string& part)
+{
+    if (!part.empty()) line += "  ·  " + part;
+}
+
+/// One sheet: where its head ends, and what is drawn below.
+class PlateSheet {
+public:
+    PlateSheet(const PlateInput& input, const PlateOptions& options, const PlateState& state, ui::Size sheet,
+               const ui::Fonts& fonts)
+        : input_(input),
+          options_(options),
+          state_(state),
+          theme_(options.theme),
+          units_(display_units(input.model, options)),
+          fonts_(fonts),
+          mesh_(mesh_of(input))
+    {
+        find_result();
+        find_fields();
+        if (result_ != nullptr)
+            for (const femoop::plane::Cut& cut : options.cuts)
+                cuts_.push_back(cut_picture(*input.results, *result_, cut));
+        if (shows(PlateShow::Legend)) head_ = {.title = input.model.title, .line = head_line()};
+        const double top = head_.title.empty() && head_.line.empty()
+                               ? 0.0
+                               : drawing::head_height(head_, theme_, fonts, sheet.width);
+        room_ = {{0.0, std::min(top, 0.4 * sheet.height)}, {sheet.width, sheet.height}};
+        if (!cuts_.empty()) room_.max.y -= std::min(cut_panel_height(theme_), 0.5 * sheet.height);
+        if (fields_.empty() || !shows(PlateShow::Legend)) return;
+        double width = 0.0;
+        for (const FieldPicture& field : fields_) width = std::max(width, legend_width(field, units_, theme_, fonts));
+        room_.max.x -= std::min(width, 0.4 * sheet.width);
+    }
+
+    /// Fits the body, draws it unseen, and fits it again with the room that its marks took.
+    ui::PlaneCamera fitted() const
+    {
+        const std::vector<ui::World2> body = places_of_body();
+        if (body.empty()) return {};
+        ui::Margins margins = margins_about({room_});
+        ui::PlaneCamera camera;
+        const ui::Size sheet{room_.max.x, room_.max.y};
+        camera.fit(body, sheet, margins);
+        for (int i = 0; i < n_fits; ++i) {
+            ui::Painter unseen(sheet, fonts_);
+            drawing::Sketch sketch({.painter = &unseen, .theme = &theme_, .room = room_, .is_measured = true});
+            draw_marks(sketch, camera, Pass::Measured);
+            margins = margins_for(sketch, bounds_of(body, camera));
+            camera.fit(body, sheet, margins);
+        }
+        return camera;
+    }
+
+    void draw(ui::Painter& painter) const
+    {
+        {
+            const ui::ClipScope clip(painter, room_);
+            drawing::Sketch sketch({.painter = &painter, .theme = &theme_, .room = room_});
+            draw_marks(sketch, state_.camera ? *state_.camera : fitted(), Pass::Drawn);
+            sketch.write_captions();
+        }
+        if (!head_.line.empty()) drawing::draw_head(painter, head_, theme_);
+        draw_cut_panels(painter);
+        if (fields_.empty() || !shows(PlateShow::Legend)) return;
+        const double share = room_.height() / static_cast<double>(fields_.size());
+        for (std::size_t i = 0; i < fields_.size(); ++i) {
+            const double top = room_.min.y + share * static_cast<double>(i);
+            draw_legend(painter, fields_[i], units_, theme_, {{room_.max.x, top}, {painter.size().width, top + share}});
+        }
+    }
+
+private:
+    enum class Pass : std::uint8_t { Measured, Drawn };
+    bool shows(PlateShow item) const { return options_.show.set.contains(item); }
+
+    void find_result()
+    {
+        if (input_.result != nullptr) result_ = input_.result;
+        else if (input_.results != nullptr && options_.load_case.index < input_.results->n_cases() &&
+                 (options_.show.needs_results() || !options_.probes.empty() || !options_.cuts.empty()))
+            result_ = &made_result_.emplace((*input_.results)[options_.load_case]);
+        if (mesh_ == nullptr) return;
+        places_ = femoop::plane::positions(*mesh_);
+        if (result_ == nullptr || !shows(PlateShow::Deformed)) return;
+        magnification_ = magnification(options_, *mesh_, *result_);
+        places_ = displaced(*mesh_, *result_, magnification_ * state_.phase);
+    }
+
+    /// Errors in place of bands: both fill the body.
+    void find_fields()
+    {
+        if (result_ == nullptr) return;
+        if (shows(PlateShow::Error)) fields_.push_back(error_picture(*result_, options_));
+        for (const FieldShow& show : options_.show.fields)
+            if (show.style == FieldStyle::Contours || !shows(PlateShow::Error))
+                fields_.push_back(field_picture(show, *result_, options_, units_));
+        std::ranges::stable_sort(fields_, {}, &FieldPicture::style); // lines over bands
+    }
+
+    void draw_cut_panels(ui::Painter& painter) const
+    {
+        const double width = painter.size().width / static_cast<double>(std::max<std::size_t>(cuts_.size(), 1));
+        for (std::size_t i = 0; i < cuts_.size(); ++i) {
+            const double left = width * static_cast<double>(i);
+            draw_cut_panel(painter, cuts_[i], i + 1, options_, units_,
+                           {{left, room_.max.y + 8.0}, {left + width, painter.size().height}});
+        }
+    }
+
+    std::string head_line() const
+    {
+        const ui::Catalogue& tr = options_.tr;
+        std::string line = state_and_case(input_.model, options_);
+        if (magnification_ > 0.0)
+            append(line, tr("displacements × {scale}", {{"scale", ui::number_text(magnification_, options_.numbers)}}));
+        if (result_ != nullptr && shows(PlateShow::Principal)) append(line, principal_note(tr));
+        if (result_ != nullptr && shows(PlateShow::Trajectories)) append(line, trajectories_note(tr));
+        return line;
+    }
+
+    ui::Margins margins_about(const ui::Box& room) const
+    {
+        return {.left = edge_margin, .top = room.min.y + edge_margin, .right = edge_margin, .bottom = edge_margin};
+    }
+
+    std::vector<ui::World2> places_of_body() const
+    {
+        std::vector<ui::World2> places;
+        for (const OutlinedPiece& piece : coarse_outline().pieces)
+            for (const Vector2d& at : piece.line) places.push_back({at.x(), at.y()});
+        for (const Vector2d& at : coarse_outline().vertices) places.push_back({at.x(), at.y()});
+        if (magnification_ > 0.0)
+            for (const Vector2d& at : places_) places.push_back({at.x(), at.y()});
+        return places;
+    }
+
+    /// Room for all marks, and for captions as far as they leave the body large: they find other places too.
+    ui::Margins margins_for(const drawing::Sketch& sketch, const ui::Box& body) const
+    {
+        const ui::Box marks = sketch.mark_bounds().value_or(body), all = sketch.bounds().value_or(body);
+        const auto margin = [](double of_marks, double of_all, double size) {
+            return edge_margin + std::clamp(std::max(of_marks, std::min(of_all, 0.14 * size)), 0.0, 0.35 * size);
+        };
+        const double w = room_.width(), h = room_.height();
+        return {.left = margin(body.min.x - marks.min.x, body.min.x - all.min.x, w),
+                .top = room_.min.y + margin(body.min.y - marks.min.y, body.min.y - all.min.y, h),
+                .right = margin(marks.max.x - body.max.x, all.max.x - body.max.x, w),
+                .bottom = margin(marks.max.y - body.max.y, all.max.y - body.max.y, h)};
+    }
+
+    static ui::Box bounds_of(const std::vector<ui::World2>& body, const ui::PlaneCamera& camera)
+    {
+        ui::Box box{camera.to_sheet(body.front()), camera.to_sheet(body.front())};
+        for (const ui::World2& at : body) box = ui::united(box, {camera.to_sheet(at), camera.to_sheet(at)});
+        return box;
+    }
+
+    /// Good enough to find how large the body is.
+    const PlateOutline& coarse_outline() const
+    {
+        if (!coarse_) coarse_ = outline_of(input_, std::numeric_limits<double>::infinity());
+        return *coarse_;
+    }
+
+    void draw_marks(drawing::Sketch& sketch, const ui::PlaneCamera& camera, Pass pass) const
+    {
+        const PlateOutline outline = outline_of(input_, flatness / camera.scale());
+        const PlateScene scene{.input = input_,
+                               .options = options_,
+                               .state = state_,
+                               .outline = outline,
+                               .camera = camera,
+                               .units = units_,
+                               .sketch = sketch,
+                               .mesh = mesh_,
+                               .result = result_,
+                               .places = &places_,
+                               .magnification = magnification_ * state_.phase};
+        const bool is_moved = result_ != nullptr && shows(PlateShow::Deformed);
+        const bool is_colored = std::ranges::any_of(
+            fields_, [](const FieldPicture& field) { return field.style == FieldStyle::Bands; });
+        if (shows(PlateShow::Regions) && !is_moved && !is_colored) draw_regions(scene);
+        if (pass == Pass::Drawn)
+            for (const FieldPicture& field : fields_) draw_field(scene, field);
+        if (pass == Pass::Drawn) draw_highlights(scene);
+        if (shows(PlateShow::Mesh)) draw_mesh(scene);
+        if (is_moved) draw_deformed(scene);
+        else if (shows(PlateShow::Geometry)) draw_geometry(scene);
+        if (pass == Pass::Drawn && shows(PlateShow::Principal)) draw_principal(scene);
+        if (pass == Pass::Drawn && shows(PlateShow::Trajectories)) draw_trajectories(scene);
+        for (std::size_t i = 0; i < cuts_.size(); ++i) draw_cut(scene, cuts_[i].cut, i + 1);
+        if (pass == Pass::Drawn) draw_probes(scene, room_);
+        if (shows(PlateShow::Supports)) draw_supports(scene);
+        if (shows(PlateShow::Loads)) draw_loads(scene);
+    }
+
+    const PlateInput& input_;
+    const PlateOptions& options_;
+    const PlateState& state_;
+    ui::Theme theme_;
+    ui::DisplayUnits units_;
+    drawing::SheetHead head_;
+    const ui::Fonts& fonts_;
+    ui::Box room_; ///< below the head
+    mutable std::optional<PlateOutline> coarse_;
+    const femoop::plane::PlaneModel* mesh_;
+    const femoop::plane::PlaneCase* result_ = nullptr;
+    std::optional<femoop::plane::PlaneCase> made_result_;
+    PlaceLine places_; ///< of the mesh's points, as they are drawn
+    double magnification_ = 0.0;
+    std::vector<FieldPicture> fields_;
+    std::vector<CutPicture> cuts_;
+};
+
+} // namespace
+
+void draw(ui::Painter& painter, const PlateInput& input, const PlateOptions& options, const PlateState& state)
+{
+    PlateSheet(input, options, state, painter.size(), painter.fonts()).draw(painter);
+}
+
+ui::PlaneCamera fitted_camera(const PlateInput& input, const PlateOptions& options, ui::Size sheet,
+                              const ui::Fonts& fonts)
+{
+    const PlateState at_rest;
+    return PlateSheet(input, options, at_rest, sheet, fonts).fitted();
+}
+
+ui::Color background(const PlateOptions& options) { return ui::Theme(options.theme).background(); }
+
+} // namespace plane

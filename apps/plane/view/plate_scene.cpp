@@ -1,0 +1,102 @@
+#include "apps/plane/view/plate_scene.h"
+
+#include <algorithm>
+
+#include "apps/plane/view/load_marks.h"
+
+namespace plane {
+
+namespace {
+
+std::string state_name(femoop::StressState state, const ui::Catalogue& tr)
+{
+    switch (state) {
+    case femoop::StressState::PlaneStress: return tr("plane stress");
+    case femoop::StressState::PlaneStrain: return tr("plane strain");
+    case femoop::StressState::Axisymmetric: return tr("axisymmetric");
+    case femoop::StressState::Solid: break;
+    }
+    return {};
+}
+
+std::string case_text(const femoop::plane::PlaneModel& model, const PlateOptions& options)
+{
+    if (options.load_case.index >= model.n_cases()) return {};
+    const std::string& name = model.case_name(options.load_case);
+    const bool is_load_case = options.load_case.index < model.load_cases.size();
+    return is_load_case ? options.tr("load case {case}", {{"case", name}})
+                        : options.tr("combination {case}", {{"case", name}});
+}
+
+} // namespace
+
+std::vector<ui::Point> PlateScene::on_sheet(const PlaceLine& line) const
+{
+    std::vector<ui::Point> points;
+    points.reserve(line.size());
+    for (const Eigen::Vector2d& at : line) points.push_back(place(at));
+    return points;
+}
+
+bool PlateScene::is_colored() const
+{
+    if (result == nullptr) return false;
+    return shows(PlateShow::Error) ||
+           std::ranges::find(options.show.fields, FieldStyle::Bands, &FieldShow::style) != options.show.fields.end();
+}
+
+std::string PlateScene::text(double value, ui::Measure measure) const
+{
+    return ui::with_minus_signs(units.text(value, measure));
+}
+
+std::string PlateScene::number(double value) const
+{
+    return ui::with_minus_signs(ui::number_text(value, options.numbers));
+}
+
+ui::DisplayUnit PlateScene::volume_unit() const
+{
+    const ui::DisplayUnit force = units.unit(ui::Measure::Force), length = units.unit(ui::Measure::Length);
+    return {force.name + "/" + length.name + "³", force.factor / (length.factor * length.factor * length.factor)};
+}
+
+std::string PlateScene::per_volume(double value) const
+{
+    const ui::DisplayUnit unit = volume_unit();
+    return number(value * unit.factor) + " " + unit.name;
+}
+
+const femoop::plane::PlaneModel* mesh_of(const PlateInput& input)
+{
+    if (input.results != nullptr) return &input.results->model();
+    if (input.mesh != nullptr) return input.mesh;
+    return input.model.is_drawn ? nullptr : &input.model;
+}
+
+ui::DisplayUnits display_units(const femoop::plane::PlaneModel& model, const PlateOptions& options)
+{
+    const femoop::Units& units = model.units;
+    const ui::BaseUnits base{.length = std::string(femoop::name(units.length)),
+                             .metres = femoop::metres(units.length),
+                             .force = std::string(femoop::name(units.force)),
+                             .newtons = femoop::newtons(units.force)};
+    return {options.units.value_or(ui::UnitSystem::File), base, options.numbers, options.unit_choices};
+}
+
+std::string state_and_case(const femoop::plane::PlaneModel& model, const PlateOptions& options)
+{
+    std::string line = state_name(model.analysis, options.tr);
+    for (const std::string& part : {case_text(model, options), self_weight_text(model, options),
+                                    options.tr("units {units}", {{"units", display_units(model, options).summary()}})})
+        if (!part.empty()) line += "  ·  " + part;
+    return line;
+}
+
+PlateOutline outline_of(const PlateInput& input, double tolerance)
+{
+    if (input.drawing != nullptr) return outline_of(*input.drawing, tolerance);
+    return outline_of(input.model, tolerance);
+}
+
+} // namespace plane

@@ -1,0 +1,13 @@
+#pragma once
+
+#include <string>
+
+#include "apps/plane/view/plate_picture.h"
+
+namespace plane {
+
+/// What a picture of a plane model shows, for a reader who cannot see it: a sentence a line. Extremes with their places,
+/// the error, states at probes, and what acts on cuts beside what beam theory says of it.
+std::string in_words(const PlateInput& input, const PlateOptions& options);
+
+} // namespace plane
