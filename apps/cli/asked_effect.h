@@ -21,6 +21,7 @@ public:
     void set(std::string_view option, std::string_view text, const ui::Catalogue& tr);
 
     bool is_asked() const { return member_ || node_ || component_ || at_; }
+    bool is_place_alone() const { return at_ && !member_ && !node_ && !component_; }
     std::string option() const; ///< by which messages name it
     std::string text() const;   ///< "BC M 50%"
 

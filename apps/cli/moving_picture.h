@@ -28,6 +28,8 @@ class MovingPicture {
 public:
     void declare(CLI::App& app, const ui::Catalogue& tr);
     bool is_asked() const { return line_ || train_ || position_ || effect_.is_asked(); }
+    /// `--at` alone says where a plane model is looked at.
+    bool is_of_members() const { return is_asked() && (line_ || train_ || position_ || !effect_.is_place_alone()); }
     /// \throws UsageError for options that do not go together
     void require_sensible(const ui::Catalogue& tr) const;
 

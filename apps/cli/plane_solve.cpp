@@ -1,14 +1,13 @@
 #include "apps/cli/plane_solve.h"
 
 #include <CLI/CLI.hpp>
-#include <charconv>
-#include <cmath>
 #include <cstddef>
 #include <optional>
 
 #include "apps/cli/analysis_run.h"
 #include "apps/cli/argument.h"
 #include "apps/cli/plane_input.h"
+#include "apps/cli/plane_places.h"
 #include "femoop/io/plane/plane_output.h"
 #include "femoop/plane/analysis/plane_analysis.h"
 
@@ -17,22 +16,6 @@ namespace cli {
 namespace {
 
 namespace fp = femoop::plane;
-
-/// Numbers with commas between them, as many as wanted.
-std::vector<double> numbers_of(const std::string& option, const std::string& text, std::size_t n,
-                               const ui::Catalogue& tr)
-{
-    std::vector<double> numbers;
-    for (const std::string& part : comma_list(text)) {
-        double number = 0.0;
-        const auto [end, error] = std::from_chars(part.data(), part.data() + part.size(), number);
-        if (error == std::errc() && end == part.data() + part.size() && std::isfinite(number))
-            numbers.push_back(number);
-    }
-    if (numbers.size() == n && comma_list(text).size() == n) return numbers;
-    throw UsageError(tr("{option}: found {found}; wanted {n} numbers with commas between them",
-                        {{"option", option}, {"found", text}, {"n", std::to_string(n)}}));
-}
 
 std::vector<femoop::CaseId> cases_named(const fp::PlaneModel& model, const std::string& name, const ui::Catalogue& tr)
 {
@@ -97,21 +80,8 @@ ExitStatus PlaneSolve::solve(const Question& question, const femoop::AnalysisOpt
         for (const discretize::RegionReport& report : input.mesh()->reports())
             selection.methods.push_back(report.method);
     }
-    for (const std::string& place : places_) {
-        const std::vector<double> at = numbers_of("--at", place, 2, tr);
-        selection.probes.emplace_back(at[0], at[1]);
-        if (locator.find(selection.probes.back()).empty())
-            throw UsageError(tr("--at: no element is at {place}; give a place in the material", {{"place", place}}));
-    }
-    for (const std::string& ends : cuts_) {
-        const std::vector<double> at = numbers_of("--cut", ends, 4, tr);
-        const fp::Cut cut{{at[0], at[1]}, {at[2], at[3]}};
-        if (cut.length() == 0.0 || fp::pieces_along(model, locator, cut).empty())
-            throw UsageError(tr("--cut: {cut} meets no material; move it", {{"cut", ends}}));
-        selection.cuts.push_back(cut);
-    }
-    if (!selection.cuts.empty() && model.analysis == femoop::StressState::Axisymmetric)
-        throw UsageError(tr("--cut: a cut through an axisymmetric body has no N, V and M; read stresses with --at"));
+    selection.probes = places_in(locator, places_, tr);
+    selection.cuts = cuts_through(model, locator, cuts_, tr);
     try {
         const fp::PlaneResults results = fp::analyse(model, options);
         console.report(file, results.warnings());

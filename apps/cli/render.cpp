@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <optional>
 #include <string>
+#include <variant>
 #include <vector>
 
 #include "apps/cli/argument.h"
@@ -11,9 +12,11 @@
 #include "apps/cli/model_input.h"
 #include "apps/cli/moving_picture.h"
 #include "apps/cli/picture.h"
+#include "apps/cli/plane_render.h"
 #include "apps/cli/truss_picture.h"
 #include "apps/frame/document/companion/companion_file.h"
 #include "apps/frame/view/kept_view.h"
+#include "ui/text/language_manner.h"
 
 namespace cli {
 
@@ -33,12 +36,15 @@ private:
     void look_at_view(PictureOrder& order, const frame::Companion& companion, const femoop::Model& model,
                       const ui::Catalogue& tr) const;
     frame::CompanionReading companion(const Console& console, const femoop::Model& model) const;
+    ExitStatus draw_plane(femoop::plane::PlaneReading& reading, Console& console) const;
+    ExitStatus draw_structure(const femoop::Model& model, PictureOrder picture, Console& console) const;
 
     std::string file_, out_, theme_ = "light", size_ = "1280x800", scale_ = "1";
     std::optional<std::string> show_, case_, view_, magnification_, mechanism_, other_, with_;
     AskedUnits units_;
     MovingPicture moving_;
     TrussPicture truss_;
+    PlaneRender plane_;
 };
 
 std::string show_list(const ui::Catalogue& tr)
@@ -47,6 +53,16 @@ std::string show_list(const ui::Catalogue& tr)
     for (const drawing::ShowWord& word : drawing::show_text())
         text += "\n" + std::string(word.word) + ": " + tr(word.meaning);
     return text;
+}
+
+std::string plate_show_list(const ui::Catalogue& tr)
+{
+    std::string text = "\n" + tr("of a plane model (default geometry,regions,loads,supports,labels):");
+    for (const plane::PlateShowWord& word : plane::plate_show_words())
+        text += "\n" + std::string(word.word) + ": " + tr(word.meaning);
+    return text + "\n" +
+           tr("bands:C, contour:C: colours or lines of a component: sx sy sz txy s1 s2 tmax mises tresca ex ey ez gxy ux "
+              "uy");
 }
 
 HelpText Render::help(const ui::Catalogue& tr) const
@@ -73,7 +89,8 @@ void Render::declare(CLI::App& app, const ui::Catalogue& tr)
     app.add_option("-o,--output", out_, tr("the picture to write; its extension chooses the kind: .png, .svg or .pdf"))
         ->option_text("OUT");
     app.add_option("--show", show_,
-                   tr("what is drawn, separated by commas (default loads,reactions,labels):") + show_list(tr))
+                   tr("what is drawn, separated by commas (default loads,reactions,labels):") + show_list(tr) +
+                       plate_show_list(tr))
         ->option_text("LIST");
     app.add_option("--case", case_,
                    tr("the load case or combination that is drawn (default the first), or envelope: "
@@ -104,6 +121,7 @@ void Render::declare(CLI::App& app, const ui::Catalogue& tr)
         ->option_text("ID");
     moving_.declare(app, tr);
     truss_.declare(app, tr);
+    plane_.declare(app, tr);
 }
 
 drawing::ShowSet shown(const std::string& list, const ui::Catalogue& tr)
@@ -170,6 +188,39 @@ void Render::look_at_view(PictureOrder& order, const frame::Companion& companion
     if (magnification_) order.view.deformation_scale = asked_for.deformation_scale;
 }
 
+ExitStatus Render::draw_plane(femoop::plane::PlaneReading& reading, Console& console) const
+{
+    const ui::Catalogue& tr = console.tr();
+    if (view_ || mechanism_ || other_ || with_ || moving_.is_of_members() || truss_.is_asked())
+        throw UsageError(tr(
+            "a plane model is drawn with --show, --case, --at, --cut, --read, --range, --describe, --magnify, --unit, --theme, --size "
+            "and --scale; what else was asked for is of a structure of members"));
+    const bool has_file = !out_.empty() || !plane_.is_described();
+    if (has_file && out_.empty()) throw UsageError(tr("no output is given; add -o OUT.png, .svg or .pdf"));
+    PlaneRender::Order order{.file = picture_file(has_file ? out_ : "words.png", size_, scale_, tr),
+                             .has_file = has_file,
+                             .show = show_,
+                             .load_case = case_};
+    order.look.theme = theme_named(theme_, tr);
+    order.look.tr = tr;
+    order.look.numbers.mark = ui::decimal_mark(tr.language());
+    order.look.unit_choices = units_.choices(tr);
+    if (magnification_) order.look.deformation_scale = positive_number("--magnify", *magnification_, tr);
+    return plane_.draw(reading, display_name(file_, tr), order, console);
+}
+
+ExitStatus Render::draw_structure(const femoop::Model& model, PictureOrder picture, Console& console) const
+{
+    const ui::Catalogue& tr = console.tr();
+    const frame::CompanionReading beside = companion(console, model);
+    picture.dimensions = beside.companion.dimensions;
+    if (view_) look_at_view(picture, beside.companion, model, tr);
+    if (case_) choose_case(picture.view, model, tr);
+    if (truss_.is_asked()) return truss_.draw(model, display_name(file_, tr), picture, show_.has_value(), console);
+    if (moving_.is_asked()) return moving_.draw(model, display_name(file_, tr), picture, show_.has_value(), console);
+    return draw_picture(model, display_name(file_, tr), picture, console);
+}
+
 void Render::require_sensible_reference(const ui::Catalogue& tr) const
 {
     if (!other_ && !with_) return;
@@ -184,21 +235,19 @@ ExitStatus Render::run(Console& console)
 {
     const ui::Catalogue& tr = console.tr();
     if (file_.empty()) throw no_file("render", tr);
+    femoop::AnyReading any = examine_any(file_, tr);
+    if (auto* reading = std::get_if<femoop::plane::PlaneReading>(&any)) return draw_plane(*reading, console);
+    plane_.require_none(tr);
     moving_.require_sensible(tr);
     truss_.require_sensible(tr);
     if (truss_.is_asked() && moving_.is_asked()) throw ask_for_different_things("--truss", "--influence, --train", tr);
     require_sensible_reference(tr);
     PictureOrder picture = order(tr);
-    const std::optional<femoop::Model> model = load_model(file_, console);
-    if (!model) return ExitStatus::BadInput;
-    const frame::CompanionReading beside = companion(console, *model);
-    picture.dimensions = beside.companion.dimensions;
-    if (view_) look_at_view(picture, beside.companion, *model, tr);
-    if (case_) choose_case(picture.view, *model, tr);
     if (other_ || with_) picture.reference = AskedReference{other_, with_, "--with"};
-    if (truss_.is_asked()) return truss_.draw(*model, display_name(file_, tr), picture, show_.has_value(), console);
-    if (moving_.is_asked()) return moving_.draw(*model, display_name(file_, tr), picture, show_.has_value(), console);
-    return draw_picture(*model, display_name(file_, tr), picture, console);
+    const auto& reading = std::get<femoop::ModelReading>(any);
+    console.report(display_name(file_, tr), reading.faults);
+    if (!reading.is_sound()) return ExitStatus::BadInput;
+    return draw_structure(reading.model, picture, console);
 }
 
 } // namespace

@@ -420,7 +420,7 @@ std::string_view pattern(FaultKind kind)
     case FaultKind::PrimaryMoves: return "without {0} the structure can move; release other forces";
 
     case FaultKind::PlaneModelElsewhere:
-        return "{0}: {1} is a plane model, for which this is not built yet; check, mesh, solve, verify and convert read it";
+        return "{0}: {1} is a plane model, for which this is not built yet; check, mesh, solve, verify, render and convert read it";
     case FaultKind::EdgesWithoutElements:
         return "{0}: found the kind \"edges\" without \"elements\", wanted line, arc, circle, ellipse, bezier or spline; draw the curve, or give the mesh";
     case FaultKind::CurvePlace: return "{0}: is no place of a curve; name a point or write [x, y], like [2.5, 0]";

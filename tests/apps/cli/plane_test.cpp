@@ -5,6 +5,7 @@
 #include <string>
 
 #include "tests/apps/cli/run_cremona.h"
+#include "tests/folder.h"
 #include "tests/text_of.h"
 
 using cli_test::has;
@@ -102,9 +103,6 @@ TEST_CASE("A plane model that is converted is tidied, and other commands refuse 
     const Run first = cli_test::cremona({"convert", bending, "-"});
     REQUIRE(first.status == 0);
     CHECK(first.out == text_of_source(bending));
-    const Run drawn = cli_test::cremona({"render", bending, "-o", "plate.svg"});
-    CHECK(drawn.status == 2);
-    CHECK(has(drawn.err, "plane_stress is a plane model, for which this is not built yet"));
     CHECK(cli_test::cremona({"convert", bending, "-", "--units", "mm,N"}).status == 2);
     CHECK(cli_test::cremona({"solve", bending, "--trace", "1"}).status == 2);
     CHECK(cli_test::cremona({"solve", bending, "--funicular", "automatic"}).status == 2);
@@ -121,3 +119,92 @@ TEST_CASE("A place or a cut outside the material is refused, and both belong to 
 }
 
 TEST_SUITE_END();
+
+TEST_CASE(
+    "A drawing is rendered with its regions, loads and supports; a word that is none of ours is answered with all")
+{
+    const Folder folder;
+    const Run run = cli_test::cremona({"render", "examples/plate.json", "-o", folder.path("plate.svg")});
+    CHECK(run.status == 0);
+    const std::string svg = folder.read("plate.svg");
+    for (const char* const words : {"A quarter of a plate with a hole", ">ring<", ">100 N/mm²<", ">hole<"})
+        CHECK(has(svg, words));
+    const Run unknown = cli_test::cremona(
+        {"render", "examples/plate.json", "-o", folder.path("x.svg"), "--show", "moments"});
+    CHECK(unknown.status == 2);
+    CHECK(has(unknown.err, "geometry, regions"));
+}
+
+TEST_CASE("A mesh, that of a drawing too, is rendered with bands, lines, crosses and errors")
+{
+    const Folder folder;
+    const auto shown = [&](const std::string& words, std::vector<std::string> more = {}) {
+        std::vector<std::string> all{"render", bending, "-o", folder.path("x.svg"), "--show", words};
+        all.insert(all.end(), more.begin(), more.end());
+        return cli_test::cremona(all);
+    };
+    CHECK(shown("bands:sx,mesh,geometry,labels").status == 0);
+    CHECK(has(folder.read("x.svg"), ">max 150 "));
+    CHECK(has(folder.read("x.svg"), ">min −150 "));
+    CHECK(shown("contour:mises,principal,trajectories,deformed,error,labels").status == 0);
+    CHECK(has(folder.read("x.svg"), "displacements ×"));
+    CHECK(shown("bands:sx,labels", {"--range", "-20,30"}).status == 0);
+    CHECK(has(folder.read("x.svg"), "fixed range"));
+    CHECK(has(shown("bands:sx", {"--range", "30,-20"}).err, "the smaller number first"));
+    CHECK(has(shown("bands:sx", {"--read", "gauss"}).err, "smoothed, element"));
+    CHECK(shown("bands:sx,error").status == 2);
+    const Run drawn = cli_test::cremona(
+        {"render", "examples/plate.json", "-o", folder.path("y.svg"), "--show", "bands:sx,labels"});
+    CHECK(drawn.status == 0);
+    CHECK(has(folder.read("y.svg"), "σx [N/mm²]"));
+}
+
+TEST_CASE(
+    "A cut of a picture has N, V and M with the stresses of beam theory; more cuts than there is room for are refused")
+{
+    const Folder folder;
+    const auto with = [&](std::vector<std::string> more) {
+        std::vector<std::string> all{"render", bending, "-o", folder.path("x.svg"), "--size", "900x700"};
+        all.insert(all.end(), more.begin(), more.end());
+        return cli_test::cremona(all);
+    };
+    CHECK(with({"--cut", "3.3,-1,3.3,1", "--at", "5,0.5", "--at", "1,-0.5"}).status == 0);
+    const std::string svg = folder.read("x.svg");
+    CHECK(has(svg, ">M = 100 "));
+    CHECK(has(svg, ">beam theory<"));
+    CHECK(has(svg, ">(5, 0.5)<"));
+    CHECK(has(svg, ">(1, −0.5)<"));
+    CHECK(has(with({"--cut", "1,-1,1,1", "--cut", "2,-1,2,1", "--cut", "3,-1,3,1"}).err, "has room for 2"));
+    CHECK(has(with({"--cut", "50,0,60,0"}).err, "meets no material"));
+    CHECK(has(with({"--at", "50,0"}).err, "no element is at 50,0"));
+}
+
+TEST_CASE("What a picture of a plane model shows is told in sentences, in both languages and without an output")
+{
+    const Run run = cli_test::cremona({"render", "examples/plate.json", "--describe"});
+    REQUIRE(run.status == 0);
+    CHECK(has(run.out, "region plate: 1250 mm², of brass\n"));
+    CHECK(has(run.out, "region empty: a hole of 78.54 mm²\n"));
+    CHECK(has(run.out, "right: traction 100 N/mm²\n"));
+    const Run bent = cli_test::cremona(
+        {"--lang", "pt", "render", bending, "--show", "bands:sx,error,mesh,loads", "--at", "5,0.5", "--describe"});
+    CHECK(bent.status == 2);
+    const Run portuguese = cli_test::cremona(
+        {"--lang", "pt", "render", bending, "--show", "contour:sx,error,mesh", "--at", "5,0.5", "--describe"});
+    REQUIRE(portuguese.status == 0);
+    CHECK(has(portuguese.out, "σx: de −150 kN/m² em (0; 1) a 150 kN/m² em (0; −1)\n"));
+    CHECK(has(portuguese.out, "malha: 10 elementos, 45 nós\n"));
+    CHECK(has(portuguese.out, "em (5; 0,5): "));
+    CHECK(has(portuguese.out, "σx = −75 kN/m²"));
+}
+
+TEST_CASE("What is of members is refused of a plane model, and what is of plane models of members")
+{
+    const Folder folder;
+    const std::string out = folder.path("x.svg");
+    CHECK(has(cli_test::cremona({"render", "examples/plate.json", "-o", out, "--mechanism", "1"}).err,
+              "a plane model is drawn with"));
+    CHECK(has(cli_test::cremona({"render", "examples/portal.json", "-o", out, "--cut", "0,0,1,1"}).err,
+              "are for plane models"));
+    CHECK(!folder.has("x.svg"));
+}

@@ -1,0 +1,146 @@
+#include "apps/cli/plane_render.h"
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+
+#include "apps/cli/analysis_run.h"
+#include "apps/cli/argument.h"
+#include "apps/cli/plane_input.h"
+#include "apps/cli/plane_places.h"
+#include "apps/plane/view/cut_panel.h"
+#include "apps/plane/view/plate_words.h"
+#include "femoop/plane/analysis/plane_analysis.h"
+
+namespace cli {
+
+namespace {
+
+namespace fp = femoop::plane;
+
+plane::PlateShown plate_shown_by(const std::string& list, const ui::Catalogue& tr)
+{
+    plane::PlateShown all;
+    for (const std::string& word : comma_list(list)) {
+        const auto shown = plane::plate_shown(word);
+        if (!shown) throw unknown_choice("--show", word, plane::all_plate_words(), tr);
+        all = all | *shown;
+    }
+    return all;
+}
+
+femoop::CaseId case_named(const fp::PlaneModel& model, const std::string& name, const ui::Catalogue& tr)
+{
+    if (const auto found = model.find_case(name)) return *found;
+    std::vector<std::string> names;
+    for (std::size_t i = 0; i < model.n_cases(); ++i) names.push_back(model.case_name(femoop::CaseId(i)));
+    throw unknown_choice("--case", name, names, tr);
+}
+
+/// What results are asked of a case that is not there.
+void require_case(const fp::PlaneModel& model, const ui::Catalogue& tr)
+{
+    if (model.n_cases() == 0)
+        throw UsageError(tr("--show: results need a load case, and the model has none; leave them out"));
+}
+
+void require_room(const plane::PlateOptions& options, const PlaneRender::Order& order, const ui::Catalogue& tr)
+{
+    const std::size_t most = plane::most_cuts(ui::Theme(options.theme), order.file.size.width);
+    if (options.cuts.size() > most)
+        throw UsageError(tr("--cut: {found} cuts; a picture of this width has room for {most}, a wider one for more",
+                            {{"found", std::to_string(options.cuts.size())}, {"most", std::to_string(most)}}));
+}
+
+} // namespace
+
+void PlaneRender::declare(CLI::App& app, const ui::Catalogue& tr)
+{
+    CLI::Option* const at = app.get_option("--at");
+    at->multi_option_policy(CLI::MultiOptionPolicy::TakeLast);
+    at->description(
+        at->get_description() + "; " +
+        tr("of a plane model a place X,Y where displacements and stresses are written, may be given again"));
+    at_ = at;
+    app.add_option("--cut", cuts_,
+                   tr("of a plane model: draw the stresses on the cut from one place to another, N, V and M, and those "
+                      "of beam theory; may be given again"))
+        ->option_text("X1,Y1,X2,Y2")
+        ->allow_extra_args(false);
+    app.add_option("--read", read_,
+                   tr("of a plane model: stresses smoothed (default), or element: those of each element, with jumps"))
+        ->option_text("READING");
+    app.add_option("--range", range_,
+                   tr("of a plane model: the least and the largest value of the colours, in the file's units"))
+        ->option_text("LOW,HIGH");
+    app.add_flag("--describe", is_described_,
+                 tr("of a plane model: print what the picture shows in sentences; then -o may be left out"));
+}
+
+void PlaneRender::look(plane::PlateOptions& options, const Order& order, const ui::Catalogue& tr) const
+{
+    if (order.show) options.show = plate_shown_by(*order.show, tr);
+    const bool has_bands = std::ranges::any_of(
+        options.show.fields, [](const plane::FieldShow& field) { return field.style == plane::FieldStyle::Bands; });
+    if (has_bands && options.show.set.contains(plane::PlateShow::Error))
+        throw contradiction("--show error", "--show bands:", tr);
+    if (range_) {
+        const std::vector<double> ends = numbers_of("--range", *range_, 2, tr);
+        if (!(ends[0] < ends[1]))
+            throw UsageError(tr("--range: found {found}; wanted the smaller number first", {{"found", *range_}}));
+        options.range = {ends[0], ends[1]};
+    }
+    if (read_ == "element") options.reading = fp::StressReading::Element;
+    else if (read_ && *read_ != "smoothed") throw not_one_of("--read", *read_, "smoothed, element", tr);
+}
+
+void PlaneRender::require_none(const ui::Catalogue& tr) const
+{
+    if (!cuts_.empty() || read_ || range_ || is_described_ || places().size() > 1)
+        throw UsageError(
+            tr("--cut, --read, --range, --describe, and --at more than once, are for plane models; this is a structure "
+               "of members"));
+}
+
+std::vector<std::string> PlaneRender::places() const { return at_->results(); }
+
+ExitStatus PlaneRender::draw(fp::PlaneReading& reading, const std::string& name, const Order& order,
+                             Console& console) const
+{
+    const ui::Catalogue& tr = console.tr();
+    plane::PlateOptions options = order.look;
+    look(options, order, tr);
+    const bool has_questions = !places().empty() || !cuts_.empty();
+    const bool needs_mesh = options.show.needs_mesh() || has_questions;
+    const PlaneInput input(reading, needs_mesh ? PlaneInput::Depth::Mesh : PlaneInput::Depth::Drawing);
+    console.report(name, reading.faults);
+    if (!reading.is_sound()) return ExitStatus::BadInput;
+    if (order.load_case) options.load_case = case_named(reading.model, *order.load_case, tr);
+    plane::PlateInput shown{.model = reading.model, .drawing = input.drawing()};
+    if (input.mesh() != nullptr) shown.mesh = &input.model();
+    if (!options.show.needs_results() && !has_questions) return write(shown, order, options, console);
+    require_case(reading.model, tr);
+    try {
+        const fp::PlaneResults results = fp::analyse(input.model());
+        console.report(name, results.warnings());
+        options.probes = places_in(results.locator(), places(), tr);
+        options.cuts = cuts_through(results.model(), results.locator(), cuts_, tr);
+        require_room(options, order, tr);
+        shown.results = &results;
+        return write(shown, order, options, console);
+    } catch (const femoop::ModelError& error) {
+        return report_unsolved(error, name, console);
+    }
+}
+
+ExitStatus PlaneRender::write(const plane::PlateInput& input, const Order& order, const plane::PlateOptions& options,
+                              Console& console) const
+{
+    if (is_described_) console.print(plane::in_words(input, options));
+    if (!order.has_file) return ExitStatus::Done;
+    write_picture(
+        order.file, {.color = plane::background(options), .title = input.model.title},
+        [&](ui::Painter& painter) { plane::draw(painter, input, options); }, console.tr());
+    return ExitStatus::Done;
+}
+
+} // namespace cli

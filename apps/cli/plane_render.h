@@ -1,0 +1,50 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "apps/cli/console.h"
+#include "apps/cli/exit_status.h"
+#include "apps/cli/option_parser.h"
+#include "apps/cli/picture_file.h"
+#include "apps/plane/view/plate_picture.h"
+#include "femoop/io/plane/plane_file.h"
+
+namespace CLI { // NOLINT(readability-identifier-naming): as in option_parser.h
+class Option;
+} // namespace CLI
+
+namespace cli {
+
+/// What `cremona render` does with a plane model, and the options that only such a model has.
+class PlaneRender {
+public:
+    struct Order {
+        PictureFile file;
+        bool has_file = true; ///< else it is only described
+        std::optional<std::string> show, load_case;
+        plane::PlateOptions look; ///< theme, units, language, scale of displacements
+    };
+
+    void declare(CLI::App& app, const ui::Catalogue& tr); ///< \pre `--at` is declared: it says a place of either
+    void require_none(const ui::Catalogue& tr) const;     ///< \throws UsageError if an option is given: no plane model
+    bool is_described() const { return is_described_; }   ///< so that it needs no output
+    /// \param name  of the file, as messages call it  \throws UsageError
+    ExitStatus draw(femoop::plane::PlaneReading& reading, const std::string& name, const Order& order,
+                    Console& console) const;
+
+private:
+    ExitStatus write(const plane::PlateInput& input, const Order& order, const plane::PlateOptions& options,
+                     Console& console) const;
+    std::vector<std::string> places() const;
+
+    const CLI::Option* at_ = nullptr;
+    void look(plane::PlateOptions& options, const Order& order, const ui::Catalogue& tr) const;
+
+    std::vector<std::string> cuts_;
+    std::optional<std::string> range_, read_;
+    bool is_described_ = false;
+};
+
+} // namespace cli
