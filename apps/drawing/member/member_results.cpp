@@ -25,8 +25,8 @@ using ui::Role;
 
 constexpr int n_steps = 48; // of a curve between two load points
 constexpr double least_row = 46.0;
-constexpr double line_step = 1.3;    // of formulas, in ems
-constexpr double least_share = 0.62; // of the normal size, for the smallest formulas
+constexpr double line_step = 1.3;            // of formulas, in ems
+constexpr double least_formula_share = 0.62; // of the normal size, for the smallest formulas
 
 /// Where things are on the sheet.
 struct Columns {
@@ -306,7 +306,7 @@ private:
     {
         const double least = row.is_zero ? largest(curve_.extremes(row.component)) : least_that_counts(row.component);
         const std::vector<ExpressionLine> lines = expression_lines(curve_, row.component, units_, least);
-        const double least_step = least_share * line_step * theme_.type().normal;
+        const double least_step = least_formula_share * line_step * theme_.type().normal;
         const auto n_fit = static_cast<std::size_t>(std::max(1.0, std::floor(row.box.height() / least_step)));
         const std::size_t n = std::min(lines.size(), n_fit);
         std::size_t first = 0;
@@ -335,7 +335,7 @@ private:
         const ui::TextStyle widest = style(Role::Label, ui::Anchor::Left, ui::Weight::Bold);
         for (const std::string& text : texts)
             size = std::min(size, normal * room / painter_.measure(text, widest).width);
-        return std::max(size, 0.8 * least_share * normal);
+        return std::max(size, 0.8 * least_formula_share * normal);
     }
 
     double least_that_counts(MemberComponent component) const { return 1e-9 * largest(curve_.extremes(component)); }

@@ -8,6 +8,7 @@
 #include <variant>
 #include <vector>
 
+#include "apps/drawing/quantity_typed.h"
 #include "apps/frame/document/document.h"
 #include "apps/frame/document/part.h"
 #include "femoop/model/fault/fault.h"
@@ -54,17 +55,7 @@ void set_number(Document& document, const NumberId& number, const femoop::Quanti
 /// Takes an optional number away. \throws std::out_of_range; std::invalid_argument where it is required.
 void clear_number(Document& document, const NumberId& number);
 
-/// Reads what a person typed for a number: with a unit (`25 kN/m`), or without, then in the unit that the field shows.
-/// A decimal comma is understood. The quantity keeps the unit if it is not the file's own, so nothing converted is
-/// saved.
-std::variant<femoop::Quantity, femoop::Fault> quantity_typed(std::string_view text, ui::Measure measure,
-                                                             const femoop::Units& file, const ui::DisplayUnits& shown);
-
-/// The same of what has no measure of its own, such as E I.
-std::variant<femoop::Quantity, femoop::Fault> quantity_typed(std::string_view text, femoop::Dimension dimension,
-                                                             const femoop::Units& file, const ui::DisplayUnit& shown);
-
-/// The names and sizes of the file's base units, for ui::DisplayUnits.
-ui::BaseUnits base_units(const femoop::Units& units);
+using drawing::base_units;
+using drawing::quantity_typed;
 
 } // namespace frame

@@ -191,12 +191,4 @@ Snap snap(const Model& model, const Vector2d& pointer, const SnapOptions& option
     return magnet.best().value_or(Snap{rounded(pointer, options.fine), SnapKind::Free});
 }
 
-double round_grid(double smallest)
-{
-    const double power = std::pow(10.0, std::floor(std::log10(smallest)));
-    for (const double factor : {1.0, 2.0, 5.0})
-        if (factor * power >= smallest * (1.0 - 1e-12)) return factor * power;
-    return 10.0 * power;
-}
-
 } // namespace frame

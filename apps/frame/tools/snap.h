@@ -6,6 +6,7 @@
 #include <span>
 
 #include "apps/drawing/cut.h"
+#include "apps/drawing/grid.h"
 #include "femoop/model/model.h"
 
 namespace frame {
@@ -65,7 +66,6 @@ SnapInSpace snap_on_member(const femoop::Model& model, const drawing::Cut& point
 /// Where a node of a plane model is.
 Eigen::Vector2d place_of(const femoop::Model& model, femoop::NodeId node);
 
-/// A distance of grid lines that is round (1, 2 or 5 times a power of ten) and at least `smallest`.
-double round_grid(double smallest);
+using drawing::round_grid;
 
 } // namespace frame

@@ -5,8 +5,8 @@
 #include <string>
 
 #include "apps/drawing/geometry/structure_shape.h"
+#include "apps/drawing/grid.h"
 #include "apps/drawing/sketch/scene.h"
-#include "apps/frame/tools/grid.h"
 #include "apps/frame/window/aim.h"
 #include "ui/text/number_format.h"
 
@@ -43,8 +43,8 @@ public:
         const auto most = place_in_plane(projection_, {painter_.size().width, 0.0});
         if (!least || !most || !projection_.is_plane()) return;
         const ui::Color ink = ui::with_opacity(theme_[Role::FaintLabel].text, 0.4);
-        const std::vector<double> rows = multiples_between(least->y(), most->y(), step);
-        for (const double x : multiples_between(least->x(), most->x(), step))
+        const std::vector<double> rows = drawing::multiples_between(least->y(), most->y(), step);
+        for (const double x : drawing::multiples_between(least->x(), most->x(), step))
             for (const double y : rows) painter_.rectangle(dot(at({x, y})), ink);
     }
 
@@ -64,9 +64,9 @@ public:
         most.array() = ((most.array() / step).ceil() + beyond) * step;
         const ui::Stroke line{.color = ui::with_opacity(theme_[Role::FaintLabel].text, 0.35), .width = 0.75};
         const auto place = [&](double u, double v) { return projection_(plane.in_space({u, v})); };
-        for (const double u : multiples_between(least.x(), most.x(), step))
+        for (const double u : drawing::multiples_between(least.x(), most.x(), step))
             painter_.line(place(u, least.y()), place(u, most.y()), line);
-        for (const double v : multiples_between(least.y(), most.y(), step))
+        for (const double v : drawing::multiples_between(least.y(), most.y(), step))
             painter_.line(place(least.x(), v), place(most.x(), v), line);
     }
 

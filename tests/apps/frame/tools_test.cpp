@@ -9,12 +9,12 @@
 #include <variant>
 #include <vector>
 
+#include "apps/drawing/grid.h"
 #include "apps/frame/document/drawing.h"
 #include "apps/frame/document/load_cases.h"
 #include "apps/frame/document/loading.h"
 #include "apps/frame/document/number.h"
 #include "apps/frame/tools/dimension_tool.h"
-#include "apps/frame/tools/grid.h"
 #include "apps/frame/tools/kept_settings.h"
 #include "apps/frame/tools/load_tool.h"
 #include "apps/frame/tools/member_tool.h"
@@ -195,10 +195,10 @@ TEST_SUITE("frame tools")
 
     TEST_CASE("The grid is counted, and ends where a place has no digits left for it")
     {
-        CHECK(frame::multiples_between(-1.2, 2.6, 0.5) ==
+        CHECK(drawing::multiples_between(-1.2, 2.6, 0.5) ==
               std::vector<double>{-1.0, -0.5, 0.0, 0.5, 1.0, 1.5, 2.0, 2.5});
-        CHECK(frame::multiples_between(1e30 - 3.0, 1e30 + 3.0, 0.5).empty());
-        CHECK(frame::multiples_between(0.0, std::numeric_limits<double>::infinity(), 0.5).empty());
+        CHECK(drawing::multiples_between(1e30 - 3.0, 1e30 + 3.0, 0.5).empty());
+        CHECK(drawing::multiples_between(0.0, std::numeric_limits<double>::infinity(), 0.5).empty());
     }
 
     TEST_CASE("A place is typed as coordinates, as a step, as length and angle, or as a length")

@@ -1,9 +1,9 @@
-#include "apps/frame/tools/grid.h"
+#include "apps/drawing/grid.h"
 
 #include <algorithm>
 #include <cmath>
 
-namespace frame {
+namespace drawing {
 
 std::vector<double> multiples_between(double least, double most, double step)
 {
@@ -15,4 +15,12 @@ std::vector<double> multiples_between(double least, double most, double step)
     return places;
 }
 
-} // namespace frame
+double round_grid(double smallest)
+{
+    const double power = std::pow(10.0, std::floor(std::log10(smallest)));
+    for (const double factor : {1.0, 2.0, 5.0})
+        if (factor * power >= smallest * (1.0 - 1e-12)) return factor * power;
+    return 10.0 * power;
+}
+
+} // namespace drawing
