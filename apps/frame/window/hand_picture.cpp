@@ -6,6 +6,7 @@
 
 #include "apps/drawing/geometry/structure_shape.h"
 #include "apps/drawing/grid.h"
+#include "apps/drawing/hand_marks.h"
 #include "apps/drawing/sketch/scene.h"
 #include "apps/frame/window/aim.h"
 #include "ui/text/number_format.h"
@@ -18,15 +19,20 @@ using ui::Role;
 
 namespace {
 
-ui::TextStyle note_style(const ui::Theme& theme, ui::Anchor anchor)
+drawing::SnapGlyph glyph_of(SnapKind kind)
 {
-    ui::TextStyle style = theme.text(Role::Label, anchor);
-    style.weight = ui::Weight::Bold;
-    style.plate = theme.background();
-    return style;
+    switch (kind) {
+    case SnapKind::Node: return drawing::SnapGlyph::Square;
+    case SnapKind::Intersection: return drawing::SnapGlyph::Cross;
+    case SnapKind::Midpoint: return drawing::SnapGlyph::Triangle;
+    case SnapKind::Perpendicular: return drawing::SnapGlyph::Corner;
+    case SnapKind::OnMember: return drawing::SnapGlyph::Hourglass;
+    case SnapKind::Grid: return drawing::SnapGlyph::Plus;
+    case SnapKind::Ray: return drawing::SnapGlyph::Circle;
+    case SnapKind::Free: break;
+    }
+    return drawing::SnapGlyph::Dot;
 }
-
-std::string typed_so_far(const ToolController& tool_controller) { return tool_controller.typed() + "▏"; }
 
 class HandPicture {
 public:
@@ -38,7 +44,7 @@ public:
     void grid(double step)
     {
         const ui::LayerScope layer(painter_, ui::Layer::Grid);
-        step = wide_enough(step);
+        step = drawing::wide_enough(step, projection_.scale());
         const auto least = place_in_plane(projection_, {0.0, painter_.size().height});
         const auto most = place_in_plane(projection_, {painter_.size().width, 0.0});
         if (!least || !most || !projection_.is_plane()) return;
@@ -53,7 +59,7 @@ public:
     {
         const ui::LayerScope layer(painter_, ui::Layer::Grid);
         constexpr double beyond = 8.0; // lines
-        step = wide_enough(step);
+        step = drawing::wide_enough(step, projection_.scale());
         Vector2d least(0.0, 0.0), most(8.0, 8.0);
         if (!nodes.empty()) least = most = plane.in_plane(nodes.front());
         for (const Eigen::Vector3d& node : nodes) {
@@ -70,35 +76,7 @@ public:
             painter_.line(place(least.x(), v), place(most.x(), v), line);
     }
 
-    void glyph(Point p, SnapKind kind)
-    {
-        const double r = 6.0 * theme_.symbol_scale();
-        const ui::Stroke stroke = theme_.stroke(Role::Member);
-        const ui::Stroke line{.color = stroke.color, .width = 2.0};
-        switch (kind) {
-        case SnapKind::Node:
-            painter_.polyline({p + Point{-r, -r}, p + Point{r, -r}, p + Point{r, r}, p + Point{-r, r}}, line,
-                              ui::PathEnds::Closed);
-            break;
-        case SnapKind::Intersection: cross(p, r, line); break;
-        case SnapKind::Midpoint:
-            painter_.polyline({p + Point{-r, r}, p + Point{r, r}, p + Point{0.0, -r}}, line, ui::PathEnds::Closed);
-            break;
-        case SnapKind::Perpendicular:
-            painter_.polyline({p + Point{-r, -r}, p + Point{-r, r}, p + Point{r, r}}, line);
-            break;
-        case SnapKind::OnMember:
-            painter_.polyline({p + Point{-r, -r}, p + Point{r, -r}, p + Point{-r, r}, p + Point{r, r}}, line,
-                              ui::PathEnds::Closed);
-            break;
-        case SnapKind::Grid:
-            painter_.line(p - Point{r, 0.0}, p + Point{r, 0.0}, line);
-            painter_.line(p - Point{0.0, r}, p + Point{0.0, r}, line);
-            break;
-        case SnapKind::Ray: painter_.circle(p, r, line); break;
-        case SnapKind::Free: painter_.disc(p, 2.5, stroke.color); break;
-        }
-    }
+    void glyph(Point p, SnapKind kind) { drawing::draw_snap(painter_, theme_, p, glyph_of(kind)); }
 
     /// Its length beside its end, and in the plane its angle.
     void line(const Eigen::Vector3d& start, const Eigen::Vector3d& end, bool is_in_space)
@@ -165,16 +143,7 @@ public:
         if (points.size() > 1) painter_.polyline(points, theme_.stroke(Role::Guess));
     }
 
-    /// A text beside a place, on a plate: at its right hand, at its left where the sheet ends.
-    void note(Point beside, const std::string& text)
-    {
-        ui::TextStyle style = note_style(theme_, ui::Anchor::BottomLeft);
-        constexpr double away = 14.0; // [px]
-        const bool has_room = beside.x + 2.0 * away + painter_.measure(text, style).width < painter_.size().width;
-        if (!has_room) style.anchor = ui::Anchor::BottomRight;
-        const double y = std::min(beside.y, painter_.size().height) - away;
-        painter_.text({beside.x + (has_room ? away : -away), y}, text, style);
-    }
+    void note(Point beside, const std::string& text) { drawing::draw_note(painter_, theme_, beside, text); }
 
     /// The coordinates that are meant, below the pointer.
     void coordinates(const Eigen::Vector3d& place)
@@ -189,20 +158,7 @@ public:
     Point at(const Vector2d& place) const { return projection_({place.x(), place.y(), 0.0}); }
 
 private:
-    /// A typed distance of lines that would lie too close at this scale, ten times as far and so on.
-    double wide_enough(double step) const
-    {
-        constexpr double nearest = 6.0; // [px]
-        while (step * projection_.scale() < nearest) step *= 10.0;
-        return step;
-    }
     static ui::Box dot(Point p) { return {p - Point{0.75, 0.75}, p + Point{0.75, 0.75}}; }
-    void cross(Point p, double r, const ui::Stroke& stroke)
-    {
-        painter_.line(p + Point{-r, -r}, p + Point{r, r}, stroke);
-        painter_.line(p + Point{-r, r}, p + Point{r, -r}, stroke);
-    }
-
     ui::Painter& painter_;
     const Projection& projection_;
     const ui::Theme& theme_;
@@ -235,16 +191,14 @@ void draw_hand(ui::Painter& painter, const Session& session, const ToolControlle
     const Aim& aim = tool_controller.aim();
     const Point meant = projection(aim.place());
     if (is_placing && !aim.is_lost) picture.glyph(meant, aim.snap.kind);
-    if (!tool_controller.typed().empty()) picture.note(meant + Point{0.0, 40.0}, typed_so_far(tool_controller));
+    if (!tool_controller.typed().empty())
+        picture.note(meant + Point{0.0, 40.0}, drawing::typed_so_far(tool_controller.typed()));
     else if (is_in_space && is_placing && !aim.is_lost) picture.coordinates(aim.place());
 }
 
 void draw_typed(ui::Painter& painter, const ToolController& tool_controller, const ui::Theme& theme)
 {
-    const ui::LayerScope layer(painter, ui::Layer::Overlay);
-    const ui::Size sheet = painter.size();
-    painter.text({0.5 * sheet.width, sheet.height - 16.0}, typed_so_far(tool_controller),
-                 note_style(theme, ui::Anchor::Bottom));
+    drawing::draw_typed(painter, theme, tool_controller.typed());
 }
 
 } // namespace frame
