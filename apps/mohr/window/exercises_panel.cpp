@@ -6,8 +6,8 @@
 
 #include "apps/mohr/exercise/words.h"
 #include "apps/mohr/session/report.h"
-#include "apps/mohr/window/choice.h"
 #include "ui/paint/theme.h"
+#include "ui/widgets/command_combo.h"
 #include "ui/widgets/command_menu.h"
 #include "ui/widgets/wrapped_text.h"
 
@@ -56,8 +56,8 @@ std::string verdict_text(const Session& session, std::size_t place)
 
 void ExercisesPanel::show(Workspace& workspace, const CommandTable& commands)
 {
-    choice(workspace, commands, "###exercise topic", exercise_topics(),
-           [&](const ExerciseTopicEntry& entry) { return entry.value == workspace.exercise_topic; });
+    ui::command_combo(workspace, commands, "###exercise topic", exercise_topics(),
+                      [&](const ExerciseTopicEntry& entry) { return entry.value == workspace.exercise_topic; });
     for (const char* id : {"exercise.easy", "exercise.medium", "exercise.hard"})
         ui::command_button(workspace, commands, id);
     ImGui::Separator();

@@ -12,10 +12,10 @@
 
 #include "apps/mohr/view/axis.h"
 #include "apps/mohr/view/names.h"
-#include "apps/mohr/window/choice.h"
 #include "femoop/model/quantity/number_text.h"
 #include "ui/text/arithmetic.h"
 #include "ui/text/language_manner.h"
+#include "ui/widgets/command_combo.h"
 #include "ui/widgets/command_menu.h"
 #include "ui/widgets/field_row.h"
 #include "ui/widgets/wrapped_text.h"
@@ -107,8 +107,8 @@ void StatePanel::show_kind(Workspace& workspace, const CommandTable& commands)
 {
     ImGui::TextUnformatted(workspace.tr()("State").c_str());
     const Subject now = workspace.session.document().subject;
-    choice(workspace, commands, "###subject", subjects(),
-           [&](const SubjectEntry& entry) { return entry.value == now; });
+    ui::command_combo(workspace, commands, "###subject", subjects(),
+                      [&](const SubjectEntry& entry) { return entry.value == now; });
 }
 
 void StatePanel::number_row(Workspace& workspace, const std::string& label, NumberId number)
@@ -238,8 +238,8 @@ void StatePanel::show_criterion(Workspace& workspace, const CommandTable& comman
     if (workspace.session.document().subject == Subject::Inertia) return;
     heading(workspace.tr()("Criterion"));
     const auto now = workspace.session.document().criterion;
-    choice(workspace, commands, "###criterion", criteria(),
-           [&](const CriterionEntry& entry) { return entry.value == now; });
+    ui::command_combo(workspace, commands, "###criterion", criteria(),
+                      [&](const CriterionEntry& entry) { return entry.value == now; });
     if (!now) return;
     for (const StrengthPlace place : strengths_of(*now)) {
         const std::string unit = place == StrengthPlace::phi ? " [°]" : "";
