@@ -100,7 +100,7 @@ def rule(path):
             return CLI_ALLOWED
         inside = path.removeprefix(f"apps/{app}/")
         if inside.startswith("document"):
-            return [*APP_DOCUMENT_ALLOWED, f"apps/{app}/document"]
+            return [*APP_DOCUMENT_ALLOWED, f"apps/{app}/document", f"apps/{app}/discretize"]
         if inside.startswith("view"):
             own = [f"apps/{app}/document", f"apps/{app}/predict", f"apps/{app}/view"]
             return [*APP_VIEW_ALLOWED, *own, *VIEW_BORROWED.get(app, [])]

@@ -1,0 +1,151 @@
+#include "apps/plane/document/attributes.h"
+
+#include <algorithm>
+
+#include "apps/plane/document/fresh_id.h"
+
+namespace plane {
+
+using femoop::Dof;
+using femoop::DofSet;
+using femoop::Quantity;
+using femoop::plane::CurveLoad;
+using femoop::plane::CurveLoadKind;
+using femoop::plane::Field;
+
+namespace {
+
+void set_kind(std::optional<PlaneSupport>& support, std::optional<PlaneSupportKind> kind)
+{
+    if (!kind) return support.reset();
+    PlaneSupport made{.kind = *kind, .fixed = {}, .angle = {}, .springs = {}};
+    if (*kind == PlaneSupportKind::Custom && support) {
+        made.fixed = support->blocked();
+        made.is_local = support->has_curve_axes();
+        if (support->kind == PlaneSupportKind::Custom) made = *support;
+    }
+    if (*kind == PlaneSupportKind::Custom && !support) made.fixed = DofSet{Dof::ux};
+    support = made;
+}
+
+} // namespace
+
+void set_support(Document& document, NodeId point, std::optional<PlaneSupportKind> kind)
+{
+    set_kind(document.model.points.at(point.index).support, kind);
+}
+
+void set_support(Document& document, CurveId curve, std::optional<PlaneSupportKind> kind)
+{
+    set_kind(document.model.curves.at(curve.index).support, kind);
+}
+
+void set_hold(PlaneSupport& support, Dof dof, Hold hold)
+{
+    if (hold == Hold::Free) {
+        support.fixed.erase(dof);
+        return;
+    }
+    support.fixed.insert(dof);
+    std::erase_if(support.springs, [dof](const femoop::Spring& spring) { return spring.dof == dof; });
+}
+
+void set_spring(PlaneSupport& support, Dof dof, const std::optional<Quantity>& stiffness)
+{
+    std::erase_if(support.springs, [dof](const femoop::Spring& spring) { return spring.dof == dof; });
+    if (!stiffness) return;
+    support.fixed.erase(dof);
+    support.springs.push_back({dof, *stiffness});
+    std::ranges::sort(support.springs, {}, &femoop::Spring::dof);
+}
+
+void set_division(Document& document, CurveId curve, const std::optional<femoop::plane::Division>& division)
+{
+    auto& shape = document.model.curves.at(curve.index).shape.value();
+    shape.divide.clear();
+    shape.is_divided_by_piece = false;
+    if (division) shape.divide.push_back(*division);
+}
+
+std::size_t some_case(Document& document, std::size_t load_case)
+{
+    auto& cases = document.model.load_cases;
+    if (cases.empty()) {
+        cases.push_back({.id = fresh_id(document.model.combinations, "1"),
+                         .points = {},
+                         .curves = {},
+                         .regions = {},
+                         .settlements = {}});
+        // a case before them all moves the combinations' places by one
+        for (auto& check : document.model.expected)
+            if (check.load_case) ++check.load_case->index;
+    }
+    return std::min(load_case, cases.size() - 1);
+}
+
+std::vector<std::size_t> loads_on(const PlaneModel& model, std::size_t load_case, CurveId curve)
+{
+    std::vector<std::size_t> places;
+    if (load_case >= model.load_cases.size()) return places;
+    const auto& loads = model.load_cases[load_case].curves;
+    for (std::size_t i = 0; i < loads.size(); ++i)
+        if (std::ranges::find(loads[i].curves, curve) != loads[i].curves.end()) places.push_back(i);
+    return places;
+}
+
+std::size_t add_load(Document& document, std::size_t load_case, CurveId curve, CurveLoadKind kind)
+{
+    CurveLoad load{.curves = {curve}, .kind = kind, .qx = {}, .qy = {}, .value = {}};
+    if (kind == CurveLoadKind::Pressure) load.value = Field{Quantity(0.0)};
+    else load.qx = load.qy = Field{Quantity(0.0)};
+    auto& loads = document.model.load_cases[some_case(document, load_case)].curves;
+    loads.push_back(std::move(load));
+    return loads.size() - 1;
+}
+
+CurveLoad& own_load(Document& document, std::size_t load_case, std::size_t load, CurveId curve)
+{
+    auto& loads = document.model.load_cases.at(load_case).curves;
+    CurveLoad& there = loads.at(load);
+    if (there.curves.size() < 2) return there;
+    CurveLoad others = there;
+    std::erase(others.curves, curve);
+    there.curves = {curve};
+    loads.insert(loads.begin() + static_cast<std::ptrdiff_t>(load) + 1, std::move(others));
+    return loads[load];
+}
+
+void erase_load(Document& document, std::size_t load_case, std::size_t load, CurveId curve)
+{
+    own_load(document, load_case, load, curve);
+    auto& loads = document.model.load_cases[load_case].curves;
+    loads.erase(loads.begin() + static_cast<std::ptrdiff_t>(load));
+}
+
+std::optional<Quantity> force_on(const PlaneModel& model, std::size_t load_case, NodeId point, Dof dof)
+{
+    if (load_case >= model.load_cases.size()) return std::nullopt;
+    for (const auto& load : model.load_cases[load_case].points) {
+        if (load.node != point) continue;
+        const auto there = std::ranges::find(load.components, dof, &femoop::Component::dof);
+        if (there != load.components.end()) return there->value;
+    }
+    return std::nullopt;
+}
+
+void set_force(Document& document, std::size_t load_case, NodeId point, Dof dof, const std::optional<Quantity>& force)
+{
+    auto& loads = document.model.load_cases[some_case(document, load_case)].points;
+    for (auto& load : loads)
+        if (load.node == point)
+            std::erase_if(load.components, [dof](const femoop::Component& part) { return part.dof == dof; });
+    if (force) {
+        auto load = std::ranges::find(loads, point, &femoop::NodeLoad::node);
+        if (load == loads.end()) load = loads.insert(loads.end(), {point, {}});
+        load->components.push_back({dof, *force});
+        std::ranges::sort(load->components, {}, &femoop::Component::dof);
+    }
+    std::erase_if(loads, [](const auto& load) { return load.components.empty(); });
+}
+
+} // namespace plane

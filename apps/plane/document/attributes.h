@@ -1,0 +1,44 @@
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+#include "apps/plane/document/document.h"
+#include "apps/plane/document/part.h"
+
+namespace plane {
+
+using femoop::plane::PlaneSupport;
+using femoop::plane::PlaneSupportKind;
+
+/// Nothing: free. A keyword loses angle, axes and springs; one that becomes Custom keeps what it blocks.
+void set_support(Document& document, NodeId point, std::optional<PlaneSupportKind> kind);
+void set_support(Document& document, CurveId curve, std::optional<PlaneSupportKind> kind);
+
+/// Of a support of the object form.
+enum class Hold : bool { Free, Blocked };
+void set_hold(PlaneSupport& support, femoop::Dof dof, Hold hold);
+/// Nothing: no spring there. A spring takes the place of a block.
+void set_spring(PlaneSupport& support, femoop::Dof dof, const std::optional<femoop::Quantity>& stiffness);
+
+/// How every piece of a curve is divided; nothing: by the size of the mesh.
+void set_division(Document& document, CurveId curve, const std::optional<femoop::plane::Division>& division);
+
+/// The case at this place, made where there is none yet.
+std::size_t some_case(Document& document, std::size_t load_case);
+
+/// The loads of a case on a curve, by their places in the case's list.
+std::vector<std::size_t> loads_on(const PlaneModel& model, std::size_t load_case, CurveId curve);
+/// Adds a load of no value on a curve: of a pressure 0, of the others qx and qy 0. \returns its place in the list
+std::size_t add_load(Document& document, std::size_t load_case, CurveId curve, femoop::plane::CurveLoadKind kind);
+/// The load for this curve alone: one that other curves have too is parted from theirs.
+femoop::plane::CurveLoad& own_load(Document& document, std::size_t load_case, std::size_t load, CurveId curve);
+void erase_load(Document& document, std::size_t load_case, std::size_t load, CurveId curve);
+
+/// The force on a point in a direction; nothing takes it away.
+std::optional<femoop::Quantity> force_on(const PlaneModel& model, std::size_t load_case, NodeId point, femoop::Dof dof);
+void set_force(Document& document, std::size_t load_case, NodeId point, femoop::Dof dof,
+               const std::optional<femoop::Quantity>& force);
+
+} // namespace plane

@@ -1,0 +1,118 @@
+#include "apps/plane/document/fault_words.h"
+
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <cstdio>
+#include <string_view>
+
+namespace plane {
+
+using femoop::Fault;
+using femoop::FaultKind;
+
+namespace {
+
+/// A list of the file, and what the app calls an entry of it.
+struct ListWord {
+    std::string_view list, word;
+};
+constexpr std::array list_words{
+    ListWord{"points", ui::translatable("Point {id}")},
+    ListWord{"curves", ui::translatable("Curve {id}")},
+    ListWord{"regions", ui::translatable("Region {id}")},
+    ListWord{"materials", ui::translatable("Material {id}")},
+    ListWord{"load_cases", ui::translatable("Load case {id}")},
+};
+
+/// An entry of a list, as the place of a fault begins: curves[2] "hole".at
+struct EntryPlace {
+    std::string_view list;
+    std::size_t index;
+};
+
+std::optional<EntryPlace> entry_of(std::string_view place)
+{
+    const std::size_t open = place.find('['), close = place.find(']');
+    if (open == std::string_view::npos || close == std::string_view::npos || close < open) return std::nullopt;
+    std::size_t index = 0;
+    const char* const last = place.data() + close;
+    if (std::from_chars(place.data() + open + 1, last, index).ptr != last) return std::nullopt;
+    return EntryPlace{place.substr(0, open), index};
+}
+
+std::optional<EntryPlace> entry_of(const Fault& fault)
+{
+    return fault.arguments.empty() ? std::nullopt : entry_of(fault.arguments.front());
+}
+
+std::string name_of(const PlaneModel& model, const EntryPlace& entry)
+{
+    const auto name = [&](const auto& list) {
+        return entry.index < list.size() ? list[entry.index].id : std::string();
+    };
+    if (entry.list == "points") return name(model.points);
+    if (entry.list == "curves") return name(model.curves);
+    if (entry.list == "regions") return name(model.regions);
+    if (entry.list == "materials") return name(model.materials);
+    return entry.list == "load_cases" ? name(model.load_cases) : std::string();
+}
+
+std::string spoken(const std::string& place, const PlaneModel& model, const ui::Catalogue& tr)
+{
+    const auto entry = entry_of(place);
+    if (!entry) return place;
+    for (const auto& [list, word] : list_words)
+        if (const std::string name = name_of(model, *entry); list == entry->list && !name.empty())
+            return tr(word, {{"id", name}});
+    return place;
+}
+
+/// Whether an argument of a fault says a place in the file.
+bool is_place(FaultKind kind, std::size_t argument)
+{
+    return argument == 0 || (kind == FaultKind::RegionPlaceTaken && argument == 2);
+}
+
+/// The empty face whose place the fault names, rounded.
+std::optional<Part> empty_face(const Fault& fault, const discretize::Drawing& drawing)
+{
+    double x = 0.0, y = 0.0;
+    const std::string& place = fault.arguments.front();
+    if (std::sscanf(place.c_str(), "(%lf, %lf)", &x, &y) != 2) return std::nullopt;
+    for (const auto& face : drawing.faces()) {
+        const double error = 1e-5 * (std::abs(x) + std::abs(y)) + drawing.subdivision().snap();
+        if (topology::distance(face.inside, {x, y}) <= error) return FacePlace{face.inside};
+    }
+    return std::nullopt;
+}
+
+std::optional<Part> face_of(RegionId region, const discretize::Drawing& drawing)
+{
+    for (const auto& face : drawing.faces())
+        if (face.region == region) return FacePlace{face.inside};
+    return std::nullopt;
+}
+
+} // namespace
+
+std::string sentence(const Fault& fault, const PlaneModel& model, const ui::Catalogue& tr)
+{
+    Fault told = fault;
+    for (std::size_t i = 0; i < told.arguments.size(); ++i)
+        if (is_place(fault.kind, i)) told.arguments[i] = spoken(told.arguments[i], model, tr);
+    return femoop::message(told, [&tr](std::string_view english) { return tr(english); });
+}
+
+std::optional<Part> part_of(const Fault& fault, const PlaneModel& model, const discretize::Drawing* drawing)
+{
+    if (fault.kind == FaultKind::FaceWithoutRegion && drawing != nullptr) return empty_face(fault, *drawing);
+    const auto entry = entry_of(fault);
+    if (!entry) return std::nullopt;
+    if (entry->list == "points" && entry->index < model.points.size()) return NodeId(entry->index);
+    if (entry->list == "curves" && entry->index < model.curves.size()) return CurveId(entry->index);
+    if (entry->list == "regions" && drawing != nullptr) return face_of(RegionId(entry->index), *drawing);
+    return std::nullopt;
+}
+
+} // namespace plane

@@ -1,0 +1,275 @@
+#include "apps/plane/document/number.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "apps/plane/document/attributes.h"
+#include "apps/plane/document/points.h"
+#include "ui/text/catalogue.h"
+
+namespace plane {
+
+using femoop::Dof;
+using femoop::Quantity;
+using femoop::plane::CurveLoad;
+using femoop::plane::CurveLoadKind;
+using femoop::plane::Division;
+using femoop::plane::DrawnShape;
+using femoop::plane::Field;
+using ui::Measure;
+using ui::Message;
+using ui::translatable;
+
+namespace {
+
+using Value = std::optional<Quantity>;
+using Objection = std::optional<Message>;
+
+/// A number that a document has in one place: `find(document)` is the address of a Quantity or of an optional one.
+template <class Find>
+Number number_at(std::string id, Message label, Measure measure, const PlaneModel& model, Find find)
+{
+    const auto* const place = find(model);
+    using Place = std::remove_cvref_t<decltype(*place)>;
+    constexpr bool is_optional = std::is_same_v<Place, Value>;
+    return {std::move(id),
+            std::move(label),
+            measure,
+            Value(*place),
+            is_optional,
+            [find](Document& document, const Value& value) -> Objection {
+                auto* const there = find(document.model);
+                if constexpr (is_optional) {
+                    *there = value;
+                } else {
+                    if (!value) return Message(translatable("a value is needed here"));
+                    *there = *value;
+                }
+                return std::nullopt;
+            }};
+}
+
+Number coordinate(const PlaneModel& model, NodeId point, std::size_t axis)
+{
+    return {axis == 0 ? "x" : "y",
+            Message(axis == 0 ? "x" : "y"),
+            Measure::Length,
+            model[point].at[axis],
+            false,
+            [point, axis](Document& document, const Value& value) -> Objection {
+                if (!value) return Message(translatable("a value is needed here"));
+                FlatPoint to = place_of(document.model, point);
+                (axis == 0 ? to.x : to.y) = *value;
+                move_point(document, point, to);
+                document.model.points[point.index].at[axis] = *value; // as it was typed
+                return std::nullopt;
+            }};
+}
+
+Number force(const PlaneModel& model, NodeId point, std::size_t load_case, Dof dof)
+{
+    const bool is_x = dof == Dof::ux;
+    return {is_x ? "fx" : "fy",
+            is_x ? "Fx" : "Fy",
+            Measure::Force,
+            force_on(model, load_case, point, dof),
+            true,
+            [=](Document& document, const Value& value) -> Objection {
+                set_force(document, load_case, point, dof, value);
+                return std::nullopt;
+            }};
+}
+
+/// Angle and springs of a support of the object form. `holder` is where in a model the support is.
+template <class Holder>
+void add_support(std::vector<Number>& all, const PlaneModel& model, Holder holder, femoop::Dimension of_spring)
+{
+    const auto& support = holder(model).support;
+    if (!support || support->kind != PlaneSupportKind::Custom) return;
+    if (!support->is_local)
+        all.push_back(number_at("angle of support", translatable("Angle of the support"), Measure::Angle, model,
+                                [holder](auto& of) { return &holder(of).support->angle; }));
+    for (const Dof dof : {Dof::ux, Dof::uy}) {
+        const auto there = std::ranges::find(support->springs, dof, &femoop::Spring::dof);
+        const Value stiffness = there != support->springs.end() ? Value(there->stiffness) : std::nullopt;
+        const std::string name(femoop::name(dof));
+        all.push_back({"spring " + name, Message(translatable("Spring {dof}"), {{"dof", name}}), Measure::Plain,
+                       stiffness, true,
+                       [holder, dof](Document& document, const Value& value) -> Objection {
+                           set_spring(*holder(document.model).support, dof, value);
+                           return std::nullopt;
+                       },
+                       of_spring});
+    }
+}
+
+DrawnShape& shape_in(Document& document, CurveId curve) { return document.model.curves[curve.index].shape.value(); }
+
+Number parts_number(const PlaneModel& model, CurveId curve)
+{
+    const auto& divide = model[curve].shape->divide;
+    const Value n = divide.size() == 1 ? Value(Quantity(divide.front().n)) : std::nullopt;
+    return {"divisions",
+            translatable("Divisions n"),
+            Measure::Plain,
+            n,
+            true,
+            [curve](Document& document, const Value& value) -> Objection {
+                if (!value) {
+                    set_division(document, curve, std::nullopt);
+                    return std::nullopt;
+                }
+                constexpr double most = 10000.0;
+                if (!(*value >= 1.0) || *value > most || value->value() != std::round(value->value()))
+                    return Message(translatable("divisions are a whole number from 1 to 10000"));
+                const auto& divide = shape_in(document, curve).divide;
+                Division division = divide.size() == 1 ? divide.front() : Division{};
+                division.n = static_cast<int>(value->value());
+                set_division(document, curve, division);
+                return std::nullopt;
+            }};
+}
+
+Number ratio_number(const PlaneModel& model, CurveId curve)
+{
+    const auto& divide = model[curve].shape->divide;
+    return {"ratio",
+            translatable("Ratio of the last part to the first"),
+            Measure::Plain,
+            divide.size() == 1 ? divide.front().ratio : std::nullopt,
+            true,
+            [curve](Document& document, const Value& value) -> Objection {
+                auto& divide = shape_in(document, curve).divide;
+                if (divide.size() != 1) return Message(translatable("give the divisions first"));
+                if (value && !(*value > 0.0)) return Message(translatable("a ratio is greater than 0"));
+                divide.front().ratio = value;
+                return std::nullopt;
+            }};
+}
+
+void add_shape(std::vector<Number>& all, const PlaneModel& model, CurveId curve)
+{
+    const auto shape = [curve](auto& of) -> auto& { return *of.curves[curve.index].shape; };
+    if (model[curve].shape->radius)
+        all.push_back(number_at("radius", translatable("Radius"), Measure::Length, model,
+                                [shape](auto& of) { return &*shape(of).radius; }));
+    if (model[curve].shape->kind != femoop::plane::DrawnKind::Ellipse) return;
+    for (const std::size_t i : {0U, 1U})
+        if (i < model[curve].shape->axes.size())
+            all.push_back(number_at(i == 0 ? "a" : "b",
+                                    Message(i == 0 ? translatable("Half axis a") : translatable("Half axis b")),
+                                    Measure::Length, model, [shape, i](auto& of) { return &shape(of).axes[i]; }));
+    all.push_back(number_at("angle", translatable("Angle of a"), Measure::Angle, model,
+                            [shape](auto& of) { return &shape(of).angle; }));
+}
+
+/// A field as far as it is one number, or two at the ends of a curve.
+struct FieldNumber {
+    std::optional<Field> CurveLoad::*field;
+    bool is_end;
+};
+
+Value value_of(const std::optional<Field>& field, bool is_end)
+{
+    if (!field) return std::nullopt;
+    if (const auto* const same = std::get_if<Quantity>(&field->form)) return is_end ? std::nullopt : Value(*same);
+    const auto* const ends = std::get_if<Field::Ends>(&field->form);
+    if (ends == nullptr) return std::nullopt;
+    return is_end ? ends->end : ends->start;
+}
+
+/// The value at the end is that at the start where it is not given.
+void set_value(std::optional<Field>& field, bool is_end, const Value& value)
+{
+    const Quantity start = value_of(field, false).value_or(Quantity(0.0));
+    const Value end = value_of(field, true);
+    if (is_end) field = value ? Field{Field::Ends{start, *value}} : Field{start};
+    else if (end) field = Field{Field::Ends{value.value_or(Quantity(0.0)), *end}};
+    else field = Field{value.value_or(Quantity(0.0))};
+}
+
+bool is_in_numbers(const std::optional<Field>& field)
+{
+    return !field || std::holds_alternative<Quantity>(field->form) || std::holds_alternative<Field::Ends>(field->form);
+}
+
+} // namespace
+
+std::vector<Number> numbers(const PlaneModel& model, NodeId point, std::size_t load_case)
+{
+    std::vector<Number> all{coordinate(model, point, 0), coordinate(model, point, 1)};
+    const auto holder = [point](auto& of) -> auto& { return of.points[point.index]; };
+    add_support(all, model, holder, femoop::dimension::force_per_length);
+    all.push_back(force(model, point, load_case, Dof::ux));
+    all.push_back(force(model, point, load_case, Dof::uy));
+    all.push_back(number_at("size", translatable("Size of elements here"), Measure::Length, model,
+                            [holder](auto& of) { return &holder(of).size; }));
+    return all;
+}
+
+std::vector<Number> numbers(const PlaneModel& model, CurveId curve)
+{
+    std::vector<Number> all;
+    if (!model[curve].shape) return all;
+    add_shape(all, model, curve);
+    all.push_back(parts_number(model, curve));
+    all.push_back(ratio_number(model, curve));
+    add_support(all, model, [curve](auto& of) -> auto& { return of.curves[curve.index]; }, {.length = -3, .force = 1});
+    return all;
+}
+
+std::vector<Number> numbers(const PlaneModel& model, RegionId region)
+{
+    std::vector<Number> all;
+    if (model[region].is_hole) return all;
+    const auto place = [region](auto& of) -> auto& { return of.regions[region.index]; };
+    if (model.analysis != femoop::StressState::Axisymmetric)
+        all.push_back(number_at("thickness", translatable("Thickness"), Measure::Length, model,
+                                [place](auto& of) { return &place(of).thickness; }));
+    all.push_back(number_at("size", translatable("Size of elements"), Measure::Length, model,
+                            [place](auto& of) { return &place(of).mesh.size; }));
+    return all;
+}
+
+std::vector<Number> numbers(const PlaneModel& model, MaterialId material)
+{
+    const auto place = [material](auto& of) -> auto& { return of.materials[material.index]; };
+    const auto at = [&](std::string id, std::string_view label, Measure measure, auto member) {
+        return number_at(std::move(id), label, measure, model,
+                         [place, member](auto& of) { return &(place(of).*member); });
+    };
+    using femoop::Material;
+    return {at("E", translatable("Young's modulus E"), Measure::Stress, &Material::E),
+            at("nu", translatable("Poisson's ratio ν"), Measure::Plain, &Material::nu),
+            at("density", translatable("Density ρ"), Measure::Density, &Material::density),
+            at("alpha", translatable("Thermal expansion α"), Measure::Expansion, &Material::alpha)};
+}
+
+std::vector<Number> numbers(const PlaneModel& model, std::size_t load_case, std::size_t load, CurveId curve)
+{
+    const CurveLoad& shown = model.load_cases[load_case].curves[load];
+    const bool is_line = shown.kind == CurveLoadKind::Line;
+    std::vector<Number> all;
+    const auto add = [&](const char* name, std::optional<Field> CurveLoad::*field) {
+        if (!is_in_numbers(shown.*field)) return;
+        for (const bool is_end : {false, true}) {
+            const auto sentence = is_end ? translatable("{q} at the end, if another") : std::string_view("{q}");
+            all.push_back({std::string(name) + (is_end ? " end" : ""), Message(sentence, {{"q", name}}),
+                           is_line ? Measure::ForcePerLength : Measure::Stress, value_of(shown.*field, is_end), true,
+                           [=](Document& document, const Value& value) -> Objection {
+                               set_value(own_load(document, load_case, load, curve).*field, is_end, value);
+                               return std::nullopt;
+                           }});
+        }
+    };
+    if (shown.kind == CurveLoadKind::Pressure) {
+        add("p", &CurveLoad::value);
+        return all;
+    }
+    add("qx", &CurveLoad::qx);
+    add("qy", &CurveLoad::qy);
+    return all;
+}
+
+} // namespace plane

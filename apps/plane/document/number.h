@@ -1,0 +1,39 @@
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "apps/plane/document/document.h"
+#include "apps/plane/document/part.h"
+#include "femoop/model/quantity/dimension.h"
+#include "femoop/model/quantity/quantity.h"
+#include "ui/text/display_units.h"
+#include "ui/text/message.h"
+
+namespace plane {
+
+/// A number that the user may change: a coordinate, a thickness, the value of a load.
+struct Number {
+    std::string id;    ///< known by it in scenarios: "x", "thickness", "qy"
+    ui::Message label; ///< without its unit
+    ui::Measure measure = ui::Measure::Plain;
+    std::optional<femoop::Quantity> value; ///< absent where the file says nothing
+    bool is_optional = false;              ///< it can be taken away
+    /// Changes it; nothing takes it away. \returns why it cannot be so
+    std::function<std::optional<ui::Message>(Document&, const std::optional<femoop::Quantity>&)> set;
+    /// Of what has no measure: shown in the file's own units.
+    std::optional<femoop::Dimension> dimension{};
+};
+
+/// All the numbers of a point or a curve, in the order in which a person would ask for them, with forces and loads of a
+/// load case. \pre the part is there
+std::vector<Number> numbers(const PlaneModel& model, NodeId point, std::size_t load_case);
+std::vector<Number> numbers(const PlaneModel& model, CurveId curve);
+std::vector<Number> numbers(const PlaneModel& model, RegionId region);
+std::vector<Number> numbers(const PlaneModel& model, MaterialId material);
+/// Of a load on a curve, as far as they are the same everywhere or linear along it.
+std::vector<Number> numbers(const PlaneModel& model, std::size_t load_case, std::size_t load, CurveId curve);
+
+} // namespace plane

@@ -1,0 +1,133 @@
+#include "apps/plane/document/outlines.h"
+
+#include <algorithm>
+#include <vector>
+
+#include "apps/plane/document/curve_draft.h"
+#include "apps/plane/document/erase.h"
+#include "apps/plane/document/points.h"
+
+namespace plane {
+
+using discretize::Drawing;
+using femoop::plane::DrawnPlace;
+
+namespace {
+
+constexpr double widest = 0.2; // of the drawing's box: farther ends are no gap
+
+/// A vertex, its point and whether only one edge ends there.
+struct End {
+    topology::VertexId vertex;
+    FlatPoint at;
+    std::optional<NodeId> point;
+    bool is_free = false;
+    std::optional<topology::VertexId> neighbour{}; ///< of a free end
+};
+
+std::vector<End> ends_of(const Drawing& drawing)
+{
+    std::vector<End> ends;
+    const auto& plane = drawing.subdivision();
+    const topology::Solid& solid = plane.solid();
+    for (const topology::VertexId v : solid.vertices()) {
+        const topology::HalfEdgeId h = solid.half_edge(v);
+        if (!solid.edge(h)) continue;
+        std::size_t n = 0;
+        topology::HalfEdgeId leaving = h;
+        for (const topology::HalfEdgeId each : solid.fan(v)) {
+            ++n;
+            leaving = each;
+        }
+        End end{.vertex = v, .at = plane.at(v), .point = {}, .is_free = n == 1};
+        if (n == 1) end.neighbour = solid.end(leaving);
+        ends.push_back(end);
+    }
+    for (std::size_t i = 0; i < drawing.model().points.size(); ++i)
+        for (End& end : ends)
+            if (drawing.vertex(NodeId(i)) == end.vertex) end.point = NodeId(i);
+    return ends;
+}
+
+double extent_of(const std::vector<End>& ends)
+{
+    topology::FlatBox box;
+    for (const End& end : ends) box.add(end.at);
+    return box.diagonal();
+}
+
+bool are_same(const std::optional<NodeId>& a, NodeId b) { return a && *a == b; }
+
+/// Every curve that has the one point gets the other in its place.
+void replace_point(PlaneModel& model, NodeId gone, NodeId by)
+{
+    const auto replace = [&](DrawnPlace& place) {
+        if (are_same(place.point, gone)) place.point = by;
+    };
+    for (auto& curve : model.curves) {
+        if (!curve.shape) continue;
+        std::ranges::for_each(curve.shape->places, replace);
+        if (curve.shape->center) replace(*curve.shape->center);
+    }
+    for (auto& load_case : model.load_cases) {
+        for (auto& load : load_case.points)
+            if (load.node == gone) load.node = by;
+        for (auto& settlement : load_case.settlements)
+            if (are_same(settlement.point, gone)) settlement.point = by;
+    }
+    auto& support = model.points[by.index].support;
+    if (!support) support = model.points[gone.index].support;
+}
+
+/// A polyline whose two ends are one point is closed.
+void close_polylines(PlaneModel& model)
+{
+    for (auto& curve : model.curves) {
+        if (!curve.shape) continue;
+        auto& shape = *curve.shape;
+        const bool can_close = shape.kind == femoop::plane::DrawnKind::Line ||
+                               shape.kind == femoop::plane::DrawnKind::Spline;
+        if (!can_close || shape.is_closed || shape.places.size() < 4) continue;
+        if (!shape.places.front().point || shape.places.front().point != shape.places.back().point) continue;
+        shape.places.pop_back();
+        shape.is_closed = true;
+    }
+}
+
+} // namespace
+
+std::optional<Gap> narrowest_gap(const Drawing& drawing)
+{
+    const std::vector<End> ends = ends_of(drawing);
+    double least = widest * extent_of(ends);
+    std::optional<Gap> gap;
+    for (const End& from : ends) {
+        if (!from.is_free) continue;
+        for (const End& to : ends) {
+            if (to.vertex == from.vertex || to.vertex == from.neighbour) continue;
+            const double width = topology::distance(from.at, to.at);
+            if (width > least || (gap && width >= gap->width)) continue;
+            gap = Gap{from.at, to.at, width, from.point, to.point};
+        }
+    }
+    return gap;
+}
+
+void close_gap(Document& document, const Gap& gap)
+{
+    PlaneModel& model = document.model;
+    if (!gap.point_from) {
+        draw_curve(document, {.places = {{gap.from, gap.point_from}, {gap.to, gap.point_to}}});
+        return;
+    }
+    move_point(document, *gap.point_from, gap.to);
+    if (!gap.point_to) return;
+    replace_point(model, *gap.point_from, *gap.point_to);
+    close_polylines(model);
+    Erased erased;
+    erased.points.resize(model.points.size());
+    erased.points[gap.point_from->index] = true;
+    erase_entries(model, erased);
+}
+
+} // namespace plane

@@ -1,0 +1,26 @@
+#pragma once
+
+#include <optional>
+
+#include "apps/plane/discretize/drawing.h"
+#include "apps/plane/document/document.h"
+#include "apps/plane/document/part.h"
+
+namespace plane {
+
+/// Two free ends of curves that lie near each other, as where an outline was not closed.
+struct Gap {
+    FlatPoint from, to;
+    double width = 0.0;
+    std::optional<NodeId> point_from{}, point_to{}; ///< at the ends
+};
+
+/// The narrowest gap of a drawing: between two free ends, or from one to the nearest vertex of another curve, where that
+/// is narrower than a fifth of the drawing. Nothing where no curve ends free.
+std::optional<Gap> narrowest_gap(const discretize::Drawing& drawing);
+
+/// Joins the two ends: the point at the first moves to the second and is one with it; without a point there, a straight
+/// line bridges the gap.
+void close_gap(Document& document, const Gap& gap);
+
+} // namespace plane

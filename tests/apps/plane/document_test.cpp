@@ -1,0 +1,297 @@
+// The document of the plane app and its commands, without a screen.
+#include "apps/plane/document/attributes.h"
+#include "apps/plane/document/curve_draft.h"
+#include "apps/plane/document/erase.h"
+#include "apps/plane/document/outlines.h"
+#include "apps/plane/document/points.h"
+#include "apps/plane/document/regions.h"
+#include "apps/plane/document/solution.h"
+#include "femoop/io/plane/plane_file.h"
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <numbers>
+
+using namespace plane;
+using discretize::Drawing;
+using femoop::plane::DrawnKind;
+
+namespace {
+
+CurveId line(Document& document, FlatPoint a, FlatPoint b) { return draw_curve(document, {.places = {{a}, {b}}}); }
+
+/// Corner by corner, a line for each side.
+void outline(Document& document, const std::vector<FlatPoint>& corners)
+{
+    for (std::size_t i = 0; i < corners.size(); ++i) line(document, corners[i], corners[(i + 1) % corners.size()]);
+}
+
+/// A plate of 70 by 30 that has an entry.
+Document plate()
+{
+    Document document = new_document();
+    outline(document, {{0, 0}, {70, 0}, {70, 30}, {0, 30}});
+    make_region(document, {11, 12});
+    return document;
+}
+
+/// What `change` makes of it, its faces followed.
+template <class Command> Document after(const Document& document, const Command& change)
+{
+    const Drawing before(document.model);
+    Document now = document;
+    change(now);
+    follow_faces(now, before);
+    return now;
+}
+
+/// The names of the entries of all faces, the largest face first; "-" where one has none.
+std::string entries(const Document& document)
+{
+    std::string text;
+    const Drawing drawing(document.model);
+    for (const auto& face : drawing.faces())
+        text += (text.empty() ? "" : " ") + (face.region ? document.model[*face.region].id : std::string("-"));
+    return text;
+}
+
+} // namespace
+
+TEST_CASE("Lines that share a place share a point, so that dragging one moves the corner of both")
+{
+    const Document document = plate();
+    CHECK(document.model.points.size() == 4);
+    CHECK(document.model.curves.size() == 4);
+    CHECK(document.model.points[2].id == "C");
+    Document moved = document;
+    move_point(moved, NodeId(2U), {90, 41});
+    CHECK(Drawing(moved.model).faces().front().area == doctest::Approx(70 * 30 + (20 * 30 + 11 * 70) / 2.0));
+}
+
+TEST_CASE("A face without an entry gets one of steel, 10 mm thick, and the next one is alike")
+{
+    Document document = plate();
+    const PlaneModel& model = document.model;
+    REQUIRE(model.regions.size() == 1);
+    CHECK(model.regions[0].id == "R1");
+    CHECK(model[model.regions[0].material].id == "steel");
+    CHECK(model[model.regions[0].material].E == doctest::Approx(200e3)); // N/mm2
+    CHECK(model.regions[0].thickness.value().value() == doctest::Approx(10.0));
+    document.model.regions[0].thickness = femoop::Quantity(7.0);
+    outline(document, {{100, 0}, {120, 0}, {120, 15}});
+    const RegionId next = make_region(document, {115, 2});
+    CHECK(document.model[next].id == "R2");
+    CHECK(document.model[next].thickness.value().value() == 7.0);
+    CHECK(document.model.materials.size() == 1);
+}
+
+TEST_CASE("A region that a curve splits keeps its entry in both parts, and in what a new curve encloses")
+{
+    const Document split = after(plate(), [](Document& d) { line(d, {23, 0}, {23, 30}); });
+    CHECK(entries(split) == "R1 R1");
+    CHECK(split.model.regions[0].is_listed);
+    CHECK(split.model.regions[0].at.size() == 2);
+    const Document pierced = after(plate(), [](Document& d) {
+        draw_curve(d, {.kind = DrawnKind::Circle, .center = DraftPlace{{40, 15}}, .radius = 5.0});
+    });
+    CHECK(entries(pierced) == "R1 R1");
+}
+
+TEST_CASE("Beside a region a new face has no entry")
+{
+    const Document beside = after(plate(), [](Document& d) { outline(d, {{70, 0}, {110, 0}, {110, 30}, {70, 30}}); });
+    CHECK(entries(beside) == "R1 -");
+}
+
+TEST_CASE("A region whose place a dragged curve has swept over goes on with another place in the same outline")
+{
+    const Document dragged = after(plate(), [](Document& d) {
+        move_point(d, NodeId(0U), {30, 0});
+        move_point(d, NodeId(3U), {30, 30});
+    });
+    CHECK(entries(dragged) == "R1");
+    CHECK(Drawing(dragged.model).is_sound());
+}
+
+TEST_CASE("Regions that become one are joined where they are alike, else somebody must choose")
+{
+    Document document = plate();
+    const CurveId wall = line(document, {70, 30}, {110, 5});
+    line(document, {70, 0}, {110, 5});
+    make_region(document, {80, 6});
+    const Drawing two(document.model);
+    REQUIRE(entries(document) == "R1 R2");
+    const CurveId between{1U}; // B to C, the border of both
+    static_cast<void>(wall);
+    const auto open = [&](Document& d) { erase_parts(d, std::vector<Part>{between}); };
+    const Document joined = after(document, open);
+    CHECK(entries(joined) == "R1");
+    CHECK(joined.model.regions.size() == 1);
+
+    document.model.regions[1].thickness = femoop::Quantity(3.0);
+    Document disputed = after(document, open);
+    const Drawing drawing(disputed.model);
+    const auto dispute = dispute_in(disputed.model, drawing);
+    REQUIRE(dispute);
+    CHECK(disputed.model[dispute->first].id == "R1");
+    CHECK(disputed.model[dispute->second].id == "R2");
+    settle_dispute(disputed, drawing, *dispute, dispute->second);
+    CHECK(entries(disputed) == "R2");
+    CHECK(disputed.model.regions.size() == 1);
+}
+
+TEST_CASE("An entry goes with the last curve of its face, and stays while its outline is open")
+{
+    const Document open = after(plate(), [](Document& d) { erase_parts(d, std::vector<Part>{CurveId(0U)}); });
+    REQUIRE(open.model.regions.size() == 1);
+    CHECK_FALSE(Solution(open).is_sound());
+    const Document closed = after(open, [](Document& d) { line(d, {0, 0}, {70, 0}); });
+    CHECK(entries(closed) == "R1");
+    const Document gone = after(plate(), [](Document& d) {
+        erase_parts(d, std::vector<Part>{CurveId(0U), CurveId(1U), CurveId(2U), CurveId(3U)});
+    });
+    CHECK(gone.model.regions.empty());
+    CHECK(gone.model.points.empty());
+}
+
+TEST_CASE("A hole in a face that shares its entry is a hole of its own")
+{
+    Document document = after(plate(), [](Document& d) {
+        draw_curve(d, {.kind = DrawnKind::Circle, .center = DraftPlace{{40, 15}}, .radius = 5.0});
+    });
+    const Solution solution(document);
+    set_hole(document, *solution.drawing(), 1, true);
+    const Drawing drawing(document.model);
+    CHECK(entries(document) == "R1 R2");
+    CHECK(document.model.regions[1].is_hole);
+    CHECK(drawing.faces()[0].area == doctest::Approx(70 * 30 - std::numbers::pi * 25));
+    set_hole(document, drawing, 1, false);
+    CHECK_FALSE(document.model.regions[1].is_hole);
+    CHECK(document.model[document.model.regions[1].material].id == "steel");
+}
+
+TEST_CASE("An arc about a centre stays an arc when one of its points is dragged")
+{
+    Document document = new_document();
+    draw_curve(document, {.kind = DrawnKind::Arc, .places = {{{10, 0}}, {{0, 10}}}, .center = DraftPlace{{0, 0}}});
+    const auto& points = document.model.points; // start, end, centre
+    move_point(document, NodeId(0U), {16, 0});
+    CHECK(points[1].at[1] == doctest::Approx(16.0));
+    CHECK(points[1].at[0] == doctest::Approx(0.0));
+    move_point(document, NodeId(2U), {5, 1}); // onto the line between both ends
+    CHECK(points[2].at[0].value() == doctest::Approx(3.0));
+    CHECK(points[2].at[1].value() == doctest::Approx(3.0));
+    CHECK(Solution(document).curve_errors().empty());
+}
+
+TEST_CASE("Erasing takes with a part what refers to it, and what refers to others goes on")
+{
+    Document document = plate();
+    set_support(document, CurveId(3U), PlaneSupportKind::Fixed);
+    add_load(document, 0, CurveId(0U), femoop::plane::CurveLoadKind::Traction);
+    add_load(document, 0, CurveId(2U), femoop::plane::CurveLoadKind::Pressure);
+    set_force(document, 0, NodeId(2U), femoop::Dof::uy, femoop::Quantity(-8.0));
+    set_force(document, 0, NodeId(1U), femoop::Dof::ux, femoop::Quantity(3.0));
+    erase_parts(document, std::vector<Part>{NodeId(1U)}); // with both lines that end there
+    const PlaneModel& model = document.model;
+    REQUIRE(model.curves.size() == 2);
+    CHECK(model.curves[1].support.value().kind == PlaneSupportKind::Fixed);
+    REQUIRE(model.load_cases[0].curves.size() == 1);
+    CHECK(model[model.load_cases[0].curves[0].curves[0]].id == "C3");
+    REQUIRE(model.load_cases[0].points.size() == 1);
+    CHECK(model[model.load_cases[0].points[0].node].id == "C");
+    CHECK(model.points.size() == 3);
+}
+
+TEST_CASE("A polyline goes on without an erased point, an arc without a point at its centre")
+{
+    Document document = new_document();
+    draw_curve(document, {.places = {{{0, 0}}, {{7, 1}}, {{9, 8}}}});
+    draw_curve(document, {.kind = DrawnKind::Circle, .center = DraftPlace{{30, 40}}, .radius = 5.0});
+    erase_parts(document, std::vector<Part>{NodeId(1U), NodeId(3U)});
+    REQUIRE(document.model.curves.size() == 2);
+    CHECK(document.model.curves[0].shape.value().places.size() == 2);
+    CHECK(document.model.curves[1].shape.value().center.value().at[1] == doctest::Approx(40.0));
+}
+
+TEST_CASE("The narrowest gap of an outline is found, and closing it makes a face")
+{
+    Document document = new_document();
+    line(document, {0, 0}, {70, 0});
+    line(document, {70, 0}, {70, 30});
+    draw_curve(document, {.places = {{{70, 30}}, {{0, 30}}, {{0.3, 0.4}}}});
+    const Drawing open(document.model);
+    CHECK(open.faces().empty());
+    const auto gap = narrowest_gap(open);
+    REQUIRE(gap);
+    CHECK(gap->width == doctest::Approx(0.5));
+    close_gap(document, *gap);
+    const Drawing closed(document.model);
+    CHECK(closed.faces().size() == 1);
+    CHECK_FALSE(narrowest_gap(closed));
+    CHECK(document.model.points.size() == 4);
+}
+
+TEST_CASE("A line that stands alone leaves no gap")
+{
+    Document document = new_document();
+    line(document, {0, 0}, {70, 0});
+    CHECK_FALSE(narrowest_gap(Drawing(document.model)));
+}
+
+TEST_CASE("A load that several curves share becomes a curve's own where it is changed there")
+{
+    Document document = plate();
+    const std::size_t load = add_load(document, 0, CurveId(0U), femoop::plane::CurveLoadKind::Traction);
+    document.model.load_cases[0].curves[load].curves.push_back(CurveId(2U));
+    own_load(document, 0, load, CurveId(2U)).qy = femoop::plane::Field{femoop::Quantity(-4.0)};
+    CHECK(loads_on(document.model, 0, CurveId(2U)).size() == 1);
+    CHECK(loads_on(document.model, 0, CurveId(0U)).size() == 1);
+    const auto& loads = document.model.load_cases[0].curves;
+    REQUIRE(loads.size() == 2);
+    CHECK(std::get<femoop::Quantity>(loads[loads_on(document.model, 0, CurveId(0U))[0]].qy.value().form) == 0.0);
+    erase_load(document, 0, loads_on(document.model, 0, CurveId(2U))[0], CurveId(2U));
+    CHECK(document.model.load_cases[0].curves.size() == 1);
+}
+
+TEST_CASE("A support of the object form begins with what the keyword blocked")
+{
+    Document document = plate();
+    set_support(document, CurveId(0U), PlaneSupportKind::Symmetry);
+    set_support(document, CurveId(0U), PlaneSupportKind::Custom);
+    PlaneSupport& support = document.model.curves[0].support.value();
+    CHECK(support.is_local);
+    CHECK(support.fixed == femoop::DofSet{femoop::Dof::uy});
+    set_spring(support, femoop::Dof::uy, femoop::Quantity(40.0));
+    CHECK(support.fixed.is_empty());
+    CHECK(support.springs.size() == 1);
+    set_hold(support, femoop::Dof::uy, Hold::Blocked);
+    CHECK(support.springs.empty());
+}
+
+TEST_CASE("What is drawn and given is written and read back the same")
+{
+    Document document = plate();
+    document.model.title = "A plate";
+    draw_curve(document,
+               {.kind = DrawnKind::Ellipse, .center = DraftPlace{{40, 15}}, .a = 9.0, .b = 4.0, .angle = 20.0});
+    set_hole(document, Drawing(document.model), 1, true);
+    set_support(document, CurveId(3U), PlaneSupportKind::Fixed);
+    set_division(document, CurveId(0U), femoop::plane::Division{16, femoop::Quantity(8.0)});
+    add_load(document, 0, CurveId(1U), femoop::plane::CurveLoadKind::Traction);
+    const auto read = femoop::plane::examine_plane_model(femoop::plane::write_plane_model(document.model));
+    CHECK(read.is_sound());
+    CHECK((read.model == document.model));
+}
+
+TEST_CASE("Where loads or materials are wrong the faces are seen all the same")
+{
+    Document document = plate();
+    document.model.materials[0].E = femoop::Quantity(-1.0);
+    const Solution solution(document);
+    CHECK_FALSE(solution.is_sound());
+    REQUIRE(solution.drawing() != nullptr);
+    CHECK(solution.drawing()->faces().size() == 1);
+    CHECK(solution.curve_errors().empty());
+}
