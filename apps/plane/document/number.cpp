@@ -123,8 +123,8 @@ Number parts_number(const PlaneModel& model, CurveId curve)
                 constexpr double most = 10000.0;
                 if (!(*value >= 1.0) || *value > most || value->value() != std::round(value->value()))
                     return Message(translatable("divisions are a whole number from 1 to 10000"));
-                const auto& divide = shape_in(document, curve).divide;
-                Division division = divide.size() == 1 ? divide.front() : Division{};
+                const auto& given = shape_in(document, curve).divide;
+                Division division = given.size() == 1 ? given.front() : Division{};
                 division.n = static_cast<int>(value->value());
                 set_division(document, curve, division);
                 return std::nullopt;
@@ -135,15 +135,15 @@ Number ratio_number(const PlaneModel& model, CurveId curve)
 {
     const auto& divide = model[curve].shape->divide;
     return {"ratio",
-            translatable("Ratio of the last part to the first"),
+            translatable("Ratio, last to first part"),
             Measure::Plain,
             divide.size() == 1 ? divide.front().ratio : std::nullopt,
             true,
             [curve](Document& document, const Value& value) -> Objection {
-                auto& divide = shape_in(document, curve).divide;
-                if (divide.size() != 1) return Message(translatable("give the divisions first"));
+                auto& given = shape_in(document, curve).divide;
+                if (given.size() != 1) return Message(translatable("give the divisions first"));
                 if (value && !(*value > 0.0)) return Message(translatable("a ratio is greater than 0"));
-                divide.front().ratio = value;
+                given.front().ratio = value;
                 return std::nullopt;
             }};
 }
@@ -203,7 +203,7 @@ std::vector<Number> numbers(const PlaneModel& model, NodeId point, std::size_t l
     add_support(all, model, holder, femoop::dimension::force_per_length);
     all.push_back(force(model, point, load_case, Dof::ux));
     all.push_back(force(model, point, load_case, Dof::uy));
-    all.push_back(number_at("size", translatable("Size of elements here"), Measure::Length, model,
+    all.push_back(number_at("size", translatable("Element size"), Measure::Length, model,
                             [holder](auto& of) { return &holder(of).size; }));
     return all;
 }
@@ -227,7 +227,7 @@ std::vector<Number> numbers(const PlaneModel& model, RegionId region)
     if (model.analysis != femoop::StressState::Axisymmetric)
         all.push_back(number_at("thickness", translatable("Thickness"), Measure::Length, model,
                                 [place](auto& of) { return &place(of).thickness; }));
-    all.push_back(number_at("size", translatable("Size of elements"), Measure::Length, model,
+    all.push_back(number_at("size", translatable("Element size"), Measure::Length, model,
                             [place](auto& of) { return &place(of).mesh.size; }));
     return all;
 }
@@ -244,6 +244,17 @@ std::vector<Number> numbers(const PlaneModel& model, MaterialId material)
             at("nu", translatable("Poisson's ratio ν"), Measure::Plain, &Material::nu),
             at("density", translatable("Density ρ"), Measure::Density, &Material::density),
             at("alpha", translatable("Thermal expansion α"), Measure::Expansion, &Material::alpha)};
+}
+
+std::vector<Number> numbers_of_case(const PlaneModel& model, std::size_t load_case)
+{
+    return {{"self-weight", translatable("Factor of self-weight"), Measure::Plain,
+             Quantity(model.load_cases[load_case].self_weight), false,
+             [load_case](Document& document, const Value& value) -> Objection {
+                 if (!value) return Message(translatable("a value is needed here"));
+                 document.model.load_cases[load_case].self_weight = *value;
+                 return std::nullopt;
+             }}};
 }
 
 std::vector<Number> numbers(const PlaneModel& model, std::size_t load_case, std::size_t load, CurveId curve)

@@ -14,7 +14,7 @@ using femoop::plane::DrawnPlace;
 
 namespace {
 
-constexpr double widest = 0.2; // of the drawing's box: farther ends are no gap
+constexpr double widest = 0.05; // of the drawing's box: other curves farther off were not meant
 
 /// A vertex, its point and whether only one edge ends there.
 struct End {
@@ -23,6 +23,26 @@ struct End {
     std::optional<NodeId> point;
     bool is_free = false;
     std::optional<topology::VertexId> neighbour{}; ///< of a free end
+    std::size_t component = 0;                     ///< the same for all that hangs together
+};
+
+/// Which vertices hang together.
+class Components {
+public:
+    explicit Components(const topology::Solid& solid) : parent_(solid.vertices().n_rows())
+    {
+        for (std::size_t i = 0; i < parent_.size(); ++i) parent_[i] = i;
+        for (const topology::EdgeId e : solid.edges())
+            parent_[root(solid.start(solid.plus(e)).index)] = root(solid.end(solid.plus(e)).index);
+    }
+    std::size_t root(std::size_t i)
+    {
+        while (parent_[i] != i) i = parent_[i] = parent_[parent_[i]];
+        return i;
+    }
+
+private:
+    std::vector<std::size_t> parent_;
 };
 
 std::vector<End> ends_of(const Drawing& drawing)
@@ -30,6 +50,8 @@ std::vector<End> ends_of(const Drawing& drawing)
     std::vector<End> ends;
     const auto& plane = drawing.subdivision();
     const topology::Solid& solid = plane.solid();
+    if (solid.is_empty()) return ends;
+    Components components(solid);
     for (const topology::VertexId v : solid.vertices()) {
         const topology::HalfEdgeId h = solid.half_edge(v);
         if (!solid.edge(h)) continue;
@@ -41,6 +63,7 @@ std::vector<End> ends_of(const Drawing& drawing)
         }
         End end{.vertex = v, .at = plane.at(v), .point = {}, .is_free = n == 1};
         if (n == 1) end.neighbour = solid.end(leaving);
+        end.component = components.root(v.index);
         ends.push_back(end);
     }
     for (std::size_t i = 0; i < drawing.model().points.size(); ++i)
@@ -99,35 +122,41 @@ void close_polylines(PlaneModel& model)
 std::optional<Gap> narrowest_gap(const Drawing& drawing)
 {
     const std::vector<End> ends = ends_of(drawing);
-    double least = widest * extent_of(ends);
+    const double near = widest * extent_of(ends);
     std::optional<Gap> gap;
     for (const End& from : ends) {
         if (!from.is_free) continue;
         for (const End& to : ends) {
             if (to.vertex == from.vertex || to.vertex == from.neighbour) continue;
             const double width = topology::distance(from.at, to.at);
-            if (width > least || (gap && width >= gap->width)) continue;
+            const bool are_of_chain = to.is_free && to.component == from.component;
+            if ((width > near && !are_of_chain) || (gap && width >= gap->width)) continue;
             gap = Gap{from.at, to.at, width, from.point, to.point};
         }
     }
     return gap;
 }
 
-void close_gap(Document& document, const Gap& gap)
+void join_points(Document& document, NodeId gone, NodeId by)
 {
     PlaneModel& model = document.model;
+    move_point(document, gone, place_of(model, by));
+    replace_point(model, gone, by);
+    close_polylines(model);
+    Erased erased;
+    erased.points.resize(model.points.size());
+    erased.points[gone.index] = true;
+    erase_entries(model, erased);
+}
+
+void close_gap(Document& document, const Gap& gap)
+{
     if (!gap.point_from) {
         draw_curve(document, {.places = {{gap.from, gap.point_from}, {gap.to, gap.point_to}}});
         return;
     }
-    move_point(document, *gap.point_from, gap.to);
-    if (!gap.point_to) return;
-    replace_point(model, *gap.point_from, *gap.point_to);
-    close_polylines(model);
-    Erased erased;
-    erased.points.resize(model.points.size());
-    erased.points[gap.point_from->index] = true;
-    erase_entries(model, erased);
+    if (gap.point_to) join_points(document, *gap.point_from, *gap.point_to);
+    else move_point(document, *gap.point_from, gap.to);
 }
 
 } // namespace plane

@@ -15,12 +15,15 @@ struct Gap {
     std::optional<NodeId> point_from{}, point_to{}; ///< at the ends
 };
 
-/// The narrowest gap of a drawing: between two free ends, or from one to the nearest vertex of another curve, where that
-/// is narrower than a fifth of the drawing. Nothing where no curve ends free.
+/// The narrowest gap of a drawing: between the two free ends of a chain of several edges, however wide, or from a free
+/// end to the nearest vertex of others that is within a twentieth of the drawing. Nothing where no curve ends free.
 std::optional<Gap> narrowest_gap(const discretize::Drawing& drawing);
 
 /// Joins the two ends: the point at the first moves to the second and is one with it; without a point there, a straight
 /// line bridges the gap.
 void close_gap(Document& document, const Gap& gap);
+
+/// Two points become one: what the one draws and carries is the other's. A polyline whose ends become one is closed.
+void join_points(Document& document, NodeId gone, NodeId by);
 
 } // namespace plane

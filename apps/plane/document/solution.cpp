@@ -75,6 +75,7 @@ Solution::Solution(const Document& document) : model_(std::make_unique<const Pla
         bare_ = std::make_unique<const PlaneModel>(bare_model(*model_));
         curve_errors_ = femoop::errors_among(femoop::plane::check(*bare_));
     }
+    refused_ = femoop::errors_among(faults_);
     if (curve_errors_.empty()) draw(bare_ ? *bare_ : *model_);
     std::stable_partition(faults_.begin(), faults_.end(), is_error);
     is_sound_ = std::ranges::none_of(faults_, is_error);
@@ -85,6 +86,7 @@ void Solution::draw(const PlaneModel& model)
     drawing_ = std::make_unique<const discretize::Drawing>(model);
     faults_.insert(faults_.end(), drawing_->faults().begin(), drawing_->faults().end());
     curve_errors_ = errors_of_curves(drawing_->faults());
+    refused_.insert(refused_.end(), curve_errors_.begin(), curve_errors_.end());
     if (curve_errors_.empty()) dispute_ = dispute_in(*model_, *drawing_);
     else drawing_.reset();
 }

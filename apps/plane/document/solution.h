@@ -26,6 +26,8 @@ public:
     bool is_sound() const { return is_sound_; } ///< no fault is an error
     /// Errors of the curves themselves: faces cannot be told.
     const std::vector<femoop::Fault>& curve_errors() const { return curve_errors_; }
+    /// Errors that no edit may bring: of single entries, such as a thickness below 0, and of curves.
+    const std::vector<femoop::Fault>& refused() const { return refused_; }
     const std::optional<Dispute>& dispute() const { return dispute_; }
 
 private:
@@ -34,7 +36,7 @@ private:
     std::unique_ptr<const PlaneModel> model_;
     std::unique_ptr<const PlaneModel> bare_; ///< the drawing's, where the model has other errors
     std::unique_ptr<const discretize::Drawing> drawing_;
-    std::vector<femoop::Fault> faults_, curve_errors_;
+    std::vector<femoop::Fault> faults_, curve_errors_, refused_;
     std::optional<Dispute> dispute_;
     bool is_sound_ = false;
 };

@@ -233,6 +233,16 @@ TEST_CASE("The narrowest gap of an outline is found, and closing it makes a face
     CHECK(document.model.points.size() == 4);
 }
 
+TEST_CASE("An outline whose whole side is missing is open there, however wide, and other curves far off are no gap")
+{
+    Document document = new_document();
+    draw_curve(document, {.places = {{{0, 0}}, {{70, 0}}, {{70, 30}}, {{0, 31}}}});
+    line(document, {100, 0}, {120, 10});
+    const auto gap = narrowest_gap(Drawing(document.model));
+    REQUIRE(gap);
+    CHECK(gap->width == doctest::Approx(31.0));
+}
+
 TEST_CASE("A line that stands alone leaves no gap")
 {
     Document document = new_document();

@@ -1,0 +1,117 @@
+#include "apps/plane/session/commands.h"
+
+#include <array>
+#include <utility>
+
+#include "apps/plane/document/gallery/gallery.h"
+#include "apps/plane/session/drawing_commands.h"
+#include "apps/plane/session/part_commands.h"
+#include "ui/workspace/file_commands.h"
+
+namespace plane {
+
+using ui::Key;
+using ui::translatable;
+using Menu = ui::MenuBuilder<Workspace>;
+
+namespace {
+
+constexpr std::array topic_entries{
+    TopicEntry{Topic::Properties, "panel.properties", translatable("Properties")},
+    TopicEntry{Topic::Model, "panel.model", translatable("Model")},
+    TopicEntry{Topic::Problems, "panel.problems", translatable("Problems")},
+};
+
+constexpr std::array table_entries{
+    TableEntry{TableKind::Points, "table.points", translatable("Points")},
+    TableEntry{TableKind::Curves, "table.curves", translatable("Curves")},
+    TableEntry{TableKind::Regions, "table.regions", translatable("Regions")},
+    TableEntry{TableKind::Materials, "table.materials", translatable("Materials")},
+    TableEntry{TableKind::Cases, "table.cases", translatable("Load cases")},
+};
+
+void add_tables(CommandTable& table)
+{
+    Menu menu(table, translatable("Tables"));
+    menu.toggle(
+        {"table.show", translatable("Show the tables"), {{Key::T, {}}}},
+        [](const Workspace& workspace) { return workspace.table.has_value(); },
+        [](Workspace& workspace, bool is_on) {
+            workspace.table = is_on ? std::optional(TableKind::Points) : std::nullopt;
+        });
+    menu.choices(
+        table_entries, [](const Workspace& workspace) { return workspace.table; },
+        [](Workspace& workspace, TableKind kind) { workspace.table = kind; });
+}
+
+using LookEntry = ui::Choice<bool Look::*>;
+constexpr std::array looks{
+    LookEntry{&Look::regions, "view.show.regions", translatable("Regions"), {{Key::R, ui::shift}}},
+    LookEntry{&Look::supports, "view.show.supports", translatable("Supports"), {{Key::S, ui::shift}}},
+    LookEntry{&Look::loads, "view.show.loads", translatable("Loads"), {{Key::L, ui::shift}}},
+    LookEntry{&Look::values, "view.show.values", translatable("Values"), {{Key::V, ui::shift}}},
+    LookEntry{&Look::names, "view.show.names", translatable("Names"), {{Key::N, ui::shift}}},
+    LookEntry{&Look::legend, "view.show.legend", translatable("Legend"), {{Key::T, ui::shift}}},
+};
+
+void add_gallery(CommandTable& table)
+{
+    Menu menu(table, translatable("Gallery"));
+    for (std::size_t i = 0; i < gallery().size(); ++i)
+        menu.step({gallery()[i].id, gallery()[i].title, {}}, [i](Workspace& workspace) {
+            workspace.leave_document([i](Workspace& left) {
+                Document document = gallery_document(i);
+                document.model.title = left.tr()(gallery()[i].title);
+                left.session.show_example(std::move(document));
+                left.hand.select(ToolKind::Select);
+            });
+        });
+}
+
+void add_view_commands(CommandTable& table)
+{
+    ui::standard::add_zoom(table, translatable("Show the whole drawing"), {{Key::F, {}}});
+    ui::standard::add_panels(table);
+    ui::standard::add_topics(table, topic_entries);
+    ui::standard::add_projector(table);
+    ui::standard::add_themes(table);
+    ui::standard::add_export_scales(table);
+    ui::standard::add_look_switches(table, translatable("Show"), looks);
+    ui::standard::add_languages(table);
+}
+
+} // namespace
+
+std::optional<ui::Message> Workspace::change(const Change& change)
+{
+    auto reason = session.change(change);
+    if (reason) session.notify(*reason);
+    return reason;
+}
+
+void Workspace::draw(const std::optional<CurveDraft>& drawn)
+{
+    if (!drawn) return;
+    change({translatable("Draw a curve"), [draft = *drawn](Document& document) { draw_curve(document, draft); }});
+}
+
+std::span<const TableEntry> tables() { return table_entries; }
+std::span<const TopicEntry> topics() { return topic_entries; }
+
+CommandTable command_table()
+{
+    CommandTable table;
+    ui::standard::add_file_commands(
+        table, {.exported = translatable("Export picture…"), .described = translatable("Drawing in words")});
+    ui::standard::add_undo_and_redo(table);
+    add_edit_commands(table);
+    add_drawing_commands(table);
+    add_part_commands(table);
+    add_tables(table);
+    add_gallery(table);
+    add_view_commands(table);
+    ui::standard::add_help(table);
+    return table;
+}
+
+} // namespace plane

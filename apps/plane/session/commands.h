@@ -1,0 +1,48 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+
+#include "apps/plane/session/session.h"
+#include "apps/plane/tools/hand.h"
+#include "ui/command/menu_builder.h"
+#include "ui/workspace/document_workspace.h"
+
+namespace plane {
+
+/// What the panel at the right shows.
+enum class Topic : std::uint8_t { Properties, Model, Problems };
+
+/// A list of entries that is shown at the bottom.
+enum class TableKind : std::uint8_t { Points, Curves, Regions, Materials, Cases };
+
+/// A session, the hand that works in it, and the panels around its picture.
+struct Workspace : ui::DocumentWorkspace<Workspace, Session> {
+    using DocumentWorkspace::DocumentWorkspace;
+
+    /// Carries it out, or tells why not. \returns why not
+    std::optional<ui::Message> change(const Change& change);
+    /// Draws what the hand has ended.
+    void draw(const std::optional<CurveDraft>& drawn);
+
+    Hand hand;
+    Topic topic = Topic::Properties;
+    std::optional<TableKind> table{}; ///< that is shown; none while the tables are closed
+};
+
+using CommandTable = ui::CommandTable<Workspace>;
+
+/// Everything that the app can do, by name.
+CommandTable command_table();
+
+using TopicEntry = ui::Choice<Topic>;
+std::span<const TopicEntry> topics(); ///< in the order of their tabs
+using TableEntry = ui::Choice<TableKind>;
+std::span<const TableEntry> tables(); ///< in the order of their tabs
+using ToolEntry = ui::Choice<ToolKind>;
+std::span<const ToolEntry> tools(); ///< in the order of their buttons
+
+} // namespace plane

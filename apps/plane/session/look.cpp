@@ -1,0 +1,27 @@
+#include "apps/plane/session/look.h"
+
+#include "ui/text/language_manner.h"
+
+namespace plane {
+
+PlateOptions options_of(const Look& look, std::size_t load_case)
+{
+    PlateOptions options;
+    options.show.set = {PlateShow::Geometry};
+    const auto show = [&](bool is_on, PlateShow item) {
+        if (is_on) options.show.set.insert(item);
+    };
+    show(look.regions, PlateShow::Regions);
+    show(look.supports, PlateShow::Supports);
+    show(look.loads, PlateShow::Loads);
+    show(look.values, PlateShow::Values);
+    show(look.names, PlateShow::Names);
+    show(look.legend, PlateShow::Legend);
+    options.load_case = femoop::CaseId(load_case);
+    options.theme = look.theme;
+    options.tr = look.tr;
+    options.numbers.mark = ui::decimal_mark(look.tr.language());
+    return options;
+}
+
+} // namespace plane

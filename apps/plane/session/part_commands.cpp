@@ -1,0 +1,350 @@
+#include "apps/plane/session/part_commands.h"
+
+#include <algorithm>
+#include <array>
+#include <memory>
+
+#include "apps/drawing/quantity_typed.h"
+#include "apps/plane/document/attributes.h"
+#include "apps/plane/document/fresh_id.h"
+#include "apps/plane/document/regions.h"
+#include "ui/scenario/words.h"
+
+namespace plane {
+
+using femoop::plane::CurveLoadKind;
+using ui::Key;
+using ui::Message;
+using ui::Reason;
+using ui::translatable;
+using Menu = ui::MenuBuilder<Workspace>;
+
+namespace {
+
+const Part* only_part(const Workspace& workspace)
+{
+    const auto& parts = workspace.session.selection();
+    return parts.size() == 1 ? &parts.front() : nullptr;
+}
+
+template <class Kind> const Kind* selected(const Workspace& workspace)
+{
+    const Part* const part = only_part(workspace);
+    return part != nullptr ? std::get_if<Kind>(part) : nullptr;
+}
+
+// ---- regions
+
+std::optional<std::size_t> selected_face(const Workspace& workspace)
+{
+    const auto* const place = selected<FacePlace>(workspace);
+    return place != nullptr ? workspace.session.face_of(*place) : std::nullopt;
+}
+
+Reason needs_face(const Workspace& workspace)
+{
+    if (selected_face(workspace)) return std::nullopt;
+    return translatable("select a face first");
+}
+
+bool is_hole(const Workspace& workspace)
+{
+    const auto region = workspace.session.selected_region();
+    return region && workspace.session.model()[*region].is_hole;
+}
+
+void turn_hole(Workspace& workspace, bool is_on)
+{
+    const auto face = *selected_face(workspace);
+    const std::shared_ptr<const Solution> solution = workspace.session.kept_solution();
+    workspace.change({is_on ? translatable("Make a hole") : translatable("Fill a hole"),
+                      [=](Document& document) { set_hole(document, *solution->drawing(), face, is_on); }});
+}
+
+Reason why_not_part_off(const Workspace& workspace)
+{
+    if (const Reason reason = needs_face(workspace)) return reason;
+    const auto region = workspace.session.selected_region();
+    if (region && faces_of_regions(*workspace.session.drawing())[region->index].size() > 1) return std::nullopt;
+    return translatable("the face shares its region with no other");
+}
+
+void part_off_face(Workspace& workspace)
+{
+    const auto face = *selected_face(workspace);
+    const std::shared_ptr<const Solution> solution = workspace.session.kept_solution();
+    workspace.change({translatable("Make a region of its own"),
+                      [=](Document& document) { part_off(document, *solution->drawing(), face); }});
+}
+
+void add_region_commands(CommandTable& table)
+{
+    Menu menu(table, translatable("Region"));
+    menu.toggle({"region.hole", translatable("Hole"), {{Key::H, {}}}}, is_hole, turn_hole, needs_face);
+    menu.step({"region.own", translatable("Make a region of its own"), {{Key::R, {}}}}, part_off_face,
+              why_not_part_off);
+}
+
+// ---- supports
+
+using SupportEntry = ui::Choice<std::optional<PlaneSupportKind>>;
+constexpr std::array support_entries{
+    SupportEntry{std::nullopt, "support.none", translatable("Free"), {{Key::Digit0, {}}}},
+    SupportEntry{PlaneSupportKind::Fixed, "support.fixed", translatable("Fixed"), {{Key::Digit1, {}}}},
+    SupportEntry{PlaneSupportKind::Roller, "support.roller", translatable("Roller"), {{Key::Digit2, {}}}},
+    SupportEntry{PlaneSupportKind::Symmetry, "support.symmetry", translatable("Symmetry"), {{Key::Digit3, {}}}},
+    SupportEntry{PlaneSupportKind::Custom, "support.own", translatable("Own axes and springs"), {{Key::Digit4, {}}}},
+};
+
+Reason why_no_support(const Workspace& workspace)
+{
+    const auto& parts = workspace.session.selection();
+    const bool are_held = std::ranges::none_of(
+        parts, [](const Part& part) { return std::holds_alternative<FacePlace>(part); });
+    if (!parts.empty() && are_held) return std::nullopt;
+    return translatable("select points or curves first");
+}
+
+std::optional<PlaneSupportKind> support_kind(const Workspace& workspace)
+{
+    const Part* const part = only_part(workspace);
+    const auto* const support = part != nullptr ? support_of(workspace.session, *part) : nullptr;
+    if (support == nullptr) return std::nullopt;
+    return support->kind == PlaneSupportKind::Pin ? PlaneSupportKind::Fixed : support->kind;
+}
+
+void choose_support(Workspace& workspace, std::optional<PlaneSupportKind> kind)
+{
+    const std::vector<Part> parts = workspace.session.selection();
+    workspace.change({translatable("Change the support"), [=](Document& document) {
+                          for (const Part& part : parts) {
+                              if (const auto* const point = std::get_if<NodeId>(&part))
+                                  set_support(document, *point, kind);
+                              if (const auto* const curve = std::get_if<CurveId>(&part))
+                                  set_support(document, *curve, kind);
+                          }
+                      }});
+}
+
+// ---- loads
+
+using LoadEntry = ui::Choice<CurveLoadKind>;
+constexpr std::array load_entries{
+    LoadEntry{CurveLoadKind::Traction, "load.traction", translatable("Add a traction")},
+    LoadEntry{CurveLoadKind::Pressure, "load.pressure", translatable("Add a pressure")},
+    LoadEntry{CurveLoadKind::Line, "load.line", translatable("Add a force per length")},
+};
+
+Reason why_no_load(const Workspace& workspace)
+{
+    if (selected<CurveId>(workspace) == nullptr) return translatable("select a curve first");
+    const std::size_t n = workspace.session.model().load_cases.size();
+    if (workspace.session.load_case < std::max<std::size_t>(n, 1)) return std::nullopt;
+    return translatable("loads belong to a load case; a combination is shown");
+}
+
+void add_load_to_curve(Workspace& workspace, CurveLoadKind kind)
+{
+    const CurveId curve = *selected<CurveId>(workspace);
+    workspace.change({translatable("Add a load"), [=, load_case = workspace.session.load_case](Document& document) {
+                          add_load(document, load_case, curve, kind);
+                      }});
+}
+
+void add_load_commands(CommandTable& table)
+{
+    Menu menu(table, translatable("Loads"));
+    for (const LoadEntry& entry : load_entries)
+        menu.step(
+            {entry.id, entry.label, {}},
+            [kind = entry.value](Workspace& workspace) { add_load_to_curve(workspace, kind); }, why_no_load);
+    menu.step({"case.add", translatable("Add a load case")}, [](Workspace& workspace) {
+        workspace.change(
+            {translatable("Add a load case"), [](Document& document) {
+                 auto& cases = document.model.load_cases;
+                 cases.push_back(
+                     {.id = fresh_id(cases, "1"), .points = {}, .curves = {}, .regions = {}, .settlements = {}});
+             }});
+        workspace.session.load_case = workspace.session.model().load_cases.size() - 1;
+    });
+    menu.step({"case.next", translatable("Next load case"), {{Key::PageDown, {}}}}, [](Workspace& workspace) {
+        const std::size_t n = std::max<std::size_t>(workspace.session.model().n_cases(), 1);
+        workspace.session.load_case = (workspace.session.load_case + 1) % n;
+    });
+}
+
+// ---- the kind of analysis
+
+using AnalysisEntry = ui::Choice<femoop::StressState>;
+constexpr std::array analysis_entries{
+    AnalysisEntry{femoop::StressState::PlaneStress, "analysis.plane_stress", translatable("Plane stress")},
+    AnalysisEntry{femoop::StressState::PlaneStrain, "analysis.plane_strain", translatable("Plane strain")},
+    AnalysisEntry{femoop::StressState::Axisymmetric, "analysis.axisymmetric", translatable("Around an axis")},
+};
+
+/// Thicknesses come and go with the kind: a plate needs them, a body of revolution has none.
+void set_analysis(Document& document, femoop::StressState kind)
+{
+    PlaneModel& model = document.model;
+    model.analysis = kind;
+    for (auto& region : model.regions) {
+        if (kind == femoop::StressState::Axisymmetric) region.thickness.reset();
+        if (kind == femoop::StressState::PlaneStress && !region.thickness && !region.is_hole)
+            region.thickness = femoop::Quantity(0.01 / femoop::metres(model.units.length), "10 mm");
+    }
+}
+
+void add_analysis_commands(CommandTable& table)
+{
+    Menu(table, translatable("Region"))
+        .choices(
+            analysis_entries, [](const Workspace& workspace) { return workspace.session.model().analysis; },
+            [](Workspace& workspace, femoop::StressState kind) {
+                workspace.change({translatable("Change the kind of analysis"),
+                                  [kind](Document& document) { set_analysis(document, kind); }});
+            });
+}
+
+// ---- what a scenario gives
+
+template <class Entries> std::optional<std::size_t> named(const Entries& entries, std::string_view name)
+{
+    for (std::size_t i = 0; i < entries.size(); ++i)
+        if (entries[i].id == name) return i;
+    return std::nullopt;
+}
+
+/// "curve C1", "point A", "face 30 10"; several with "and" between them.
+Reason select_named(Workspace& workspace, const ui::Argument& argument)
+{
+    const auto words = argument.words();
+    Session& session = workspace.session;
+    session.select_nothing();
+    for (std::size_t i = 0; i + 1 < words.size(); i += 2) {
+        if (words[i] == "and") ++i;
+        if (i + 1 >= words.size()) break;
+        const auto point = words[i] == "point" ? named(session.model().points, words[i + 1]) : std::nullopt;
+        const auto curve = words[i] == "curve" ? named(session.model().curves, words[i + 1]) : std::nullopt;
+        if (point) session.toggle(NodeId(*point));
+        else if (curve) session.toggle(CurveId(*curve));
+        else return argument.wanted("point NAME or curve NAME, with \"and\" between several");
+    }
+    return std::nullopt;
+}
+
+/// "thickness 12 mm": a number of what is selected, of a region's or of a curve's first load too.
+Reason set_named(Workspace& workspace, const ui::Argument& argument)
+{
+    const Part* const part = only_part(workspace);
+    if (part == nullptr) return Message(translatable("nothing is selected"));
+    std::vector<Number> all = numbers_of(workspace.session, *part);
+    if (const auto* const curve = std::get_if<CurveId>(part))
+        for (const std::size_t load : loads_on(workspace.session.model(), workspace.session.load_case, *curve))
+            for (Number& number : numbers(workspace.session.model(), workspace.session.load_case, load, *curve))
+                all.push_back(std::move(number));
+    std::string known;
+    for (const Number& number : all) {
+        if (argument.text.starts_with(number.id + " "))
+            return set_typed(workspace, title(workspace.session, *part), number,
+                             argument.text.substr(number.id.size() + 1));
+        known += (known.empty() ? "" : ", ") + number.id;
+    }
+    return argument.wanted("one of " + known + " and a number");
+}
+
+} // namespace
+
+void add_part_commands(CommandTable& table)
+{
+    add_region_commands(table);
+    add_analysis_commands(table);
+    Menu(table, translatable("Support")).choices(support_entries, support_kind, choose_support, why_no_support);
+    add_load_commands(table);
+    table.with_argument("part.select", select_named);
+    table.with_argument("part.set", set_named);
+}
+
+Message title(const Session& session, const Part& part)
+{
+    const PlaneModel& model = session.model();
+    if (const auto* const point = std::get_if<NodeId>(&part))
+        return {translatable("Point {id}"), {{"id", model[*point].id}}};
+    if (const auto* const curve = std::get_if<CurveId>(&part))
+        return {translatable("Curve {id}"), {{"id", model[*curve].id}}};
+    const auto face = session.face_of(std::get<FacePlace>(part));
+    const auto region = face ? session.drawing()->faces()[*face].region : std::nullopt;
+    if (!region) return translatable("Face without a region");
+    return {model[*region].is_hole ? translatable("Hole {id}") : translatable("Region {id}"),
+            {{"id", model[*region].id}}};
+}
+
+std::vector<Number> numbers_of(const Session& session, const Part& part)
+{
+    const PlaneModel& model = session.model();
+    if (const auto* const point = std::get_if<NodeId>(&part)) return numbers(model, *point, session.load_case);
+    if (const auto* const curve = std::get_if<CurveId>(&part)) return numbers(model, *curve);
+    const auto face = session.face_of(std::get<FacePlace>(part));
+    const auto region = face ? session.drawing()->faces()[*face].region : std::nullopt;
+    return region ? numbers(model, *region) : std::vector<Number>{};
+}
+
+Change change_of(const Message& whose, const Number& number, const std::optional<femoop::Quantity>& value, Step step)
+{
+    return {Message(translatable("Change {number}: {part}"), {{"number", number.label}, {"part", whose}}),
+            [set = number.set, value](Document& document) { set(document, value); }, step};
+}
+
+namespace {
+
+/// What is typed, or what is wrong with it.
+std::variant<std::optional<femoop::Quantity>, Message> read_number(const Session& session, const Number& number,
+                                                                   std::string_view text)
+{
+    const bool is_empty = text.find_first_not_of(' ') == std::string_view::npos;
+    if (is_empty) return std::optional<femoop::Quantity>();
+    const auto& units = session.model().units;
+    const auto typed = number.dimension ? drawing::quantity_typed(text, *number.dimension, units,
+                                                                  {femoop::unit_text(*number.dimension, units), 1.0})
+                                        : drawing::quantity_typed(text, number.measure, units, session.units());
+    if (const auto* const quantity = std::get_if<femoop::Quantity>(&typed)) return std::optional(*quantity);
+    std::string reason = femoop::message(std::get<femoop::Fault>(typed),
+                                         [&](std::string_view words) { return session.tr()(words); });
+    if (reason.starts_with(": ")) reason.erase(0, 2); // the place, which the field itself shows
+    return Message(reason);
+}
+
+} // namespace
+
+std::optional<Message> set_typed(Workspace& workspace, const Message& whose, const Number& number,
+                                 std::string_view text)
+{
+    Session& session = workspace.session;
+    const auto read = read_number(session, number, text);
+    if (const auto* const reason = std::get_if<Message>(&read)) return *reason;
+    const auto& value = std::get<std::optional<femoop::Quantity>>(read);
+    Document tried = session.document();
+    if (auto objection = number.set(tried, value)) return objection;
+    return session.change(change_of(whose, number, value, Step::Click));
+}
+
+const PlaneSupport* support_of(const Session& session, const Part& part)
+{
+    const auto address = [](const std::optional<PlaneSupport>& support) { return support ? &*support : nullptr; };
+    if (const auto* const point = std::get_if<NodeId>(&part)) return address(session.model()[*point].support);
+    if (const auto* const curve = std::get_if<CurveId>(&part)) return address(session.model()[*curve].support);
+    return nullptr;
+}
+
+void change_support(Workspace& workspace, const Part& part, const Message& label,
+                    const std::function<void(PlaneSupport&)>& command)
+{
+    workspace.change({label, [part, command](Document& document) {
+                          PlaneModel& model = document.model;
+                          if (const auto* const point = std::get_if<NodeId>(&part))
+                              command(model.points[point->index].support.value());
+                          if (const auto* const curve = std::get_if<CurveId>(&part))
+                              command(model.curves[curve->index].support.value());
+                      }});
+}
+
+} // namespace plane

@@ -1,0 +1,244 @@
+#include "apps/plane/session/session.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <utility>
+
+#include "apps/drawing/quantity_typed.h"
+#include "apps/plane/document/fault_words.h"
+#include "apps/plane/document/regions.h"
+#include "femoop/files/whole_file.h"
+#include "femoop/io/plane/plane_file.h"
+#include "femoop/plane/check/plane_check.h"
+
+namespace plane {
+
+using femoop::Fault;
+using ui::Message;
+using ui::translatable;
+
+namespace {
+
+constexpr std::uintmax_t most_bytes = 100'000'000;
+
+bool are_drawn_alike(const PlaneModel& a, const PlaneModel& b)
+{
+    if (a.snap != b.snap || a.points.size() != b.points.size() || a.curves.size() != b.curves.size()) return false;
+    for (std::size_t i = 0; i < a.points.size(); ++i)
+        if (a.points[i].at != b.points[i].at) return false;
+    for (std::size_t i = 0; i < a.curves.size(); ++i)
+        if (a.curves[i].shape != b.curves[i].shape) return false;
+    return true;
+}
+
+bool is_error(const Fault& fault) { return severity(fault.kind) == femoop::Severity::Error; }
+
+/// A file that was understood, whose drawing may have errors: they are shown, to be mended.
+bool is_understood(const femoop::plane::PlaneReading& reading)
+{
+    const std::vector<Fault> of_model = femoop::plane::check(reading.model);
+    return std::ranges::all_of(reading.faults, [&](const Fault& fault) {
+        return !is_error(fault) || std::ranges::find(of_model, fault) != of_model.end();
+    });
+}
+
+} // namespace
+
+Session::Session(Document document) : EditedDocument(std::move(document)) { solve_again(); }
+
+void Session::solve_again()
+{
+    solution_ = std::make_shared<const Solution>(document());
+    gap_ = drawing() != nullptr ? narrowest_gap(*drawing()) : std::nullopt;
+    load_case = std::min(load_case, std::max<std::size_t>(model().n_cases(), 1) - 1);
+}
+
+std::optional<Message> Session::change(const Change& change)
+{
+    const bool is_drag = change.step == Step::Drag;
+    const Document& from = is_drag ? history_.settled() : document();
+    const std::shared_ptr<const Solution> before = is_drag && history_.is_dragging() && settled_ ? settled_ : solution_;
+    Document next = from;
+    change.command(next);
+    const bool has_faces = before->drawing() != nullptr && !are_drawn_alike(before->model(), next.model);
+    if (has_faces) follow_faces(next, *before->drawing());
+    const Solution would_be(next);
+    if (would_be.refused().size() > before->refused().size()) {
+        const Fault& fault = would_be.refused().back();
+        return Message(sentence(fault, next.model, tr()));
+    }
+    const PlaneModel was = model();
+    if (is_drag) {
+        if (!history_.is_dragging()) settled_ = solution_;
+        history_.drag(std::move(next), change.label);
+    } else {
+        history_.apply(std::move(next), change.label);
+    }
+    solve_again();
+    keep_selection(was);
+    return std::nullopt;
+}
+
+void Session::settle()
+{
+    history_.settle();
+    settled_.reset();
+}
+
+void Session::cancel()
+{
+    const PlaneModel was = model();
+    history_.cancel();
+    settled_.reset();
+    solve_again();
+    keep_selection(was);
+}
+
+void Session::follow(const Document& before)
+{
+    settled_.reset();
+    solve_again();
+    keep_selection(before.model);
+}
+
+namespace {
+
+/// The entry of the same name, where its list has it still.
+template <class Id, class Entries> std::optional<Part> same_entry(Id id, const Entries& before, const Entries& now)
+{
+    if (id.index >= before.size()) return std::nullopt;
+    if (before.size() == now.size()) return id; // none has come or gone: it may have another name
+    if (id.index < now.size() && now[id.index].id == before[id.index].id) return id;
+    for (std::size_t i = 0; i < now.size(); ++i)
+        if (now[i].id == before[id.index].id) return Id(i);
+    return std::nullopt;
+}
+
+} // namespace
+
+// What is selected is known by its name, a face by a place in it.
+void Session::keep_selection(const PlaneModel& before)
+{
+    std::vector<Part> kept;
+    for (const Part& part : selection_) {
+        std::optional<Part> now = part;
+        if (const auto* const point = std::get_if<NodeId>(&part))
+            now = same_entry(*point, before.points, model().points);
+        if (const auto* const curve = std::get_if<CurveId>(&part))
+            now = same_entry(*curve, before.curves, model().curves);
+        if (const auto* const face = std::get_if<FacePlace>(&part); face != nullptr && !face_of(*face)) now.reset();
+        if (now) kept.push_back(*now);
+    }
+    selection_ = std::move(kept);
+    hover.reset();
+}
+
+void Session::restart(Document document)
+{
+    begin(std::move(document));
+    ++opening_;
+    settled_.reset();
+    selection_.clear();
+    hover.reset();
+    camera.reset();
+    left_gap_.reset();
+    load_case = 0;
+    solve_again();
+}
+
+void Session::new_document() { restart(plane::new_document()); }
+
+void Session::show_example(Document document) { restart(std::move(document)); }
+
+std::optional<ui::Notice> Session::read(const std::filesystem::path& path)
+{
+    const files::WholeFile file = files::read_whole_file(path, most_bytes);
+    if (file.hindrance) return ui::lasting(ui::not_opened(path, file.hindrance));
+    femoop::plane::PlaneReading reading = femoop::plane::examine_plane_model(file.text);
+    if (!is_understood(reading)) {
+        std::vector<Message> sentences;
+        for (const Fault& fault : reading.faults)
+            if (is_error(fault))
+                sentences.emplace_back(femoop::message(fault, [this](std::string_view text) { return tr()(text); }));
+        return ui::lasting(ui::not_opened(path, sentences));
+    }
+    if (!reading.model.is_drawn)
+        return ui::lasting(ui::not_opened(
+            path, Message(translatable("it holds a mesh of elements; this app opens drawings of curves"))));
+    restart({.model = std::move(reading.model)});
+    return std::nullopt;
+}
+
+std::string Session::file_text() const { return femoop::plane::write_plane_model(model()); }
+
+std::string Session::about(const ui::Catalogue& in) const
+{
+    return in(translatable("curves: {curves}, regions: {regions}"),
+              {{"curves", std::to_string(model().curves.size())}, {"regions", std::to_string(model().regions.size())}});
+}
+
+std::string Session::name() const { return !path() && !model().title.empty() ? model().title : file_name(); }
+
+ui::DisplayUnits Session::units() const
+{
+    return {ui::UnitSystem::File, drawing::base_units(model().units), options().numbers};
+}
+
+void Session::toggle(const Part& part)
+{
+    if (is_selected(part)) {
+        std::erase_if(selection_, [&](const Part& one) {
+            const auto* const a = std::get_if<FacePlace>(&one);
+            const auto* const b = std::get_if<FacePlace>(&part);
+            return one == part || (a != nullptr && b != nullptr && face_of(*a) == face_of(*b));
+        });
+    } else {
+        selection_.push_back(part);
+    }
+}
+
+bool Session::is_selected(const Part& part) const
+{
+    const auto* const face = std::get_if<FacePlace>(&part);
+    return std::ranges::any_of(selection_, [&](const Part& one) {
+        const auto* const other = std::get_if<FacePlace>(&one);
+        if (face != nullptr && other != nullptr) return face_of(*face) == face_of(*other);
+        return one == part;
+    });
+}
+
+std::optional<std::size_t> Session::face_of(const FacePlace& place) const
+{
+    return drawing() != nullptr ? drawing()->face_at(place.at) : std::nullopt;
+}
+
+std::optional<RegionId> Session::selected_region() const
+{
+    if (selection_.size() != 1) return std::nullopt;
+    const auto* const place = std::get_if<FacePlace>(&selection_.front());
+    const auto face = place != nullptr ? face_of(*place) : std::nullopt;
+    return face ? drawing()->faces()[*face].region : std::nullopt;
+}
+
+PlateHighlight Session::highlight(const std::vector<Part>& parts) const
+{
+    PlateHighlight lit;
+    for (const Part& part : parts) {
+        if (const auto* const point = std::get_if<NodeId>(&part)) lit.points.push_back(*point);
+        if (const auto* const curve = std::get_if<CurveId>(&part)) lit.curves.push_back(*curve);
+        if (const auto* const place = std::get_if<FacePlace>(&part))
+            if (const auto face = face_of(*place)) lit.faces.push_back(*face);
+    }
+    return lit;
+}
+
+std::optional<Gap> Session::gap() const
+{
+    const bool was_left = gap_ && left_gap_ && gap_->from == left_gap_->from && gap_->to == left_gap_->to;
+    return was_left ? std::nullopt : gap_;
+}
+
+void Session::leave_gap() { left_gap_ = gap_; }
+
+} // namespace plane

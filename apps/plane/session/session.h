@@ -1,0 +1,101 @@
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "apps/plane/document/change.h"
+#include "apps/plane/document/outlines.h"
+#include "apps/plane/document/part.h"
+#include "apps/plane/document/solution.h"
+#include "apps/plane/session/look.h"
+#include "ui/canvas/plane_camera.h"
+#include "ui/text/display_units.h"
+#include "ui/workbench/edited_document.h"
+
+namespace plane {
+
+/// What is open and how it is looked at: the app without its window. The document changes through `change` alone; its
+/// solution follows, and the regions go with their faces.
+class Session : public ui::EditedDocument<Document> {
+public:
+    explicit Session(Document document = plane::new_document());
+
+    const PlaneModel& model() const { return document().model; }
+    const Solution& solution() const { return *solution_; }
+    std::shared_ptr<const Solution> kept_solution() const { return solution_; } ///< while the document changes
+    const discretize::Drawing* drawing() const { return solution_->drawing(); }
+
+    /// Carries it out. Where the document would get a fault by it that no drawing may have, such as a thickness below 0
+    /// or an arc through places in one line, nothing is changed. \returns why not, for the notice too
+    std::optional<ui::Message> change(const Change& change);
+    void settle() override;
+    void cancel(); ///< takes back the gesture that is under way
+
+    std::size_t opening() const { return opening_; } ///< counts the documents that were opened
+    void new_document();
+    void show_example(Document document); ///< as a document without a file
+
+    std::string name() const override; ///< without a file the model's title
+    ui::DisplayUnits units() const;
+    const ui::Catalogue& tr() const override { return look.tr; }
+    PlateInput input() const { return {.model = solution_->model(), .drawing = drawing()}; }
+    PlateOptions options() const { return options_of(look, load_case); }
+
+    // ---- what is selected
+
+    const std::vector<Part>& selection() const { return selection_; }
+    void select(const Part& part) { selection_ = {part}; }
+    void toggle(const Part& part); ///< into the selection, or out of it
+    void select_nothing() { selection_.clear(); }
+    bool is_selected(const Part& part) const;
+    /// The face of the drawing that a place is in.
+    std::optional<std::size_t> face_of(const FacePlace& place) const;
+    /// The region of a selected face, where only that is selected.
+    std::optional<RegionId> selected_region() const;
+    PlateHighlight highlight(const std::vector<Part>& parts) const;
+
+    // ---- what is told of the drawing as a whole
+
+    /// The gap to be told: none while it was said that it stays.
+    std::optional<Gap> gap() const;
+    void leave_gap();
+
+    void tick(double seconds) { ui::tick(notice, seconds); }
+    bool is_moving() const { return notice.has_value(); }
+
+    Look look;
+    std::size_t load_case = 0;               ///< that is shown
+    std::optional<ui::PlaneCamera> camera{}; ///< where the view was moved by hand; else everything is shown
+    std::optional<Part> hover{};
+
+private:
+    std::optional<ui::Notice> read(const std::filesystem::path& path) override;
+    std::optional<ui::Notice> read_draft(const std::filesystem::path& path) override { return read(path); }
+    std::string file_text() const override;
+    std::string about(const ui::Catalogue& tr) const override;
+    void follow(const Document& before) override;
+    void solve_again();
+    void keep_selection(const PlaneModel& before);
+    void restart(Document document);
+    /// The solution of the document that a change starts from.
+    const Solution& settled() const { return history_.is_dragging() && settled_ ? *settled_ : *solution_; }
+
+    std::shared_ptr<const Solution> solution_, settled_; ///< settled_: before the gesture that is under way
+    std::vector<Part> selection_;
+    std::optional<Gap> gap_, left_gap_;
+    std::size_t opening_ = 0;
+};
+
+/// "line", "arc": what a curve is, to be translated.
+std::string_view word_of(femoop::plane::DrawnKind kind);
+/// Points, curves, regions, cases and faults in words.
+std::string description(const Session& session);
+/// The line at the window's foot.
+std::string status_text(const Session& session);
+
+} // namespace plane

@@ -1,0 +1,78 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "apps/plane/tools/curve_tool.h"
+#include "apps/plane/tools/snap.h"
+#include "femoop/model/quantity/units.h"
+#include "ui/text/display_units.h"
+#include "ui/text/message.h"
+
+namespace plane {
+
+enum class ToolKind : std::uint8_t {
+    Select,
+    Line,
+    Polyline,
+    Arc,
+    ArcCenter,
+    Circle,
+    Ellipse,
+    Bezier,
+    Spline,
+    Point,
+    Erase
+};
+
+/// The curve that a tool draws; nothing for others.
+std::optional<CurveToolKind> curve_of(ToolKind tool);
+
+/// What the pointer points at.
+struct Aim {
+    FlatPoint pointer;         ///< its own place [length]
+    Snap snap;                 ///< the place that is meant
+    std::optional<Part> under; ///< the part under it
+    double pixel = 0.01;       ///< one logical pixel [length]
+    bool adds = false;         ///< Shift is held
+};
+
+/// The hand that works in the picture: the tool it holds, the curve that is begun, and a place that is being typed.
+class Hand {
+public:
+    ToolKind tool() const { return tool_; }
+    void select(ToolKind tool); ///< anew if it is the same: what was begun is given up
+    bool draws() const { return curve_tool_.has_value() || tool_ == ToolKind::Point; }
+    const std::optional<CurveTool>& curve_tool() const { return curve_tool_; }
+    bool has_begun() const { return curve_tool_ && curve_tool_->has_begun(); }
+
+    /// A click at the place that is meant: the curve that it ends. \pre draws a curve
+    std::optional<CurveDraft> click(const Aim& aim);
+    std::optional<CurveDraft> finish() { return curve_tool_ ? curve_tool_->finish() : std::nullopt; }
+    /// Gives up what is typed, else what is begun, else the tool. \returns false where there was none of these
+    bool escape();
+
+    const std::string& typed() const { return typed_; }
+    /// Takes those of the letters that a place begins with, and once it is begun all. \returns whether there was one
+    bool type(const std::string& letters);
+    void backspace();
+    /// The place that is typed, counted from where drawing began; nothing where it is none.
+    std::optional<FlatPoint> typed_place(const femoop::Units& file, const ui::DisplayUnits& shown) const;
+    void forget_typed() { typed_.clear(); }
+
+    void point_at(const Aim& aim) { aim_ = aim; }
+    const Aim& aim() const { return aim_; }
+    std::optional<CurveDraft> preview() const;
+
+    bool snaps_to_grid = true, snaps_to_parts = true;
+
+private:
+    ToolKind tool_ = ToolKind::Select;
+    std::optional<CurveTool> curve_tool_;
+    std::string typed_;
+    Aim aim_;
+};
+
+} // namespace plane

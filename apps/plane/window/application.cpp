@@ -1,0 +1,121 @@
+#include "apps/plane/window/application.h"
+
+#include <imgui.h>
+
+#include <utility>
+
+#include "apps/plane/session/drawing_commands.h"
+#include "apps/plane/window/foot.h"
+#include "apps/plane/window/properties_panel.h"
+#include "apps/plane/window/side_panels.h"
+#include "apps/plane/window/tool_bar.h"
+
+template class ui::DocumentApp<plane::Workspace>;
+
+namespace plane {
+
+using ui::translatable;
+
+Application::Application(ui::Context& context, const ui::Fonts& fonts, Session session)
+    : DocumentApp(context, fonts, std::move(session), command_table(),
+                  {.name = translatable("Cremona: plates"),
+                   .description = translatable("Drawing in words"),
+                   .files = {.extension = ".json", .exports = {".svg", ".png", ".pdf"}},
+                   .sides = {{12.0F, 20.0F}, {0.2F, 0.32F}}}),
+      canvas_(fonts)
+{}
+
+// ---- keys
+
+namespace {
+
+/// A key that writes a letter, which a place that is being typed takes.
+bool writes_letter(ui::Key key)
+{
+    return key <= ui::Key::Digit9 || key == ui::Key::Space || key == ui::Key::Plus || key == ui::Key::Minus;
+}
+
+} // namespace
+
+// Those of a place that is typed; what is left are commands.
+std::vector<ui::KeyEvent> Application::take_keys(const ui::Input& input)
+{
+    const bool types = ImGui::GetIO().WantTextInput || is_typing();
+    Hand& hand = workspace().hand;
+    const bool types_place = !types && hand.draws() && !input.modifiers.ctrl && hand.type(input.text);
+    std::vector<ui::KeyEvent> left;
+    for (const ui::KeyEvent& event : input.keys) {
+        if (!event.is_down) continue;
+        if (!types && handle_typing(event.key)) continue;
+        if (!types_place || !writes_letter(event.key) || event.modifiers.ctrl) left.push_back(event);
+    }
+    return left;
+}
+
+// The keys that end or mend a place that is typed while drawing.
+bool Application::handle_typing(ui::Key key)
+{
+    Hand& hand = workspace().hand;
+    if (hand.typed().empty() || (key != ui::Key::Backspace && key != ui::Key::Enter)) return false;
+    if (key == ui::Key::Backspace) {
+        hand.backspace();
+        return true;
+    }
+    const auto place = hand.typed_place(session().model().units, session().units());
+    if (!place) {
+        workspace().notify(
+            hand.has_begun() ? translatable("wanted a place: 60, 20 or @30, 10 from the last one or 40<30 or a length")
+                             : translatable("wanted a place, such as 60, 20"));
+        return true;
+    }
+    hand.forget_typed();
+    type_place(workspace(), *place);
+    return true;
+}
+
+bool Application::close_topmost() { return DocumentApp::close_topmost() || canvas_.cancel(workspace()); }
+
+// ---- what is shown
+
+std::optional<ui::FootMessage> Application::foot_message() const
+{
+    if (const auto told = DocumentApp::foot_message()) return told;
+    return foot_of(workspace());
+}
+
+void Application::answer(const ui::FootMessage& message, std::size_t pressed)
+{
+    if (session().notice || !workspace().offer.empty()) DocumentApp::answer(message, pressed);
+    else answer_foot(workspace(), commands(), pressed);
+}
+
+void Application::show_body()
+{
+    const float below = tables_.height(workspace(), ImGui::GetContentRegionAvail().y);
+    show_panels_and_canvas_above(below, [this] { tables_.show(workspace(), commands()); });
+}
+
+void Application::show_left() { show_panel(workspace(), commands()); }
+
+void Application::show_right()
+{
+    ui::show_topics(workspace(), topics());
+    switch (workspace().topic) {
+    case Topic::Properties: properties_panel(workspace(), commands(), fields_); break;
+    case Topic::Model: model_panel(workspace(), commands(), fields_); break;
+    case Topic::Problems: problems_panel(workspace(), commands()); break;
+    }
+}
+
+void Application::show_canvas()
+{
+    const float row = ImGui::GetFrameHeight(), gap = 0.6F * ImGui::GetFontSize();
+    ui::button_bar("###tools", 1.25F * row + gap, [this] { tool_bar(workspace(), commands(), gui(), fonts()); });
+    ui::picture_area(0.0F, [this] { canvas_.show(workspace(), gui()); });
+}
+
+void Application::show_status() const { ui::status_bar(status_text(session())); }
+
+std::string Application::words() const { return description(session()); }
+
+} // namespace plane

@@ -1,0 +1,255 @@
+#include "apps/plane/window/canvas.h"
+
+#include <imgui.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <utility>
+
+#include "apps/drawing/grid.h"
+#include "apps/plane/document/erase.h"
+#include "apps/plane/document/outlines.h"
+#include "apps/plane/document/points.h"
+#include "apps/plane/session/drawing_commands.h"
+#include "apps/plane/window/hand_picture.h"
+#include "ui/canvas/click.h"
+
+namespace plane {
+
+using ui::translatable;
+
+namespace {
+
+constexpr double snap_reach = 10.0;  // [px]
+constexpr double pick_reach = 7.0;   // [px]
+constexpr double empty_sheet = 0.25; // [m] that an empty sheet is wide, in a file that counts in mm
+
+/// How wide an empty sheet is, in the file's unit.
+double usual_width(const PlaneModel& model)
+{
+    const double metres = femoop::metres(model.units.length);
+    return metres < 0.02 ? empty_sheet / metres : 25.0;
+}
+
+bool is_finite(const FlatPoint& p) { return std::isfinite(p.x) && std::isfinite(p.y); }
+
+} // namespace
+
+void Canvas::show(Workspace& workspace, ui::ImGuiSession& gui)
+{
+    if (!begin(gui, any_button)) return;
+    fit_if_needed(workspace);
+    if (workspace.session.camera) camera_ = *workspace.session.camera;
+    follow(workspace);
+    paint([&](ui::Painter& painter) { paint_all(workspace, painter); });
+    end(gui);
+}
+
+// ---- the view
+
+void Canvas::fit(Session& session)
+{
+    session.camera.reset();
+    fitted_for_.reset();
+}
+
+void Canvas::zoom(Session& session, double factor) const
+{
+    ui::PlaneCamera changed = camera_;
+    changed.zoom(middle(), factor);
+    session.camera = changed;
+}
+
+ui::PlaneCamera Canvas::usual_camera(const Session& session) const
+{
+    if (!session.model().points.empty() || !session.model().curves.empty())
+        return fitted_camera(session.input(), session.options(), sheet(), fonts());
+    const double scale = sheet().width / usual_width(session.model());
+    return {{0.1 * sheet().width, 0.85 * sheet().height}, scale};
+}
+
+// Drawing must not move the picture under the hand: it moves where something else is opened, or where with no tool in
+// the hand a part is out of sight.
+void Canvas::fit_if_needed(const Workspace& workspace)
+{
+    const Session& session = workspace.session;
+    if (session.camera) {
+        fitted_for_.reset();
+        return;
+    }
+    const FittedFor wanted{session.opening(), sheet(), session.look.theme};
+    const bool rests = grip_ || workspace.hand.draws() || session.history().is_dragging();
+    const bool is_another = !fitted_for_ || fitted_for_->opening != wanted.opening;
+    if (!is_another && fitted_for_ == wanted && (rests || is_all_in_sight(session))) return;
+    fitted_for_ = wanted;
+    camera_ = usual_camera(session);
+}
+
+bool Canvas::is_all_in_sight(const Session& session) const
+{
+    const ui::Box room{{0.0, 0.0}, {sheet().width, sheet().height}};
+    return std::ranges::all_of(session.model().points, [&](const auto& point) {
+        const ui::Point p = camera_.to_sheet({point.at[0], point.at[1]});
+        return p.x >= room.min.x && p.x <= room.max.x && p.y >= room.min.y && p.y <= room.max.y;
+    });
+}
+
+FlatPoint Canvas::place_at(ui::Point on_sheet) const
+{
+    const ui::World2 place = camera_.to_world(on_sheet);
+    return {place.x, place.y};
+}
+
+ui::Point Canvas::in_window(const FlatPoint& place) const { return corner() + camera_.to_sheet({place.x, place.y}); }
+
+void Canvas::move_camera(Session& session)
+{
+    const bool holds_space = ImGui::IsKeyDown(ImGui::GetKeyIndex(ImGuiKey_Space)) && !ImGui::GetIO().WantTextInput;
+    const ui::ViewMove hand = view_move({.left = holds_space && !pressed_, .move_at_once = holds_space});
+    if (hand.wheel == 0.0 && !hand.is_drag()) return;
+    camera_.zoom(pointer(), hand.zoom());
+    camera_.pan(hand.drag);
+    session.camera = camera_;
+}
+
+// ---- the hand
+
+Aim Canvas::aim_at(const Workspace& workspace) const
+{
+    const Session& session = workspace.session;
+    const Hand& hand = workspace.hand;
+    const ImGuiIO& io = ImGui::GetIO();
+    Aim aim{
+        .pointer = place_at(pointer()), .snap = {}, .under = {}, .pixel = 1.0 / camera_.scale(), .adds = io.KeyShift};
+    SnapOptions options{.reach = snap_reach * aim.pixel,
+                        .grid = hand.snaps_to_grid ? grid_step(camera_) : 0.0,
+                        .fine = drawing::round_grid(aim.pixel),
+                        .moving = grip_,
+                        .to_parts = hand.snaps_to_parts,
+                        .is_off = io.KeyAlt || !is_finite(aim.pointer)};
+    if (hand.curve_tool())
+        for (const DraftPlace& place : hand.curve_tool()->places()) options.draft.push_back(place.at);
+    aim.snap = snap(session.model(), session.drawing(), aim.pointer, options);
+    if (!hand.draws()) aim.under = part_under(session.model(), session.drawing(), aim.pointer, pick_reach * aim.pixel);
+    return aim;
+}
+
+void Canvas::follow(Workspace& workspace)
+{
+    Session& session = workspace.session;
+    session.hover.reset();
+    if (!is_over() && !is_active() && !pressed_) return;
+    move_camera(session);
+    if (ImGui::IsMouseReleased(ImGuiMouseButton_Right) && is_over() && !is_moving_view()) end_by_right_click(workspace);
+    const Aim aim = aim_at(workspace);
+    workspace.hand.point_at(aim);
+    if (has_hold_of_view() || is_moving_view()) return;
+    if (!grip_) session.hover = aim.under;
+    if (is_pressed()) press(workspace, aim);
+    else if (pressed_ && is_active() && is_dragged()) drag(workspace);
+    else if (pressed_ && !is_active()) release(workspace, aim);
+    if (ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left) && !aim.under && !workspace.hand.draws()) fit(session);
+}
+
+void Canvas::press(Workspace& workspace, const Aim& aim)
+{
+    pressed_ = aim;
+    Hand& hand = workspace.hand;
+    if (hand.curve_tool()) return workspace.draw(hand.click(aim));
+    if (hand.tool() == ToolKind::Point) {
+        workspace.change({translatable("Place a point"), [place = DraftPlace{aim.snap.place, aim.snap.point}](
+                                                             Document& document) { point_at(document, place); }});
+    } else if (hand.tool() == ToolKind::Erase) {
+        if (aim.under && !std::holds_alternative<FacePlace>(*aim.under))
+            workspace.change({translatable("Erase"),
+                              [part = *aim.under](Document& document) { erase_parts(document, std::array{part}); }});
+    }
+}
+
+void Canvas::drag(Workspace& workspace)
+{
+    if (workspace.hand.tool() != ToolKind::Select) return;
+    const auto* const point = pressed_->under ? std::get_if<NodeId>(&*pressed_->under) : nullptr;
+    if (!grip_ && point != nullptr) {
+        grip_ = *point;
+        workspace.session.select(*point);
+    }
+    if (!grip_) return;
+    const Aim meant = aim_at(workspace); // without the point that is dragged
+    workspace.hand.point_at(meant);
+    workspace.session.change(
+        {{translatable("Move point {id}"), {{"id", workspace.session.model()[*grip_].id}}},
+         [grip = *grip_, to = meant.snap.place](Document& document) { move_point(document, grip, to); },
+         Step::Drag});
+}
+
+void Canvas::release(Workspace& workspace, const Aim& aim)
+{
+    const Aim pressed = *std::exchange(pressed_, std::nullopt);
+    Hand& hand = workspace.hand;
+    const bool was_dragged = is_dragged();
+    if (const auto grip = std::exchange(grip_, std::nullopt)) {
+        const auto other = aim.snap.point;
+        if (other && other != grip) // one on the other: they are one from now on
+            workspace.session.change(
+                {{translatable("Join points")},
+                 [grip = *grip, by = *other](Document& document) { join_points(document, grip, by); },
+                 Step::Drag});
+        workspace.session.settle();
+        return;
+    }
+    if (hand.has_begun() && was_dragged) { // pressed, dragged, released: from there to here
+        workspace.draw(hand.click(aim));
+        if (hand.tool() == ToolKind::Line) static_cast<void>(hand.finish());
+        return;
+    }
+    if (hand.tool() == ToolKind::Select && !was_dragged) click_part(workspace, pressed.under, aim.adds);
+}
+
+void Canvas::end_by_right_click(Workspace& workspace)
+{
+    if (!workspace.hand.has_begun()) return;
+    if (const auto drawn = workspace.hand.finish()) workspace.draw(drawn);
+    else workspace.hand.escape();
+}
+
+bool Canvas::cancel(Workspace& workspace)
+{
+    if (!workspace.session.history().is_dragging()) return false;
+    grip_.reset();
+    pressed_.reset();
+    workspace.session.cancel();
+    return true;
+}
+
+// ---- the picture
+
+void Canvas::paint_all(const Workspace& workspace, ui::Painter& painter) const
+{
+    const Session& session = workspace.session;
+    const ui::Theme theme(session.look.theme);
+    const bool is_empty = session.model().points.empty() && session.model().curves.empty();
+    if (is_empty && !workspace.hand.has_begun()) {
+        ui::draw_invitation(painter, theme,
+                            {session.tr()("L draws lines, C circles, A arcs, S splines."),
+                             session.tr()("A closed outline fills; click it to say what it is made of."),
+                             session.tr()("Ctrl+O opens a file, Ctrl+K finds a command.")});
+    } else if (!is_empty) {
+        plane::draw(painter, session.input(), session.options(), {.camera = camera_});
+        draw_helpers(painter, session, camera_);
+        draw_highlight(painter, session, camera_);
+        draw_problems(painter, workspace, camera_);
+    }
+    if (is_over() || is_active() || grip_) draw_hand(painter, workspace, camera_, grip_.has_value());
+    else if (!workspace.hand.typed().empty()) draw_typed_at_foot(painter, workspace);
+}
+
+ui::Picture Canvas::picture_of(const Workspace& workspace) const
+{
+    const Session& session = workspace.session;
+    return painted(
+        [&](ui::Painter& painter) { plane::draw(painter, session.input(), session.options(), {.camera = camera_}); });
+}
+
+} // namespace plane

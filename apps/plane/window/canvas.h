@@ -1,0 +1,58 @@
+#pragma once
+
+#include <cstddef>
+#include <optional>
+
+#include "apps/plane/session/commands.h"
+#include "ui/app/canvas.h"
+
+namespace plane {
+
+/// The picture in the middle of the window: the drawing, and what the hand does in it.
+///
+///     wheel: zoom to the cursor      middle or right button, or the space bar held: pan
+///     left button: what the tool does; dragging a point moves it, and all that hangs on it follows
+///     right click: ends the curve that is begun      double click on nothing: show the whole drawing
+class Canvas : public ui::Canvas {
+public:
+    using ui::Canvas::Canvas;
+
+    /// \pre within a window of Dear ImGui's, which it fills
+    void show(Workspace& workspace, ui::ImGuiSession& gui);
+
+    void fit(Session& session);
+    void zoom(Session& session, double factor) const;
+    /// The drawing without what the hand does.
+    ui::Picture picture_of(const Workspace& workspace) const;
+    /// Where a place of the drawing is in the window [logical pixels].
+    ui::Point in_window(const FlatPoint& place) const;
+    /// Gives up a drag; false where there is none.
+    bool cancel(Workspace& workspace);
+
+private:
+    void fit_if_needed(const Workspace& workspace);
+    bool is_all_in_sight(const Session& session) const;
+    ui::PlaneCamera usual_camera(const Session& session) const;
+    FlatPoint place_at(ui::Point on_sheet) const;
+    void move_camera(Session& session);
+    Aim aim_at(const Workspace& workspace) const;
+    void follow(Workspace& workspace);
+    void press(Workspace& workspace, const Aim& aim);
+    void drag(Workspace& workspace);
+    void release(Workspace& workspace, const Aim& aim);
+    void end_by_right_click(Workspace& workspace);
+    void paint_all(const Workspace& workspace, ui::Painter& painter) const;
+
+    ui::PlaneCamera camera_;
+    struct FittedFor {
+        std::size_t opening;
+        ui::Size sheet;
+        ui::ThemeName theme;
+        bool operator==(const FittedFor&) const = default;
+    };
+    std::optional<FittedFor> fitted_for_;
+    std::optional<NodeId> grip_; ///< the point that the hand drags
+    std::optional<Aim> pressed_;
+};
+
+} // namespace plane

@@ -1,0 +1,145 @@
+#include "apps/plane/window/expectation.h"
+
+#include <algorithm>
+#include <string>
+
+#include "apps/plane/session/drawing_commands.h"
+#include "apps/plane/session/part_commands.h"
+#include "ui/app/expectation.h"
+#include "ui/scenario/words.h"
+#include "ui/text/number_format.h"
+
+namespace plane {
+
+namespace {
+
+void append(std::string& text, const std::string& more) { text += (text.empty() ? "" : ", ") + more; }
+std::string or_nothing(std::string text) { return text.empty() ? "nothing" : text; }
+
+const PlaneModel& model(const Application& application) { return application.session().model(); }
+
+std::string faces(const Application& application)
+{
+    const auto* const drawing = application.session().drawing();
+    return drawing != nullptr ? std::to_string(drawing->faces().size()) : "nothing";
+}
+
+std::string empty_faces(const Application& application)
+{
+    const auto* const drawing = application.session().drawing();
+    if (drawing == nullptr) return "nothing";
+    return std::to_string(std::ranges::count_if(drawing->faces(), [](const auto& face) { return !face.region; }));
+}
+
+std::string regions(const Application& application)
+{
+    std::string text;
+    for (const auto& region : model(application).regions)
+        append(text, region.id + ": " + (region.is_hole ? "hole" : model(application)[region.material].id));
+    return or_nothing(text);
+}
+
+std::string areas(const Application& application)
+{
+    std::string text;
+    if (const auto* const drawing = application.session().drawing())
+        for (const auto& face : drawing->faces()) text += (text.empty() ? "" : " ") + ui::number_text(face.area);
+    return or_nothing(text);
+}
+
+std::string selection(const Application& application)
+{
+    std::string text;
+    for (const Part& part : application.session().selection())
+        append(text, ui::Catalogue()(title(application.session(), part)));
+    return or_nothing(text);
+}
+
+std::string supports(const Application& application)
+{
+    std::string text;
+    for (const auto& point : model(application).points)
+        if (point.support) append(text, point.id);
+    for (const auto& curve : model(application).curves)
+        if (curve.support) append(text, curve.id);
+    return or_nothing(text);
+}
+
+std::string loads(const Application& application)
+{
+    const Session& session = application.session();
+    if (session.load_case >= session.model().load_cases.size()) return "nothing";
+    std::string text;
+    const auto& loads = session.model().load_cases[session.load_case].curves;
+    for (std::size_t i = 0; i < loads.size(); ++i) {
+        std::string names;
+        for (const CurveId curve : loads[i].curves) names += (names.empty() ? "" : "+") + session.model()[curve].id;
+        for (const Number& number : numbers(session.model(), session.load_case, i, loads[i].curves.front()))
+            if (number.value) names += " " + number.id + " " + ui::number_text(*number.value);
+        append(text, names);
+    }
+    return or_nothing(text);
+}
+
+std::string gap(const Application& application)
+{
+    const auto found = told_gap(application.workspace());
+    return found ? ui::number_text(found->width) : "nothing";
+}
+
+std::string dispute(const Application& application)
+{
+    const auto& found = application.session().solution().dispute();
+    return found ? model(application)[found->first].id + ", " + model(application)[found->second].id : "nothing";
+}
+
+std::string tool(const Application& application)
+{
+    return std::string(std::ranges::find(tools(), application.workspace().hand.tool(), &ToolEntry::value)->id);
+}
+
+// "A 70 30"
+ui::Mismatch place(const Application& application, std::string_view text)
+{
+    const auto words = ui::words_of(text);
+    const auto& points = model(application).points;
+    const auto point = words.empty() ? points.end()
+                                     : std::ranges::find(points, words[0], &femoop::plane::PlanePoint::id);
+    if (point == points.end()) return "at: found no such point, wanted NAME X Y";
+    const std::string found = point->id + " " + ui::number_text(point->at[0]) + " " + ui::number_text(point->at[1]);
+    return ui::compared("at", found, std::string(text));
+}
+
+const ui::Facts<Application>& facts()
+{
+    static const ui::Facts<Application> all(
+        {
+            {"points", [](const Application& a) { return std::to_string(model(a).points.size()); }},
+            {"curves", [](const Application& a) { return std::to_string(model(a).curves.size()); }},
+            {"faces", faces},
+            {"empty", empty_faces},
+            {"regions", regions},
+            {"areas", areas},
+            {"selection", selection},
+            {"supports", supports},
+            {"loads", loads},
+            {"problems", [](const Application& a) { return std::to_string(a.session().solution().faults().size()); }},
+            {"gap", gap},
+            {"dispute", dispute},
+            {"tool", tool},
+            {"typed", [](const Application& a) { return or_nothing(a.workspace().hand.typed()); }},
+        },
+        ", at");
+    return all;
+}
+
+} // namespace
+
+std::optional<std::string> why_not(std::string_view expectation, const Application& application)
+{
+    const auto [what, rest] = ui::first_word(expectation);
+    if (what == "at") return place(application, rest);
+    return facts().mismatch(expectation, application);
+}
+
+} // namespace plane

@@ -1,0 +1,71 @@
+#include "apps/plane/window/foot.h"
+
+#include <string>
+
+#include "apps/plane/session/drawing_commands.h"
+#include "ui/text/number_format.h"
+
+namespace plane {
+
+namespace {
+
+using ui::translatable;
+
+std::string place_text(const Session& session, const FlatPoint& at)
+{
+    const ui::DisplayUnits units = session.units();
+    const auto number = [&](double value) { return ui::with_minus_signs(units.number(value, ui::Measure::Length)); };
+    return "(" + number(at.x) + "; " + number(at.y) + ") " + units.unit(ui::Measure::Length).name;
+}
+
+/// "R1: steel, 10 mm", "R2: hole".
+std::string entry_text(const Session& session, RegionId id)
+{
+    const auto& region = session.model()[id];
+    if (region.is_hole) return region.id + ": " + session.tr()("hole");
+    std::string text = region.id;
+    if (region.material.index < session.model().materials.size()) text += ": " + session.model()[region.material].id;
+    if (region.thickness) text += ", " + session.units().text(*region.thickness, ui::Measure::Length);
+    return text;
+}
+
+ui::FootMessage message_of(const Session& session, const Dispute& dispute)
+{
+    const ui::Catalogue& tr = session.tr();
+    return {
+        {tr("The face at {place} was two regions; which one is it now?", {{"place", place_text(session, dispute.at)}})},
+        {entry_text(session, dispute.first) + "###keep first", entry_text(session, dispute.second) + "###keep second"}};
+}
+
+ui::FootMessage message_of(const Session& session, const Gap& gap)
+{
+    const ui::Catalogue& tr = session.tr();
+    return {{tr("An outline is open from {from} to {to}: {width}",
+                {{"from", place_text(session, gap.from)},
+                 {"to", place_text(session, gap.to)},
+                 {"width", session.units().text(gap.width, ui::Measure::Length)}})},
+            {tr("Close the gap") + "###close gap", tr("Leave the gap open") + "###leave gap"},
+            {0}};
+}
+
+} // namespace
+
+std::optional<ui::FootMessage> foot_of(const Workspace& workspace)
+{
+    const Session& session = workspace.session;
+    if (workspace.hand.has_begun() || session.history().is_dragging()) return std::nullopt;
+    if (const auto& dispute = session.solution().dispute()) return message_of(session, *dispute);
+    if (const auto gap = told_gap(workspace)) return message_of(session, *gap);
+    return std::nullopt;
+}
+
+void answer_foot(Workspace& workspace, const CommandTable& commands, std::size_t pressed)
+{
+    const bool is_dispute = workspace.session.solution().dispute().has_value();
+    const bool is_second = pressed == 1;
+    const std::string_view id = is_dispute ? (is_second ? "region.keep_second" : "region.keep_first")
+                                           : (is_second ? "draw.leave_gap" : "draw.close_gap");
+    run(*commands.find(id), workspace);
+}
+
+} // namespace plane

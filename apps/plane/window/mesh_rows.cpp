@@ -1,0 +1,89 @@
+#include "apps/plane/window/mesh_rows.h"
+
+#include <imgui.h>
+
+#include <array>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "femoop/element/continuum/continuum_formulation.h"
+#include "femoop/shape/shape.h"
+#include "ui/widgets/item_label.h"
+#include "ui/widgets/wrapped_text.h"
+
+namespace plane {
+
+using femoop::ShapeKind;
+using femoop::plane::Formulation;
+using femoop::plane::MeshOptions;
+using ui::translatable;
+
+namespace {
+
+/// A choice out of a list; the first stands for the file's.
+struct Combo {
+    std::string_view label; ///< translatable
+    std::vector<std::string> names;
+    std::size_t chosen;
+};
+
+std::optional<std::size_t> show(const Combo& combo, const ui::Catalogue& tr)
+{
+    std::optional<std::size_t> chosen;
+    ImGui::TextUnformatted(tr(combo.label).c_str());
+    if (!ui::begin_wrapped_combo(combo.names[combo.chosen], combo.names, ("###" + std::string(combo.label)).c_str()))
+        return chosen;
+    for (std::size_t i = 0; i < combo.names.size(); ++i)
+        if (ImGui::Selectable(ui::item_label(combo.names[i], std::to_string(i)).c_str(), i == combo.chosen)) chosen = i;
+    ImGui::EndCombo();
+    return chosen;
+}
+
+template <class Change> void change_mesh(Workspace& workspace, RegionId region, const Change& change)
+{
+    workspace.change({translatable("Change the mesh of a region"),
+                      [=](Document& document) { change(document.model.regions[region.index].mesh); }});
+}
+
+constexpr std::array methods{std::string_view("mapped"),   std::string_view("trilateral"), std::string_view("sweep"),
+                             std::string_view("delaunay"), std::string_view("front"),      std::string_view("quadtree"),
+                             std::string_view("quads")};
+constexpr std::array elements{ShapeKind::T3, ShapeKind::T6, ShapeKind::Q4, ShapeKind::Q8, ShapeKind::Q9};
+constexpr std::array formulations{Formulation::Standard, Formulation::Reduced, Formulation::BBar,
+                                  Formulation::Incompatible};
+
+template <class List, class Value> std::size_t place_in(const List& list, const Value& value)
+{
+    for (std::size_t i = 0; i < list.size(); ++i)
+        if (value == list[i]) return i + 1;
+    return 0;
+}
+
+} // namespace
+
+void mesh_rows(Workspace& workspace, RegionId region)
+{
+    const ui::Catalogue tr = workspace.tr();
+    const MeshOptions mesh = workspace.session.model()[region].mesh;
+    const std::string usual = tr("as the file says");
+    ImGui::Spacing();
+    ImGui::Separator();
+    Combo method{translatable("Method of the mesh"), {usual}, place_in(methods, mesh.method)};
+    for (const std::string_view name : methods) method.names.emplace_back(name);
+    if (const auto i = show(method, tr))
+        change_mesh(workspace, region, [i](MeshOptions& m) { m.method = *i == 0 ? "" : std::string(methods[*i - 1]); });
+    Combo element{translatable("Element"), {usual}, place_in(elements, mesh.element)};
+    for (const ShapeKind kind : elements) element.names.emplace_back(femoop::name(kind));
+    if (const auto i = show(element, tr))
+        change_mesh(workspace, region,
+                    [i](MeshOptions& m) { m.element = *i == 0 ? std::nullopt : std::optional(elements[*i - 1]); });
+    Combo formulation{translatable("Formulation"), {usual}, place_in(formulations, mesh.formulation)};
+    for (const Formulation one : formulations) formulation.names.emplace_back(femoop::plane::name(one));
+    if (const auto i = show(formulation, tr))
+        change_mesh(workspace, region, [i](MeshOptions& m) {
+            m.formulation = *i == 0 ? std::nullopt : std::optional(formulations[*i - 1]);
+        });
+}
+
+} // namespace plane

@@ -1,0 +1,10 @@
+#pragma once
+
+#include "ui/app/app_options.h"
+
+namespace plane {
+
+/// What the command line asks for; one file at most. \throws ui::OptionsEnd
+ui::AppOptions parse_options(int argc, const char* const* argv);
+
+} // namespace plane
