@@ -54,6 +54,33 @@ constexpr std::array looks{
     LookEntry{&Look::legend, "view.show.legend", translatable("Legend"), {{Key::T, ui::shift}}},
 };
 
+constexpr std::array results{
+    LookEntry{&Look::mesh, "results.mesh", translatable("Mesh"), {{Key::M, {}}}},
+    LookEntry{&Look::deformed, "results.deformed", translatable("Deformed shape"), {{Key::D, {}}}},
+    LookEntry{&Look::principal, "results.principal", translatable("Principal stresses"), {{Key::K, {}}}},
+    LookEntry{&Look::trajectories, "results.trajectories", translatable("Stress trajectories"), {{Key::Y, {}}}},
+    LookEntry{&Look::error, "results.error", translatable("Estimated error"), {{Key::W, {}}}},
+};
+
+using femoop::plane::PlaneComponent;
+constexpr std::array field_entries{
+    FieldEntry{std::nullopt, "results.no_field", translatable("No bands")},
+    FieldEntry{PlaneComponent::sx, "results.sx", "σx"},
+    FieldEntry{PlaneComponent::sy, "results.sy", "σy"},
+    FieldEntry{PlaneComponent::txy, "results.txy", "τxy"},
+    FieldEntry{PlaneComponent::s1, "results.s1", "σ1"},
+    FieldEntry{PlaneComponent::s2, "results.s2", "σ2"},
+    FieldEntry{PlaneComponent::Mises, "results.mises", "von Mises", {{Key::I, {}}}},
+};
+
+void add_results(CommandTable& table)
+{
+    ui::standard::add_look_switches(table, translatable("Results"), results);
+    Menu(table, translatable("Results"))
+        .choices(
+            field_entries, [](auto& workspace) -> auto& { return workspace.session.look.field; });
+}
+
 void add_gallery(CommandTable& table)
 {
     Menu menu(table, translatable("Gallery"));
@@ -95,6 +122,7 @@ void Workspace::draw(const std::optional<CurveDraft>& drawn)
     change({translatable("Draw a curve"), [draft = *drawn](Document& document) { draw_curve(document, draft); }});
 }
 
+std::span<const FieldEntry> fields() { return field_entries; }
 std::span<const TableEntry> tables() { return table_entries; }
 std::span<const TopicEntry> topics() { return topic_entries; }
 
@@ -107,6 +135,7 @@ CommandTable command_table()
     add_edit_commands(table);
     add_drawing_commands(table);
     add_part_commands(table);
+    add_results(table);
     add_tables(table);
     add_gallery(table);
     add_view_commands(table);

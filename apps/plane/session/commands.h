@@ -40,6 +40,8 @@ CommandTable command_table();
 
 using TopicEntry = ui::Choice<Topic>;
 std::span<const TopicEntry> topics(); ///< in the order of their tabs
+using FieldEntry = ui::Choice<std::optional<femoop::plane::PlaneComponent>>;
+std::span<const FieldEntry> fields(); ///< that bands can show, none first
 using TableEntry = ui::Choice<TableKind>;
 std::span<const TableEntry> tables(); ///< in the order of their tabs
 using ToolEntry = ui::Choice<ToolKind>;

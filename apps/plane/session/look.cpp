@@ -4,6 +4,13 @@
 
 namespace plane {
 
+bool needs_results(const Look& look)
+{
+    return look.deformed || look.principal || look.trajectories || look.error || look.field;
+}
+
+bool needs_mesh(const Look& look) { return look.mesh || needs_results(look); }
+
 PlateOptions options_of(const Look& look, std::size_t load_case)
 {
     PlateOptions options;
@@ -17,6 +24,12 @@ PlateOptions options_of(const Look& look, std::size_t load_case)
     show(look.values, PlateShow::Values);
     show(look.names, PlateShow::Names);
     show(look.legend, PlateShow::Legend);
+    show(look.mesh, PlateShow::Mesh);
+    show(look.deformed, PlateShow::Deformed);
+    show(look.principal, PlateShow::Principal);
+    show(look.trajectories, PlateShow::Trajectories);
+    show(look.error, PlateShow::Error);
+    if (look.field) options.show.fields = {{*look.field, FieldStyle::Bands}};
     options.load_case = femoop::CaseId(load_case);
     options.theme = look.theme;
     options.tr = look.tr;

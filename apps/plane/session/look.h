@@ -1,5 +1,7 @@
 #pragma once
 
+#include <optional>
+
 #include "apps/plane/view/plate_picture.h"
 #include "ui/paint/theme.h"
 #include "ui/text/catalogue.h"
@@ -14,9 +16,19 @@ struct Look {
     bool values = true;
     bool names = false;
     bool legend = true;
+    bool mesh = false;
+    bool deformed = false;
+    bool principal = false; ///< crosses of principal stresses
+    bool trajectories = false;
+    bool error = false;                                   ///< of each element, estimated
+    std::optional<femoop::plane::PlaneComponent> field{}; ///< that bands show
     ui::ThemeName theme = ui::ThemeName::Light;
     ui::Catalogue tr;
 };
+
+/// Whether what it shows needs the drawing's mesh, and results too.
+bool needs_mesh(const Look& look);
+bool needs_results(const Look& look);
 
 /// What of a drawing its look shows, of a load case.
 PlateOptions options_of(const Look& look, std::size_t load_case);

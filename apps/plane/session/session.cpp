@@ -1,6 +1,7 @@
 #include "apps/plane/session/session.h"
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <cstdint>
 #include <utility>
@@ -183,6 +184,54 @@ std::string Session::name() const { return !path() && !model().title.empty() ? m
 ui::DisplayUnits Session::units() const
 {
     return {ui::UnitSystem::File, drawing::base_units(model().units), options().numbers};
+}
+
+// ---- mesh and results
+
+PlateInput Session::input() const
+{
+    PlateInput input{.model = solution_->model(), .drawing = drawing()};
+    const Analysed* const found = analysed();
+    if (found == nullptr || found->mesh() == nullptr) return input;
+    input.mesh = found->mesh();
+    input.results = found->results();
+    input.result = found->result(load_case);
+    return input;
+}
+
+const Analysed* Session::analysed() const
+{
+    const bool is_of_now = analysed_ && analysed_->solution() == solution_;
+    return is_of_now && needs_mesh(look) ? analysed_.get() : nullptr;
+}
+
+void Session::analyse_what_is_shown()
+{
+    if (!needs_mesh(look) || !solution_->is_sound() || drawing() == nullptr || analysed() != nullptr) return;
+    constexpr double fast_enough = 0.05, longest = 20.0; // [s]
+    if (history_.is_dragging() && last_seconds_ > fast_enough) return;
+    using Clock = std::chrono::steady_clock;
+    const Clock::time_point start = Clock::now();
+    const auto seconds = [&] { return std::chrono::duration<double>(Clock::now() - start).count(); };
+    analysed_ = std::make_shared<const Analysed>(solution_, [&] { return seconds() > longest; });
+    last_seconds_ = seconds();
+}
+
+std::optional<Message> Session::why_no_results() const
+{
+    if (!needs_mesh(look) || history_.is_dragging()) return std::nullopt;
+    const auto said = [&](const std::vector<Fault>& faults) {
+        return Message(sentence(faults.front(), model(), tr()));
+    };
+    if (!solution_->is_sound()) return said(solution_->faults());
+    const Analysed* const found = analysed();
+    if (found == nullptr) return std::nullopt;
+    if (found->was_cancelled())
+        return translatable("the mesh took too long and was given up; give a larger element size");
+    if (!found->faults().empty()) return said(found->faults());
+    if (needs_results(look) && found->results() == nullptr)
+        return translatable("there is no load case yet; add a load to a curve or a point");
+    return std::nullopt;
 }
 
 void Session::toggle(const Part& part)

@@ -8,6 +8,7 @@
 #include <string_view>
 #include <vector>
 
+#include "apps/plane/document/analysed.h"
 #include "apps/plane/document/change.h"
 #include "apps/plane/document/outlines.h"
 #include "apps/plane/document/part.h"
@@ -43,8 +44,18 @@ public:
     std::string name() const override; ///< without a file the model's title
     ui::DisplayUnits units() const;
     const ui::Catalogue& tr() const override { return look.tr; }
-    PlateInput input() const { return {.model = solution_->model(), .drawing = drawing()}; }
+    PlateInput input() const;
     PlateOptions options() const { return options_of(look, load_case); }
+
+    // ---- mesh and results
+
+    /// Finds the mesh and the results where they are shown and the drawing has changed. While a hand drags, only where
+    /// they came fast enough to follow it.
+    void analyse_what_is_shown();
+    /// Of the drawing as it is now; null where they are not shown, or not found.
+    const Analysed* analysed() const;
+    /// Why what is shown has no mesh or no results; nothing where it has, or none is wanted.
+    std::optional<ui::Message> why_no_results() const;
 
     // ---- what is selected
 
@@ -86,6 +97,8 @@ private:
     const Solution& settled() const { return history_.is_dragging() && settled_ ? *settled_ : *solution_; }
 
     std::shared_ptr<const Solution> solution_, settled_; ///< settled_: before the gesture that is under way
+    std::shared_ptr<const Analysed> analysed_;
+    double last_seconds_ = 0.0; ///< that an analysis took
     std::vector<Part> selection_;
     std::optional<Gap> gap_, left_gap_;
     std::size_t opening_ = 0;

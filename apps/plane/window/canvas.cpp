@@ -39,9 +39,11 @@ bool is_finite(const FlatPoint& p) { return std::isfinite(p.x) && std::isfinite(
 void Canvas::show(Workspace& workspace, ui::ImGuiSession& gui)
 {
     if (!begin(gui, any_button)) return;
+    workspace.session.analyse_what_is_shown();
     fit_if_needed(workspace);
     if (workspace.session.camera) camera_ = *workspace.session.camera;
     follow(workspace);
+    workspace.session.analyse_what_is_shown(); // the hand may have changed the document
     paint([&](ui::Painter& painter) { paint_all(workspace, painter); });
     end(gui);
 }
@@ -78,7 +80,7 @@ void Canvas::fit_if_needed(const Workspace& workspace)
         fitted_for_.reset();
         return;
     }
-    const FittedFor wanted{session.opening(), sheet(), session.look.theme};
+    const FittedFor wanted{session.opening(), sheet(), session.look.theme, session.options().show};
     const bool rests = grip_ || workspace.hand.draws() || session.history().is_dragging();
     const bool is_another = !fitted_for_ || fitted_for_->opening != wanted.opening;
     if (!is_another && fitted_for_ == wanted && (rests || is_all_in_sight(session))) return;

@@ -48,6 +48,7 @@ private:
         std::size_t opening;
         ui::Size sheet;
         ui::ThemeName theme;
+        PlateShown show; ///< legends and marks take room
         bool operator==(const FittedFor&) const = default;
     };
     std::optional<FittedFor> fitted_for_;

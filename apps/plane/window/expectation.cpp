@@ -93,6 +93,18 @@ std::string dispute(const Application& application)
     return found ? model(application)[found->first].id + ", " + model(application)[found->second].id : "nothing";
 }
 
+std::string mesh_size(const Application& application)
+{
+    const Analysed* const found = application.session().analysed();
+    return found != nullptr && found->mesh() != nullptr ? std::to_string(found->mesh()->elements.size()) : "nothing";
+}
+
+std::string why_unsolved(const Application& application)
+{
+    const auto why = application.session().why_no_results();
+    return why ? ui::Catalogue()(*why) : "nothing";
+}
+
 std::string tool(const Application& application)
 {
     return std::string(std::ranges::find(tools(), application.workspace().hand.tool(), &ToolEntry::value)->id);
@@ -126,6 +138,8 @@ const ui::Facts<Application>& facts()
             {"problems", [](const Application& a) { return std::to_string(a.session().solution().faults().size()); }},
             {"gap", gap},
             {"dispute", dispute},
+            {"elements", mesh_size},
+            {"reason", why_unsolved},
             {"tool", tool},
             {"typed", [](const Application& a) { return or_nothing(a.workspace().hand.typed()); }},
         },

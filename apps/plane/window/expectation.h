@@ -19,6 +19,8 @@ namespace plane {
 ///     problems 0                        errors and warnings
 ///     gap 0.5                           the width of an open outline that is told; `nothing`
 ///     dispute R1, R2                    entries that claim one face; `nothing`
+///     elements 312                      of the mesh, where it is shown; `nothing`
+///     reason nothing                    why there are no results
 ///     tool tool.line     typed 60, 20
 ///     at A 70 30                        where a point is
 ///     notice nothing     file Untitled     changed no

@@ -56,11 +56,19 @@ std::optional<ui::FootMessage> foot_of(const Workspace& workspace)
     if (workspace.hand.has_begun() || session.history().is_dragging()) return std::nullopt;
     if (const auto& dispute = session.solution().dispute()) return message_of(session, *dispute);
     if (const auto gap = told_gap(workspace)) return message_of(session, *gap);
+    if (const auto reason = session.why_no_results())
+        return ui::FootMessage{{session.tr()("No results: {reason}", {{"reason", session.tr()(*reason)}})},
+                               {session.tr()("Problems") + "###problems"}};
     return std::nullopt;
 }
 
 void answer_foot(Workspace& workspace, const CommandTable& commands, std::size_t pressed)
 {
+    if (!workspace.session.solution().dispute() && !told_gap(workspace)) {
+        workspace.topic = Topic::Problems;
+        workspace.has_panels = true;
+        return;
+    }
     const bool is_dispute = workspace.session.solution().dispute().has_value();
     const bool is_second = pressed == 1;
     const std::string_view id = is_dispute ? (is_second ? "region.keep_second" : "region.keep_first")

@@ -112,7 +112,9 @@ void problems_panel(Workspace& workspace, const CommandTable& commands)
 {
     Session& session = workspace.session;
     const ui::Catalogue tr = workspace.tr();
-    const std::vector<femoop::Fault> faults = session.solution().faults();
+    std::vector<femoop::Fault> faults = session.solution().faults();
+    if (session.analysed() != nullptr) // of the mesh and of the analysis
+        faults.insert(faults.end(), session.analysed()->faults().begin(), session.analysed()->faults().end());
     if (faults.empty()) ui::wrapped_text(tr("Nothing is wrong with the drawing."));
     else ImGui::TextDisabled("%s", tr("A click goes to the place.").c_str());
     for (std::size_t i = 0; i < faults.size(); ++i) {

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "apps/plane/window/tool_icon.h"
+#include "ui/widgets/command_combo.h"
 #include "ui/widgets/command_menu.h"
 #include "ui/widgets/tooltip.h"
 #include "ui/widgets/wrapped_text.h"
@@ -60,6 +61,15 @@ void show_panel(Workspace& workspace, const CommandTable& commands)
     for (const char* id : {"view.show.regions", "view.show.supports", "view.show.loads", "view.show.values",
                            "view.show.names", "view.show.legend"})
         switch_box(workspace, commands, id);
+    ImGui::Spacing();
+    ImGui::TextUnformatted(workspace.tr()("Results").c_str());
+    ImGui::Separator();
+    for (const char* id :
+         {"results.mesh", "results.deformed", "results.principal", "results.trajectories", "results.error"})
+        switch_box(workspace, commands, id);
+    const auto field = workspace.session.look.field;
+    ui::command_combo(workspace, commands, "###field", fields(),
+                      [&](const FieldEntry& entry) { return entry.value == field; });
     ImGui::Spacing();
     ImGui::TextUnformatted(workspace.tr()("Draw").c_str());
     ImGui::Separator();

@@ -1,4 +1,5 @@
 // The document of the plane app and its commands, without a screen.
+#include "apps/plane/document/analysed.h"
 #include "apps/plane/document/attributes.h"
 #include "apps/plane/document/curve_draft.h"
 #include "apps/plane/document/erase.h"
@@ -11,6 +12,7 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
+#include <memory>
 #include <numbers>
 
 using namespace plane;
@@ -304,4 +306,24 @@ TEST_CASE("Where loads or materials are wrong the faces are seen all the same")
     REQUIRE(solution.drawing() != nullptr);
     CHECK(solution.drawing()->faces().size() == 1);
     CHECK(solution.curve_errors().empty());
+}
+
+TEST_CASE("A plate that is pulled is held back by the traction times its face, and a free one has no results")
+{
+    Document document = plate(); // 70 by 30, 10 mm thick
+    set_support(document, CurveId(3U), PlaneSupportKind::Symmetry);
+    set_support(document, NodeId(0U), PlaneSupportKind::Fixed);
+    const std::size_t load = add_load(document, 0, CurveId(1U), femoop::plane::CurveLoadKind::Traction);
+    document.model.load_cases[0].curves[load].qx = femoop::plane::Field{femoop::Quantity(7.0)};
+    const auto never = [] { return false; };
+    const Analysed pulled(std::make_shared<const Solution>(document), never);
+    CHECK(pulled.faults().empty());
+    REQUIRE(pulled.result(0) != nullptr);
+    CHECK(pulled.result(0)->equilibrium().sum_reactions[0] == doctest::Approx(-7.0 * 30.0 * 10.0));
+    set_support(document, CurveId(3U), std::nullopt);
+    set_support(document, NodeId(0U), std::nullopt);
+    const Analysed free(std::make_shared<const Solution>(document), never);
+    CHECK(free.mesh() != nullptr);
+    CHECK(free.results() == nullptr);
+    CHECK_FALSE(free.faults().empty());
 }

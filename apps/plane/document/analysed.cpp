@@ -1,0 +1,39 @@
+#include "apps/plane/document/analysed.h"
+
+#include <utility>
+
+#include "femoop/model/fault/errors_among.h"
+#include "femoop/plane/analysis/plane_analysis.h"
+
+namespace plane {
+
+Analysed::Analysed(std::shared_ptr<const Solution> solution, const std::function<bool()>& is_cancelled)
+    : solution_(std::move(solution))
+{
+    mesh_.emplace(*solution_->drawing(), [&] { return was_cancelled_ = was_cancelled_ || is_cancelled(); });
+    if (!mesh_->is_sound() || was_cancelled_) {
+        faults_ = femoop::errors_among(mesh_->faults());
+        mesh_.reset();
+        return;
+    }
+    if (mesh_->model().n_cases() > 0) solve();
+}
+
+void Analysed::solve()
+{
+    try {
+        results_ = femoop::plane::analyse(mesh_->model());
+        for (std::size_t i = 0; i < results_->n_cases(); ++i) cases_.push_back((*results_)[femoop::CaseId(i)]);
+    } catch (const femoop::ModelError& error) { // what is wrong, or how the body can move
+        results_.reset();
+        cases_.clear();
+        faults_ = error.faults();
+    }
+}
+
+const femoop::plane::PlaneCase* Analysed::result(std::size_t load_case) const
+{
+    return load_case < cases_.size() ? &cases_[load_case] : nullptr;
+}
+
+} // namespace plane

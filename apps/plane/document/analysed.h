@@ -1,0 +1,41 @@
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "apps/plane/discretize/meshed_drawing.h"
+#include "apps/plane/document/solution.h"
+#include "femoop/plane/analysis/plane_results.h"
+
+namespace plane {
+
+/// The mesh of a sound drawing, and what its loads do to it: a pure function of the drawing, found where it is asked
+/// for.
+class Analysed {
+public:
+    /// \param is_cancelled  asked now and then while the mesh is made  \pre solution->is_sound()
+    Analysed(std::shared_ptr<const Solution> solution, const std::function<bool()>& is_cancelled);
+
+    const std::shared_ptr<const Solution>& solution() const { return solution_; } ///< that it is of
+    const PlaneModel* mesh() const { return mesh_ ? &mesh_->model() : nullptr; }
+    const femoop::plane::PlaneResults* results() const { return results_ ? &*results_ : nullptr; }
+    /// Of a case, with all that was recovered of it; null where there are no results.
+    const femoop::plane::PlaneCase* result(std::size_t load_case) const;
+    /// Why there is no mesh, or why it cannot be solved.
+    const std::vector<femoop::Fault>& faults() const { return faults_; }
+    bool was_cancelled() const { return was_cancelled_; }
+
+private:
+    void solve();
+
+    std::shared_ptr<const Solution> solution_;
+    std::optional<discretize::MeshedDrawing> mesh_;
+    std::optional<femoop::plane::PlaneResults> results_;
+    std::vector<femoop::plane::PlaneCase> cases_;
+    std::vector<femoop::Fault> faults_;
+    bool was_cancelled_ = false;
+};
+
+} // namespace plane

@@ -1,0 +1,174 @@
+// What a hand draws, and the session that it draws in, without a screen.
+#include "apps/plane/document/attributes.h"
+#include "apps/plane/document/gallery/gallery.h"
+#include "apps/plane/document/points.h"
+#include "apps/plane/session/commands.h"
+#include "apps/plane/session/drawing_commands.h"
+#include "apps/plane/session/part_commands.h"
+#include "apps/plane/tools/snap.h"
+#include "tests/apps/recovered.h"
+
+#include <doctest/doctest.h>
+
+#include <string>
+
+using namespace plane;
+using femoop::plane::DrawnKind;
+
+namespace {
+
+Aim aim_at(FlatPoint place, bool adds = false)
+{
+    return {.pointer = place, .snap = {place, SnapKind::Free, {}}, .under = {}, .pixel = 0.1, .adds = adds};
+}
+
+Workspace quarter_plate() { return Workspace(Session(gallery_document(0))); }
+
+} // namespace
+
+TEST_CASE("Lines go on from the last place, and end where the first one began")
+{
+    CurveTool tool(CurveToolKind::Line);
+    CHECK_FALSE(tool.add({{0, 0}}));
+    CHECK(tool.add({{7, 1}}));
+    CHECK(tool.from() == FlatPoint{7, 1});
+    CHECK(tool.add({{5, 6}}));
+    CHECK(tool.add({{0, 0}}));
+    CHECK_FALSE(tool.has_begun());
+}
+
+TEST_CASE("A polyline is closed by its first place and ended by its last")
+{
+    CurveTool closed(CurveToolKind::Polyline);
+    for (const FlatPoint& p : {FlatPoint{0, 0}, {7, 1}, {5, 6}}) CHECK_FALSE(closed.add({p}));
+    const auto outline = closed.add({{0, 0}});
+    REQUIRE(outline);
+    CHECK(outline->is_closed);
+    CHECK(outline->places.size() == 3);
+    CurveTool open(CurveToolKind::Polyline);
+    for (const FlatPoint& p : {FlatPoint{0, 0}, {7, 1}}) CHECK_FALSE(open.add({p}));
+    const auto line = open.add({{7, 1}});
+    REQUIRE(line);
+    CHECK_FALSE(line->is_closed);
+}
+
+TEST_CASE("An arc about a centre takes the short way, with Shift the long one, and the radius of its start")
+{
+    for (const bool is_long : {false, true}) {
+        CurveTool tool(CurveToolKind::ArcCenter);
+        tool.add({{2, 1}});
+        tool.add({{7, 1}});
+        const auto arc = tool.add({{2, 9}}, is_long);
+        REQUIRE(arc);
+        CHECK(arc->is_clockwise == is_long);
+        CHECK(arc->places[1].at.y == doctest::Approx(6.0));
+    }
+}
+
+TEST_CASE("A place is drawn to a point before a curve, to a curve before the grid, and to nothing with Alt")
+{
+    const Session session(gallery_document(0));
+    SnapOptions options{.reach = 1.0, .grid = 5.0, .fine = 0.1};
+    const auto at = [&](FlatPoint p) { return snap(session.model(), session.drawing(), p, options); };
+    CHECK(at({10.4, 0.3}).kind == SnapKind::Point);
+    CHECK(at({25.2, 11.3}).kind == SnapKind::OnCurve);
+    CHECK(at({25.2, 25.4}).kind == SnapKind::Middle);
+    CHECK(at({24.6, 0.4}).kind == SnapKind::Crossing);
+    CHECK(at({35.3, 14.8}).place == FlatPoint{35, 15});
+    CHECK(at({37.13, 17.02}).place.x == doctest::Approx(37.1));
+    options.is_off = true;
+    CHECK(at({10.4, 0.3}).place == FlatPoint{10.4, 0.3});
+}
+
+TEST_CASE("What is typed while a curve is drawn counts from its last place")
+{
+    Workspace workspace{Session()};
+    workspace.hand.select(ToolKind::Line);
+    const auto typed = [&](const std::string& text) {
+        workspace.hand.type(text);
+        const auto place = workspace.hand.typed_place(workspace.session.model().units, workspace.session.units());
+        workspace.hand.forget_typed();
+        return place;
+    };
+    CHECK(typed("12, 5") == FlatPoint{12, 5});
+    CHECK_FALSE(typed("@3, 4"));
+    type_place(workspace, {12, 5});
+    CHECK(typed("@3 cm, 4") == FlatPoint{42, 9});
+    CHECK(typed("20<90") == FlatPoint{12, 25});
+    workspace.hand.point_at(aim_at({12, 90}));
+    CHECK(typed("8") == FlatPoint{12, 13});
+}
+
+TEST_CASE("A change that no drawing may have is refused and changes nothing")
+{
+    Workspace workspace = quarter_plate();
+    const Document before = workspace.session.document();
+    CHECK(workspace.change({"test", [](Document& d) { d.model.regions[0].thickness = femoop::Quantity(-2.0); }}));
+    CHECK(workspace.change({"test", [](Document& d) {
+                                draw_curve(d, {.kind = DrawnKind::Arc, .places = {{{0, 60}}, {{9, 60}}, {{20, 60}}}});
+                            }}));
+    CHECK((workspace.session.document() == before));
+    CHECK_FALSE(workspace.session.history().can_undo());
+}
+
+TEST_CASE("A drag is one step, whatever it passes, and regions follow it there and back")
+{
+    Workspace workspace = quarter_plate();
+    Session& session = workspace.session;
+    const Document before = session.document();
+    for (const double x : {12.0, 30.0, 55.0, 15.0})
+        session.change({"Move", [x](Document& d) { move_point(d, NodeId(1U), {x, 0}); }, Step::Drag});
+    session.settle();
+    CHECK(session.solution().is_sound());
+    CHECK(session.drawing()->faces().size() == 3);
+    session.undo();
+    CHECK((session.document() == before));
+}
+
+TEST_CASE("Results are found where they are shown, and again when the drawing changes")
+{
+    Workspace workspace = quarter_plate();
+    Session& session = workspace.session;
+    session.analyse_what_is_shown();
+    CHECK(session.analysed() == nullptr);
+    session.look.field = femoop::plane::PlaneComponent::sx;
+    session.analyse_what_is_shown();
+    REQUIRE(session.analysed() != nullptr);
+    CHECK(session.input().result != nullptr);
+    CHECK_FALSE(session.why_no_results());
+    session.change({"Move", [](Document& d) { move_point(d, NodeId(1U), {14, 0}); }});
+    CHECK(session.analysed() == nullptr);
+}
+
+TEST_CASE("What is selected goes on under another name")
+{
+    Workspace workspace = quarter_plate();
+    Session& session = workspace.session;
+    session.select(CurveId(1U));
+    session.change({"Rename", [](Document& d) { d.model.curves[1].id = "pulled"; }});
+    REQUIRE(session.selection().size() == 1);
+    CHECK(ui::Catalogue()(title(session, session.selection().front())) == "Curve pulled");
+}
+
+TEST_CASE("A click in a face without a region gives it one, which undo takes back")
+{
+    Workspace workspace = quarter_plate();
+    workspace.change({"Add", [](Document& d) {
+                          draw_curve(d, {.kind = DrawnKind::Circle, .center = DraftPlace{{80, 20}}, .radius = 6.0});
+                      }});
+    click_part(workspace, FacePlace{{81, 21}}, false);
+    CHECK(workspace.session.model().regions.size() == 4);
+    CHECK(workspace.session.selected_region() == RegionId(3U));
+    workspace.session.undo();
+    CHECK(workspace.session.model().regions.size() == 3);
+}
+
+TEST_CASE("What a crash has cost is recovered")
+{
+    const Folder folder;
+    Workspace workspace = quarter_plate();
+    REQUIRE(workspace.session.save(folder.path("lesson.json")));
+    workspace.change({"Move", [](Document& d) { move_point(d, NodeId(1U), {14, 0}); }});
+    const Workspace next = recovered(workspace, folder, ".json");
+    CHECK((next.session.document() == workspace.session.document()));
+}
