@@ -66,9 +66,10 @@ std::vector<End> ends_of(const Drawing& drawing)
         end.component = components.root(v.index);
         ends.push_back(end);
     }
+    std::vector<std::optional<NodeId>> point_at(solid.vertices().n_rows());
     for (std::size_t i = 0; i < drawing.model().points.size(); ++i)
-        for (End& end : ends)
-            if (drawing.vertex(NodeId(i)) == end.vertex) end.point = NodeId(i);
+        if (const auto vertex = drawing.vertex(NodeId(i))) point_at[vertex->index] = NodeId(i);
+    for (End& end : ends) end.point = point_at[end.vertex.index];
     return ends;
 }
 

@@ -4,7 +4,9 @@
 #include <array>
 #include <cstdint>
 #include <limits>
+#include <map>
 #include <set>
+#include <string_view>
 #include <utility>
 
 #include "apps/plane/document/erase.h"
@@ -117,6 +119,7 @@ public:
     FaceFollower(PlaneModel& model, const Drawing& before, const Drawing& now)
         : model_(model), before_(before), now_(now), claims_(now.faces().size())
     {
+        match_curves();
         for (std::size_t i = 0; i < before.faces().size(); ++i) sides_before_.push_back(sides_now(i));
         for (std::size_t i = 0; i < now.faces().size(); ++i) sides_.push_back(sides_of(now, i));
     }
@@ -130,16 +133,25 @@ public:
     }
 
 private:
+    /// Where each curve of before stands now, by its name, and whether each of now was there.
+    void match_curves()
+    {
+        std::map<std::string_view, CurveId> by_name;
+        for (std::size_t i = 0; i < model_.curves.size(); ++i) by_name.emplace(model_.curves[i].id, CurveId(i));
+        was_there_.resize(model_.curves.size());
+        for (const auto& curve : before_.model().curves) {
+            const auto now = by_name.find(curve.id);
+            now_of_.push_back(now != by_name.end() ? std::optional(now->second) : std::nullopt);
+            if (now != by_name.end()) was_there_[now->second.index] = true;
+        }
+    }
+
     /// A face's sides as the curves are numbered now; what has gone is left out.
     Sides sides_now(std::size_t face) const
     {
         Sides sides;
-        for (const auto& [curve, is_left] : sides_of(before_, face)) {
-            const std::string& name = before_.model()[curve].id;
-            const auto now = std::ranges::find(model_.curves, name, &femoop::plane::PlaneCurve::id);
-            if (now != model_.curves.end())
-                sides.insert({CurveId(static_cast<std::size_t>(now - model_.curves.begin())), is_left});
-        }
+        for (const auto& [curve, is_left] : sides_of(before_, face))
+            if (const auto now = now_of_[curve.index]) sides.insert({*now, is_left});
         return sides;
     }
 
@@ -201,11 +213,7 @@ private:
     bool is_part_of(std::size_t face, std::size_t was) const
     {
         if (n_common(sides_[face], sides_before_[was]) > 0) return true;
-        return std::ranges::none_of(sides_[face], [&](const Side& side) {
-            const std::string& name = model_[side.first].id;
-            return std::ranges::find(before_.model().curves, name, &femoop::plane::PlaneCurve::id) !=
-                   before_.model().curves.end();
-        });
+        return std::ranges::none_of(sides_[face], [&](const Side& side) { return was_there_[side.first.index]; });
     }
 
     void join_equal_claims()
@@ -236,6 +244,8 @@ private:
 
     PlaneModel& model_;
     const Drawing &before_, &now_;
+    std::vector<std::optional<CurveId>> now_of_; ///< of each curve of before
+    std::vector<bool> was_there_;                ///< each curve of now
     std::vector<Sides> sides_before_, sides_;
     std::vector<std::vector<RegionId>> claims_; ///< of each face
     std::set<RegionId> lost_;

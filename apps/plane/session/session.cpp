@@ -48,9 +48,11 @@ bool is_understood(const femoop::plane::PlaneReading& reading)
 
 Session::Session(Document document) : EditedDocument(std::move(document)) { solve_again(); }
 
-void Session::solve_again()
+void Session::solve_again() { accept(std::make_shared<const Solution>(document())); }
+
+void Session::accept(std::shared_ptr<const Solution> solution)
 {
-    solution_ = std::make_shared<const Solution>(document());
+    solution_ = std::move(solution);
     gap_ = drawing() != nullptr ? narrowest_gap(*drawing()) : std::nullopt;
     load_case = std::min(load_case, std::max<std::size_t>(model().n_cases(), 1) - 1);
 }
@@ -64,9 +66,9 @@ std::optional<Message> Session::change(const Change& change)
     change.command(next);
     const bool has_faces = before->drawing() != nullptr && !are_drawn_alike(before->model(), next.model);
     if (has_faces) follow_faces(next, *before->drawing());
-    const Solution would_be(next);
-    if (would_be.refused().size() > before->refused().size()) {
-        const Fault& fault = would_be.refused().back();
+    auto would_be = std::make_shared<const Solution>(next);
+    if (would_be->refused().size() > before->refused().size()) {
+        const Fault& fault = would_be->refused().back();
         return Message(sentence(fault, next.model, tr()));
     }
     const PlaneModel was = model();
@@ -76,7 +78,7 @@ std::optional<Message> Session::change(const Change& change)
     } else {
         history_.apply(std::move(next), change.label);
     }
-    solve_again();
+    accept(std::move(would_be));
     keep_selection(was);
     return std::nullopt;
 }

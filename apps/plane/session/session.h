@@ -91,6 +91,7 @@ private:
     std::string about(const ui::Catalogue& tr) const override;
     void follow(const Document& before) override;
     void solve_again();
+    void accept(std::shared_ptr<const Solution> solution); ///< of the document
     void keep_selection(const PlaneModel& before);
     void restart(Document document);
     /// The solution of the document that a change starts from.

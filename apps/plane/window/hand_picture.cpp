@@ -7,6 +7,7 @@
 
 #include "apps/drawing/grid.h"
 #include "apps/drawing/hand_marks.h"
+#include "apps/drawing/sheet/legend.h"
 #include "apps/plane/discretize/shape_curves.h"
 #include "apps/plane/document/fault_words.h"
 #include "apps/plane/document/points.h"
@@ -122,7 +123,7 @@ public:
         const PlateHighlight lit = session_.highlight(parts);
         const ui::Color ink = theme_.stroke(role).color;
         for (const std::size_t face : lit.faces)
-            if (face < outline_.faces.size()) fill(outline_.faces[face], ui::with_opacity(ink, 0.18));
+            if (face < outline_.faces.size()) mark(outline_.faces[face], ink, width);
         for (const CurveId curve : lit.curves)
             for (const OutlinedPiece& piece : outline_.pieces)
                 if (piece.curve == curve) painter_.polyline(on_sheet(piece.line), {.color = ink, .width = width});
@@ -139,11 +140,14 @@ private:
         for (const auto& p : line) points.push_back(camera_.to_sheet({p.x(), p.y()}));
         return points;
     }
-    void fill(const OutlinedFace& face, ui::Color ink)
+    /// Filled, but where colours mean stresses.
+    void mark(const OutlinedFace& face, ui::Color ink, double width)
     {
         std::vector<std::vector<Point>> loops;
         for (const PlaceLine& loop : face.loops) loops.push_back(on_sheet(loop));
-        painter_.region(loops, ink);
+        if (!session_.look.field && !session_.look.error) return painter_.region(loops, ui::with_opacity(ink, 0.18));
+        for (const std::vector<Point>& loop : loops)
+            painter_.polyline(loop, {.color = ink, .width = width}, ui::PathEnds::Closed);
     }
 
     ui::Painter& painter_;
@@ -212,11 +216,26 @@ void draw_helpers(ui::Painter& painter, const Session& session, const ui::PlaneC
     }
 }
 
+namespace {
+
+/// What the head of the picture leaves of the sheet.
+ui::Box below_head(const ui::Painter& painter, const Session& session)
+{
+    const ui::Size sheet = painter.size();
+    if (!session.look.legend) return {{0.0, 0.0}, {sheet.width, sheet.height}};
+    const drawing::SheetHead head{.title = session.model().title, .line = status_text(session)};
+    const double top = drawing::head_height(head, ui::Theme(session.look.theme), painter.fonts(), sheet.width);
+    return {{0.0, top}, {sheet.width, sheet.height}};
+}
+
+} // namespace
+
 void draw_highlight(ui::Painter& painter, const Session& session, const ui::PlaneCamera& camera)
 {
     if (session.drawing() == nullptr || (session.selection().empty() && !session.hover)) return;
     constexpr double flatness = 0.15; // [px] that a line may stray from its curve
     const PlateOutline outline = outline_of(*session.drawing(), flatness / camera.scale());
+    const ui::ClipScope clip(painter, below_head(painter, session));
     HighlightPicture picture(painter, session, camera, outline);
     if (session.hover) picture.show({*session.hover}, Role::Hover, 4.0);
     picture.show(session.selection(), Role::Selection, 4.0);
