@@ -330,7 +330,8 @@ ExitStatus Bench::run(Console& console)
     const ui::Catalogue& tr = console.tr();
     if (what_ == "frame") return frame(console);
     if (what_ == "plane") return plane(console);
-    if (what_.empty()) throw UsageError(tr("nothing to build is given; add frame, halfedge, mesh, plane or regions"));
+    if (what_.empty())
+        throw UsageError(tr("nothing to build is given; add `frame`, `halfedge`, `mesh`, `plane` or `regions`"));
     if (what_ == "halfedge") console.print(halfedge(tr));
     else if (what_ == "mesh") console.print(mesh(tr));
     else if (what_ == "regions") console.print(regions(tr));

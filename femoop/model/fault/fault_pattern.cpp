@@ -420,7 +420,7 @@ std::string_view pattern(FaultKind kind)
     case FaultKind::PrimaryMoves: return "without {0} the structure can move; release other forces";
 
     case FaultKind::PlaneModelElsewhere:
-        return "{0}: {1} is a plane model, for which this is not built yet; check, mesh, solve, verify, render and convert read it";
+        return "{0}: {1} is a plane model, for which this is not built yet; `check`, `mesh`, `solve`, `verify`, `render` and `convert` read it";
     case FaultKind::EdgesWithoutElements:
         return "{0}: found the kind \"edges\" without \"elements\", wanted line, arc, circle, ellipse, bezier or spline; draw the curve, or give the mesh";
     case FaultKind::CurvePlace: return "{0}: is no place of a curve; name a point or write [x, y], like [2.5, 0]";
@@ -465,7 +465,7 @@ std::string_view pattern(FaultKind kind)
         return "{0}: found min_angle {1}, wanted more than 0 and at most 33 degrees; give a smaller one";
     case FaultKind::CornerCount: return "{0}: found {1} corners, wanted four points of its outline; name four";
     case FaultKind::NothingToMesh:
-        return "no face of the drawing has material: there is nothing to mesh; add an entry to \"regions\"";
+        return "no face of the drawing has material: no mesh can be made; add an entry to \"regions\"";
     case FaultKind::MeshMethodNotBuilt:
         return "{0}: the method {1} is not built yet; choose mapped or delaunay, or another element";
     case FaultKind::MeshMethodOfElement:

@@ -59,7 +59,7 @@ TEST_CASE("A frame of no size, or another benchmark, is answered with what is wa
     CHECK(cremona({"bench", "fram"}).err == "cremona bench: WHAT: there is no \"fram\"; did you mean \"frame\"?\n");
     CHECK(cremona({"bench"}).status == 2);
     CHECK(cremona({"bench"}).err ==
-          "cremona bench: nothing to build is given; add frame, halfedge, mesh, plane or regions\n");
+          "cremona bench: nothing to build is given; add `frame`, `halfedge`, `mesh`, `plane` or `regions`\n");
 }
 
 TEST_CASE("A frame that memory cannot hold is refused in the user's language")

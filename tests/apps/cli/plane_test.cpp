@@ -51,18 +51,41 @@ TEST_CASE("A plane model is solved to the JSON that programs read")
     CHECK(M["equilibrium"]["sum_loads"][2].get<double>() == doctest::Approx(100.0));
 }
 
-TEST_CASE("A drawing is looked at, its counts are compared, and its mesh is refused by name")
+TEST_CASE("A drawing without material has counts, and nothing to be meshed")
 {
     const Run solved = cli_test::cremona({"solve", "-"}, drawing()),
               meshed = cli_test::cremona({"mesh", "-"}, drawing()),
               verified = cli_test::cremona({"verify", "-"}, drawing());
     for (const Run& run : {solved, meshed}) {
         CHECK(run.status == 2);
-        CHECK(has(run.err, "is not built yet"));
+        CHECK(has(run.err, "no face of the drawing has material"));
     }
     CHECK(verified.status == 0);
     CHECK(has(verified.out, "count regions = 1, expected 1 within 1e-06: passed"));
     CHECK(has(verified.out, "1 passed, 0 failed, 0 skipped"));
+}
+
+TEST_CASE("A drawing is meshed, for people and for programs, and its mesh solves to the same numbers")
+{
+    const Folder folder;
+    const Run text = cli_test::cremona({"mesh", "examples/plate.json", "-o", folder.path("meshed.json")});
+    CHECK(text.status == 0);
+    CHECK(has(text.out, "769 nodes, 358 elements"));
+    CHECK(has(text.out, "delaunay"));
+    const json mesh = json::parse(cli_test::cremona({"mesh", "examples/plate.json", "--json"}).out);
+    CHECK(mesh["mesh"]["nodes"] == 769);
+    CHECK(mesh["regions"]["plate"]["method"] == "mapped");
+    CHECK(mesh["regions"]["plate"]["area"].get<double>() == doctest::Approx(1250.0));
+    const json drawn = json::parse(cli_test::cremona({"solve", "examples/plate.json", "--json"}).out),
+               meshed = json::parse(cli_test::cremona({"solve", folder.path("meshed.json"), "--json"}).out);
+    CHECK(drawn["cases"]["P"]["points"].size() == 5);
+    CHECK(drawn["regions"]["ring"]["method"] == "delaunay");
+    for (const char* const point : {"A", "B", "C", "D", "E"})
+        CHECK(drawn["cases"]["P"]["points"][point] == meshed["cases"]["P"]["points"][point]);
+    CHECK(drawn["cases"]["P"]["energy"].get<double>() ==
+          doctest::Approx(meshed["cases"]["P"]["energy"].get<double>()).epsilon(1e-9));
+    CHECK(
+        has(cli_test::cremona({"mesh", "examples/plate.json", "-o", "a.obj"}).err, "wanted a name that ends in .json"));
 }
 
 TEST_CASE("mesh --regions prints the faces of a drawing, for people and for programs")
