@@ -15,7 +15,7 @@ constexpr double good_enough = 0.5;    // quality that is not mended: sine of 30
 constexpr double least_of_cell = 0.05; // quality below which a quadrilateral is cut into two triangles
 constexpr std::size_t most_rounds = 12;
 
-std::uint64_t key(CellNode from, CellNode to) { return (std::uint64_t{from} << 32U) | to; }
+std::uint64_t edge_key(CellNode from, CellNode to) { return (std::uint64_t{from} << 32U) | to; }
 
 double sine(const FlatPoint& before, const FlatPoint& at, const FlatPoint& behind)
 {
@@ -45,7 +45,7 @@ double QuadMesher::quality(std::span<const FlatPoint> corners)
 QuadMesher::QuadMesher(const MeshDomain& domain, DelaunayOptions options)
     : domain_(domain), options_(std::move(options))
 {
-    for (const auto& [a, b] : domain.segments) fixed_.push_back(key(std::min(a, b), std::max(a, b)));
+    for (const auto& [a, b] : domain.segments) fixed_.push_back(edge_key(std::min(a, b), std::max(a, b)));
     std::sort(fixed_.begin(), fixed_.end());
 }
 
@@ -114,27 +114,27 @@ QuadMesher::CellIndex QuadMesher::add(const Nodes& nodes)
 void QuadMesher::put(CellIndex cell, const Nodes& nodes)
 {
     cells_[cell] = nodes;
-    for (std::size_t i = 0; i < nodes.size(); ++i) edges_[key(nodes[i], nodes[(i + 1) % nodes.size()])] = cell;
+    for (std::size_t i = 0; i < nodes.size(); ++i) edges_[edge_key(nodes[i], nodes[(i + 1) % nodes.size()])] = cell;
 }
 
 void QuadMesher::remove(CellIndex cell)
 {
     const Nodes nodes = std::exchange(cells_[cell], {});
     for (std::size_t i = 0; i < nodes.size(); ++i) {
-        const auto found = edges_.find(key(nodes[i], nodes[(i + 1) % nodes.size()]));
+        const auto found = edges_.find(edge_key(nodes[i], nodes[(i + 1) % nodes.size()]));
         if (found != edges_.end() && found->second == cell) edges_.erase(found);
     }
 }
 
 QuadMesher::CellIndex QuadMesher::across(CellNode from, CellNode to) const
 {
-    const auto found = edges_.find(key(from, to));
+    const auto found = edges_.find(edge_key(from, to));
     return found == edges_.end() ? none : found->second;
 }
 
 bool QuadMesher::is_fixed_edge(CellNode a, CellNode b) const
 {
-    return std::binary_search(fixed_.begin(), fixed_.end(), key(std::min(a, b), std::max(a, b)));
+    return std::binary_search(fixed_.begin(), fixed_.end(), edge_key(std::min(a, b), std::max(a, b)));
 }
 
 std::vector<QuadMesher::CellIndex> QuadMesher::neighbours(CellIndex cell) const
