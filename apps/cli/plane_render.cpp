@@ -17,12 +17,12 @@ namespace {
 
 namespace fp = femoop::plane;
 
-plane::PlateShown plate_shown_by(const std::string& list, const ui::Catalogue& tr)
+::plane::PlateShown plate_shown_by(const std::string& list, const ui::Catalogue& tr)
 {
-    plane::PlateShown all;
+    ::plane::PlateShown all;
     for (const std::string& word : comma_list(list)) {
-        const auto shown = plane::plate_shown(word);
-        if (!shown) throw unknown_choice("--show", word, plane::all_plate_words(), tr);
+        const auto shown = ::plane::plate_shown(word);
+        if (!shown) throw unknown_choice("--show", word, ::plane::all_plate_words(), tr);
         all = all | *shown;
     }
     return all;
@@ -43,9 +43,9 @@ void require_case(const fp::PlaneModel& model, const ui::Catalogue& tr)
         throw UsageError(tr("--show: results need a load case, and the model has none; leave them out"));
 }
 
-void require_room(const plane::PlateOptions& options, const PlaneRender::Order& order, const ui::Catalogue& tr)
+void require_room(const ::plane::PlateOptions& options, const PlaneRender::Order& order, const ui::Catalogue& tr)
 {
-    const std::size_t most = plane::most_cuts(ui::Theme(options.theme), order.file.size.width);
+    const std::size_t most = ::plane::most_cuts(ui::Theme(options.theme), order.file.size.width);
     if (options.cuts.size() > most)
         throw UsageError(tr("--cut: {found} cuts; a picture of this width has room for {most}, a wider one for more",
                             {{"found", std::to_string(options.cuts.size())}, {"most", std::to_string(most)}}));
@@ -76,12 +76,12 @@ void PlaneRender::declare(CLI::App& app, const ui::Catalogue& tr)
                  tr("of a plane model: print what the picture shows in sentences; then -o may be left out"));
 }
 
-void PlaneRender::look(plane::PlateOptions& options, const Order& order, const ui::Catalogue& tr) const
+void PlaneRender::look(::plane::PlateOptions& options, const Order& order, const ui::Catalogue& tr) const
 {
     if (order.show) options.show = plate_shown_by(*order.show, tr);
     const bool has_bands = std::ranges::any_of(
-        options.show.fields, [](const plane::FieldShow& field) { return field.style == plane::FieldStyle::Bands; });
-    if (has_bands && options.show.set.contains(plane::PlateShow::Error))
+        options.show.fields, [](const ::plane::FieldShow& field) { return field.style == ::plane::FieldStyle::Bands; });
+    if (has_bands && options.show.set.contains(::plane::PlateShow::Error))
         throw contradiction("--show error", "--show bands:", tr);
     if (range_) {
         const std::vector<double> ends = numbers_of("--range", *range_, 2, tr);
@@ -107,7 +107,7 @@ ExitStatus PlaneRender::draw(fp::PlaneReading& reading, const std::string& name,
                              Console& console) const
 {
     const ui::Catalogue& tr = console.tr();
-    plane::PlateOptions options = order.look;
+    ::plane::PlateOptions options = order.look;
     look(options, order, tr);
     const bool has_questions = !places().empty() || !cuts_.empty();
     const bool needs_mesh = options.show.needs_mesh() || has_questions;
@@ -115,7 +115,7 @@ ExitStatus PlaneRender::draw(fp::PlaneReading& reading, const std::string& name,
     console.report(name, reading.faults);
     if (!reading.is_sound()) return ExitStatus::BadInput;
     if (order.load_case) options.load_case = case_named(reading.model, *order.load_case, tr);
-    plane::PlateInput shown{.model = reading.model, .drawing = input.drawing()};
+    ::plane::PlateInput shown{.model = reading.model, .drawing = input.drawing()};
     if (input.mesh() != nullptr) shown.mesh = &input.model();
     if (!options.show.needs_results() && !has_questions) return write(shown, order, options, console);
     require_case(reading.model, tr);
@@ -132,14 +132,14 @@ ExitStatus PlaneRender::draw(fp::PlaneReading& reading, const std::string& name,
     }
 }
 
-ExitStatus PlaneRender::write(const plane::PlateInput& input, const Order& order, const plane::PlateOptions& options,
-                              Console& console) const
+ExitStatus PlaneRender::write(const ::plane::PlateInput& input, const Order& order,
+                              const ::plane::PlateOptions& options, Console& console) const
 {
-    if (is_described_) console.print(plane::in_words(input, options));
+    if (is_described_) console.print(::plane::in_words(input, options));
     if (!order.has_file) return ExitStatus::Done;
     write_picture(
-        order.file, {.color = plane::background(options), .title = input.model.title},
-        [&](ui::Painter& painter) { plane::draw(painter, input, options); }, console.tr());
+        order.file, {.color = ::plane::background(options), .title = input.model.title},
+        [&](ui::Painter& painter) { ::plane::draw(painter, input, options); }, console.tr());
     return ExitStatus::Done;
 }
 

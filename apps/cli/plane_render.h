@@ -24,7 +24,7 @@ public:
         PictureFile file;
         bool has_file = true; ///< else it is only described
         std::optional<std::string> show, load_case;
-        plane::PlateOptions look; ///< theme, units, language, scale of displacements
+        ::plane::PlateOptions look; ///< theme, units, language, scale of displacements
     };
 
     void declare(CLI::App& app, const ui::Catalogue& tr); ///< \pre `--at` is declared: it says a place of either
@@ -35,12 +35,12 @@ public:
                     Console& console) const;
 
 private:
-    ExitStatus write(const plane::PlateInput& input, const Order& order, const plane::PlateOptions& options,
+    ExitStatus write(const ::plane::PlateInput& input, const Order& order, const ::plane::PlateOptions& options,
                      Console& console) const;
     std::vector<std::string> places() const;
 
     const CLI::Option* at_ = nullptr;
-    void look(plane::PlateOptions& options, const Order& order, const ui::Catalogue& tr) const;
+    void look(::plane::PlateOptions& options, const Order& order, const ui::Catalogue& tr) const;
 
     std::vector<std::string> cuts_;
     std::optional<std::string> range_, read_;

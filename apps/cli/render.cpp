@@ -58,7 +58,7 @@ std::string show_list(const ui::Catalogue& tr)
 std::string plate_show_list(const ui::Catalogue& tr)
 {
     std::string text = "\n" + tr("of a plane model (default geometry,regions,loads,supports,labels):");
-    for (const plane::PlateShowWord& word : plane::plate_show_words())
+    for (const ::plane::PlateShowWord& word : ::plane::plate_show_words())
         text += "\n" + std::string(word.word) + ": " + tr(word.meaning);
     return text + "\n" +
            tr("bands:C, contour:C: colours or lines of a component: sx sy sz txy s1 s2 tmax mises tresca ex ey ez gxy ux "

@@ -46,7 +46,7 @@ bool is_understood(const femoop::plane::PlaneReading& reading)
 
 } // namespace
 
-Session::Session(Document document) : EditedDocument(std::move(document)) { solve_again(); }
+Session::Session(const Document& document) : EditedDocument(document) { solve_again(); }
 
 void Session::solve_again() { accept(std::make_shared<const Solution>(document())); }
 

@@ -24,7 +24,7 @@ namespace plane {
 /// solution follows, and the regions go with their faces.
 class Session : public ui::EditedDocument<Document> {
 public:
-    explicit Session(Document document = plane::new_document());
+    explicit Session(const Document& document = plane::new_document());
 
     const PlaneModel& model() const { return document().model; }
     const Solution& solution() const { return *solution_; }

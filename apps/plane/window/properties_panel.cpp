@@ -79,7 +79,7 @@ void support_rows(Workspace& workspace, const CommandTable& commands, const Part
 
 // ---- loads
 
-std::string_view word_of(CurveLoadKind kind)
+std::string_view load_word(CurveLoadKind kind)
 {
     switch (kind) {
     case CurveLoadKind::Traction: return translatable("Traction");
@@ -96,7 +96,7 @@ void load_rows(Workspace& workspace, ui::NumberFields& fields, CurveId curve, st
     const std::size_t load_case = session.load_case;
     const femoop::plane::CurveLoad shown = session.model().load_cases[load_case].curves[load]; // rows change it
     ImGui::Separator();
-    ImGui::TextUnformatted(tr(word_of(shown.kind)).c_str());
+    ImGui::TextUnformatted(tr(load_word(shown.kind)).c_str());
     number_rows(workspace, fields, title(session, curve), numbers(session.model(), load_case, load, curve));
     const bool has_axes = shown.kind != CurveLoadKind::Pressure;
     bool is_local = shown.axes == femoop::LoadAxes::Local;
@@ -162,7 +162,7 @@ void face_rows(Workspace& workspace, const CommandTable& commands, ui::NumberFie
 
 void show_nothing_selected(Workspace& workspace)
 {
-    const ui::Catalogue tr = workspace.tr();
+    const ui::Catalogue& tr = workspace.tr();
     ui::wrapped_text(tr("Nothing is selected. Click a point, a curve or a face."));
 }
 

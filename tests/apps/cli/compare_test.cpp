@@ -18,7 +18,8 @@ TEST_SUITE_BEGIN("cremona");
 namespace {
 
 // The cantilever of run_cremona.h: P in case P, 1.5 P in combination U.
-constexpr double L = 4.0, EI = 2.0e4, P = 12.0, sag = P * L * L * L / (3.0 * EI);
+using cli_test::of_cantilever::EI, cli_test::of_cantilever::L, cli_test::of_cantilever::P;
+constexpr double sag = P * L * L * L / (3.0 * EI);
 
 /// The one that differs in this part, where it stands at a node, and the section of a member.
 json entry(const json& list, const std::string& part, const std::string& component)

@@ -22,6 +22,9 @@ Run shell(const std::string& line);
 
 /// A cantilever AB, 4 m long, E I = 20000 kN m2, with 12 kN down at its tip in case P and combination U = 1.5 P.
 std::string cantilever();
+namespace of_cantilever {
+inline constexpr double L = 4.0, EI = 2.0e4, P = 12.0;
+}
 /// The same without a support: it floats in three ways.
 std::string floating();
 

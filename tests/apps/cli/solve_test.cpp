@@ -18,8 +18,7 @@ TEST_SUITE_BEGIN("cremona");
 
 namespace {
 
-// The cantilever of run_cremona.h.
-constexpr double L = 4.0, EI = 2.0e4, P = 12.0;
+using cli_test::of_cantilever::EI, cli_test::of_cantilever::L, cli_test::of_cantilever::P;
 
 std::vector<std::string> keys(const json& object)
 {

@@ -147,10 +147,10 @@ private:
     }
 
     /// Over its column, but beside the other symbol and on the sheet.
-    double place_of_f(double middle_of_K, const ui::TextStyle& head) const
+    double place_of_f(double middle_of_map, const ui::TextStyle& head) const
     {
         const double half = 0.5 * painter_.measure(symbols_.f, head).width;
-        const double beside = middle_of_K + 0.5 * painter_.measure(symbols_.K, head).width + small_ + half;
+        const double beside = middle_of_map + 0.5 * painter_.measure(symbols_.K, head).width + small_ + half;
         return std::min(std::max(load_at(0).center().x, beside), right_ - half);
     }
 
