@@ -1,7 +1,6 @@
 #include "apps/cli/mesh.h"
 
 #include <CLI/CLI.hpp>
-#include <filesystem>
 #include <string>
 #include <utility>
 #include <variant>
@@ -9,9 +8,12 @@
 #include "apps/cli/argument.h"
 #include "apps/cli/model_input.h"
 #include "apps/cli/output_file.h"
+#include "apps/cli/picture_file.h"
 #include "apps/cli/plane_input.h"
+#include "apps/plane/view/plate_picture.h"
 #include "femoop/io/json/json_writer.h"
 #include "femoop/io/json/model_json.h"
+#include "femoop/io/plane/mesh_vtu.h"
 #include "femoop/model/quantity/number_text.h"
 #include "femoop/model/quantity/six_digits.h"
 #include "femoop/model/quantity/unit_signs.h"
@@ -163,6 +165,7 @@ public:
 
 private:
     void require_possible_output(const ui::Catalogue& tr) const;
+    void write(const PlaneInput& input, const ui::Catalogue& tr) const;
 
     std::string file_, out_;
     bool shows_regions_ = false, is_json_ = false;
@@ -185,7 +188,9 @@ HelpText MeshCommand::help(const ui::Catalogue& tr) const
 void MeshCommand::declare(CLI::App& app, const ui::Catalogue& tr)
 {
     app.add_option("FILE", file_, tr("the model file; - is standard input"))->option_text(" ");
-    app.add_option("-o,--output", out_, tr("write the model with its elements to this .json file"))
+    app.add_option(
+           "-o,--output", out_,
+           tr("write the mesh to this file: .json is the model with its elements, .vtu for ParaView, .svg, .pdf or .png a picture"))
         ->option_text("FILE");
     app.add_flag("--regions", shows_regions_,
                  tr("print vertices, edges and components of the drawing, and its faces, without a mesh"));
@@ -196,10 +201,26 @@ void MeshCommand::require_possible_output(const ui::Catalogue& tr) const
 {
     if (out_.empty()) return;
     if (shows_regions_) throw UsageError(tr("--regions makes no mesh to be written; take --output away"));
-    if (std::filesystem::path(out_).extension() != ".json")
+    const std::string kind = kind_of(out_);
+    if (kind != ".json" && kind != ".vtu" && !is_picture(out_))
         throw UsageError(
-            tr("--output: found {file}, wanted a name that ends in .json; other forms of a mesh are not built yet",
-               {{"file", out_}}));
+            tr("--output: found {file}, wanted a name that ends in .json, .vtu, .svg, .pdf or .png", {{"file", out_}}));
+}
+
+void MeshCommand::write(const PlaneInput& input, const ui::Catalogue& tr) const
+{
+    if (kind_of(out_) == ".vtu") return write_file(out_, femoop::plane::mesh_vtu(input.model()), tr);
+    if (!is_picture(out_)) return write_file(out_, femoop::plane::write_plane_model(input.model()), tr);
+    const ::plane::PlateInput shown{
+        .model = input.drawing()->model(), .drawing = input.drawing(), .mesh = &input.model()};
+    ::plane::PlateOptions options;
+    options.show = {};
+    for (const char* const word : {"geometry", "regions", "mesh"})
+        options.show = options.show | *::plane::plate_shown(word);
+    options.tr = tr;
+    write_picture(
+        {.path = out_}, {.color = ::plane::background(options), .title = shown.model.title},
+        [&](ui::Painter& painter) { ::plane::draw(painter, shown, options); }, tr);
 }
 
 ExitStatus MeshCommand::run(Console& console)
@@ -224,7 +245,7 @@ ExitStatus MeshCommand::run(Console& console)
         console.print(is_json_ ? faces_json(*input.drawing()) : faces_text(*input.drawing(), tr));
         return ExitStatus::Done;
     }
-    if (!out_.empty()) write_file(out_, femoop::plane::write_plane_model(input.model()), tr);
+    if (!out_.empty()) write(input, tr);
     console.print(is_json_ ? mesh_json(*input.mesh()) : mesh_text(*input.mesh(), tr));
     return ExitStatus::Done;
 }

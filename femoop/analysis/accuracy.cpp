@@ -15,8 +15,9 @@ constexpr double useless = 1e-3;   // refused
 constexpr double rounding = 2e-16; // of the imposed, by which doubles may be wrong though they balance
 
 // Where settlements and heat strain members and nothing holds against them, no force is left but rounding.
-constexpr double least_force = 1e-8; // of the imposed, that a single force is held against
-constexpr double least_sum = 1e-4;   // of the imposed, that the sums of forces are held against
+constexpr double least_force = 1e-8;         // of the imposed, that a single force is held against
+constexpr double least_force_of_body = 1e-5; // where stiffness differs less than among members
+constexpr double least_sum = 1e-4;           // of the imposed, that the sums of forces are held against
 // Forces through the origin have no moment there, and those of a far part of the structure only rounding.
 constexpr double least_arm = 1e-4; // of the farthest node's, that a sum of moments is held against
 
@@ -24,9 +25,9 @@ constexpr double least_arm = 1e-4; // of the farthest node's, that a sum of mome
 double ratio(double part, double whole) { return part == 0.0 ? 0.0 : part / whole; }
 double larger(double a, double b) { return std::isnan(a) || a > b ? a : b; }
 
-double at_unknowns(const detail::Balance& balance)
+double at_unknowns(const detail::Balance& balance, double least = least_force)
 {
-    return ratio(balance.out_of_balance, std::max(balance.largest, least_force * balance.imposed));
+    return ratio(balance.out_of_balance, std::max(balance.largest, least * balance.imposed));
 }
 
 /// Of the loads and reactions as a whole.
@@ -44,9 +45,8 @@ double of_sums(const Equilibrium& equilibrium, const detail::Balance& balance)
                   ratio(unbalanced(3), std::max(balance.sum_moments, least_moment)));
 }
 
-using Error = double (*)(const detail::CaseSolution&);
-
-std::vector<Fault> worse_than(double limit, Error error_of, FaultKind kind, const detail::Solution& solution)
+template <class Error>
+std::vector<Fault> worse_than(double limit, const Error& error_of, FaultKind kind, const detail::Solution& solution)
 {
     std::vector<Fault> faults;
     for (std::size_t c = 0; c < solution.solutions.size(); ++c) {
@@ -74,10 +74,12 @@ bool needs_precision(const detail::Solution& solution)
     });
 }
 
-std::vector<Fault> inaccurate_cases(const detail::Solution& solution)
+std::vector<Fault> inaccurate_cases(const detail::Solution& solution, LeastForce least)
 {
-    const auto shown = [](const detail::CaseSolution& each) {
-        return larger(imbalance(each), each.equilibrium.residual);
+    const double part = least == LeastForce::OfBodies ? least_force_of_body : least_force;
+    const auto shown = [part](const detail::CaseSolution& each) {
+        const double unbalanced = larger(at_unknowns(each.balance, part), of_sums(each.equilibrium, each.balance));
+        return larger(unbalanced, each.equilibrium.residual);
     };
     return worse_than(doubtful, shown, FaultKind::InaccurateCase, solution);
 }

@@ -15,6 +15,7 @@ using femoop::plane::DrawnPlace;
 namespace {
 
 constexpr double widest = 0.05; // of the drawing's box: other curves farther off were not meant
+constexpr double narrow = 0.02; // of the drawing: ends that near were meant to meet
 
 /// A vertex, its point and whether only one edge ends there.
 struct End {
@@ -132,7 +133,12 @@ std::optional<Gap> narrowest_gap(const Drawing& drawing)
             const double width = topology::distance(from.at, to.at);
             const bool are_of_chain = to.is_free && to.component == from.component;
             if ((width > near && !are_of_chain) || (gap && width >= gap->width)) continue;
-            gap = Gap{from.at, to.at, width, from.point, to.point};
+            gap = Gap{.from = from.at,
+                      .to = to.at,
+                      .width = width,
+                      .is_narrow = width <= narrow * extent_of(ends),
+                      .point_from = from.point,
+                      .point_to = to.point};
         }
     }
     return gap;
@@ -152,7 +158,7 @@ void join_points(Document& document, NodeId gone, NodeId by)
 
 void close_gap(Document& document, const Gap& gap)
 {
-    if (!gap.point_from) {
+    if (!gap.is_narrow || !gap.point_from) {
         draw_curve(document, {.places = {{gap.from, gap.point_from}, {gap.to, gap.point_to}}});
         return;
     }

@@ -12,6 +12,7 @@ namespace plane {
 struct Gap {
     FlatPoint from, to;
     double width = 0.0;
+    bool is_narrow = false;                         ///< the ends were meant to be one, by the size of the drawing
     std::optional<NodeId> point_from{}, point_to{}; ///< at the ends
 };
 
@@ -19,8 +20,8 @@ struct Gap {
 /// end to the nearest vertex of others that is within a twentieth of the drawing. Nothing where no curve ends free.
 std::optional<Gap> narrowest_gap(const discretize::Drawing& drawing);
 
-/// Joins the two ends: the point at the first moves to the second and is one with it; without a point there, a straight
-/// line bridges the gap.
+/// Joins the two ends by a straight line; of a narrow gap the point at the first end moves to the second and is one with
+/// it.
 void close_gap(Document& document, const Gap& gap);
 
 /// Two points become one: what the one draws and carries is the other's. A polyline whose ends become one is closed.

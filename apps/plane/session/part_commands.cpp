@@ -179,7 +179,7 @@ using AnalysisEntry = ui::Choice<femoop::StressState>;
 constexpr std::array analysis_entries{
     AnalysisEntry{femoop::StressState::PlaneStress, "analysis.plane_stress", translatable("Plane stress")},
     AnalysisEntry{femoop::StressState::PlaneStrain, "analysis.plane_strain", translatable("Plane strain")},
-    AnalysisEntry{femoop::StressState::Axisymmetric, "analysis.axisymmetric", translatable("Around an axis")},
+    AnalysisEntry{femoop::StressState::Axisymmetric, "analysis.axisymmetric", translatable("Axisymmetric")},
 };
 
 /// Thicknesses come and go with the kind: a plate needs them, a body of revolution has none.

@@ -121,6 +121,19 @@ void mark_extreme(const PlateScene& scene, const FieldPicture& picture, const fp
                           .weight = ui::Weight::Bold});
 }
 
+/// "σx [MPa]"
+std::string legend_title(const FieldPicture& picture)
+{
+    return picture.symbol + (picture.unit.empty() ? "" : " [" + picture.unit + "]");
+}
+
+ui::TextStyle title_style(const ui::Theme& theme)
+{
+    ui::TextStyle title = theme.text(Role::Label, ui::Anchor::TopLeft);
+    title.weight = ui::Weight::Bold;
+    return title;
+}
+
 } // namespace
 
 std::string FieldPicture::number(double value, const ui::DisplayUnits& units) const
@@ -229,7 +242,8 @@ double legend_width(const FieldPicture& picture, const ui::DisplayUnits& units, 
     for (const double level : picture.levels)
         widest = std::max(widest, fonts.measure(picture.number(level, units), theme.type().small).width);
     const double k = theme.symbol_scale();
-    return 2.0 * legend_border + std::max(k * narrowest_notes, k * swatch + legend_gap + widest);
+    const double title = fonts.measure(legend_title(picture), title_style(theme)).width;
+    return 2.0 * legend_border + std::max({k * narrowest_notes, title, k * swatch + legend_gap + widest});
 }
 
 void draw_legend(ui::Painter& painter, const FieldPicture& picture, const ui::DisplayUnits& units,
@@ -237,12 +251,12 @@ void draw_legend(ui::Painter& painter, const FieldPicture& picture, const ui::Di
 {
     const ui::LayerScope layer(painter, ui::Layer::Overlay);
     const double k = theme.symbol_scale(), small = theme.type().small, left = box.min.x + legend_border;
-    ui::TextStyle title = theme.text(Role::Label, ui::Anchor::TopLeft), note = title;
-    title.weight = ui::Weight::Bold;
+    const ui::TextStyle title = title_style(theme);
+    ui::TextStyle note = theme.text(Role::Label, ui::Anchor::TopLeft);
     note.size = small;
     note.color = theme[Role::FaintLabel].text;
     double y = box.min.y + 10.0;
-    painter.text({left, y}, picture.symbol + (picture.unit.empty() ? "" : " [" + picture.unit + "]"), title);
+    painter.text({left, y}, legend_title(picture), title);
     y += 1.5 * title.size;
     for (const std::string& line : picture.notes)
         for (const std::string& part : ui::wrapped_lines(painter.fonts(), line, note, box.max.x - left - 2.0)) {

@@ -71,6 +71,10 @@ TEST_CASE("A drawing is meshed, for people and for programs, and its mesh solves
     const Run text = cli_test::cremona({"mesh", "examples/plate.json", "-o", folder.path("meshed.json")});
     CHECK(text.status == 0);
     CHECK(has(text.out, "769 nodes, 358 elements"));
+    for (const char* const name : {"mesh.vtu", "mesh.svg"})
+        CHECK(cli_test::cremona({"mesh", "examples/plate.json", "-o", folder.path(name)}).status == 0);
+    CHECK(has(folder.read("mesh.vtu"), R"(NumberOfPoints="769" NumberOfCells="358")"));
+    CHECK(has(folder.read("mesh.svg"), "<svg"));
     CHECK(has(text.out, "delaunay"));
     const json mesh = json::parse(cli_test::cremona({"mesh", "examples/plate.json", "--json"}).out);
     CHECK(mesh["mesh"]["nodes"] == 769);
@@ -84,8 +88,8 @@ TEST_CASE("A drawing is meshed, for people and for programs, and its mesh solves
         CHECK(drawn["cases"]["P"]["points"][point] == meshed["cases"]["P"]["points"][point]);
     CHECK(drawn["cases"]["P"]["energy"].get<double>() ==
           doctest::Approx(meshed["cases"]["P"]["energy"].get<double>()).epsilon(1e-9));
-    CHECK(
-        has(cli_test::cremona({"mesh", "examples/plate.json", "-o", "a.obj"}).err, "wanted a name that ends in .json"));
+    CHECK(has(cli_test::cremona({"mesh", "examples/plate.json", "-o", "a.obj"}).err,
+              "wanted a name that ends in .json, .vtu, .svg, .pdf or .png"));
 }
 
 TEST_CASE("mesh --regions prints the faces of a drawing, for people and for programs")

@@ -243,6 +243,10 @@ TEST_CASE("An outline whose whole side is missing is open there, however wide, a
     const auto gap = narrowest_gap(Drawing(document.model));
     REQUIRE(gap);
     CHECK(gap->width == doctest::Approx(31.0));
+    close_gap(document, *gap);
+    const Drawing closed(document.model);
+    REQUIRE(closed.faces().size() == 1);
+    CHECK(closed.faces()[0].area == doctest::Approx(0.5 * 70.0 * (30.0 + 31.0))); // nothing moved: a line was drawn
 }
 
 TEST_CASE("A line that stands alone leaves no gap")

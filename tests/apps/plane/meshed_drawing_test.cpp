@@ -309,6 +309,19 @@ TEST_CASE("A line that runs through a hole and past the plate holds what it meet
     }
 }
 
+TEST_CASE("A settlement that strains nothing is no reason for a warning")
+{
+    for (const char* const element : {"T3", "T6", "Q4", "Q8"}) {
+        CAPTURE(element);
+        const Meshed meshed(RectangleText{.mesh = R"({"element": ")" + std::string(element) + R"("})",
+                                          .loads = R"("settlements": [{"curve": "left", "uy": -0.1}])"}
+                                .text());
+        const PlaneResults results = analyse(meshed.model());
+        CHECK(results.warnings().empty());
+        CHECK(results[CaseId(0)].displacement(*meshed.mesh.node(NodeId(2))).y() == Approx(-0.1).epsilon(1e-12));
+    }
+}
+
 TEST_CASE("What dangles in material stays in its mesh where it carries something, and is left out where it does not")
 {
     const std::string rib = R"(, {"id": "rib", "kind": "line", "points": [[1, 0.5], [3, 0.7]])";
