@@ -89,7 +89,9 @@ void add_faults_of(const femoop::Model& model, std::vector<femoop::Fault>& fault
 SoundFile contents_of(const std::string& file, femoop::AnyReading reading)
 {
     if (auto* plane = std::get_if<femoop::plane::PlaneReading>(&reading)) {
-        drawing_of(*plane);
+        const bool has_material = std::ranges::any_of(plane->model.regions,
+                                                      [](const auto& region) { return !region.is_hole; });
+        const PlaneInput input(*plane, has_material ? PlaneInput::Depth::Mesh : PlaneInput::Depth::Drawing);
         return {file, std::move(plane->faults), {}};
     }
     auto& members = std::get<femoop::ModelReading>(reading);

@@ -107,6 +107,18 @@ TEST_CASE("mesh --regions prints the faces of a drawing, for people and for prog
     CHECK(out["faces"][0]["area"].get<double>() == doctest::Approx(right).epsilon(1e-12));
 }
 
+TEST_CASE("check tells what is wrong with the mesh of a drawing, and wants none where there is no material")
+{
+    std::string text = text_of_source("tests/cases/drawn/DM-001.json");
+    const std::string parts = R"("divide": 20})";
+    text.replace(text.rfind(parts), parts.size(), R"("divide": 19})");
+    const Run run = cli_test::cremona({"check", "-"}, text);
+    CHECK(run.status == 2);
+    CHECK(
+        has(run.err, "opposite sides of a mapped region have equally many parts, found 20 (\"down\") and 19 (\"up\")"));
+    CHECK(cli_test::cremona({"check", "-"}, drawing()).status == 0);
+}
+
 TEST_CASE("mesh wants a drawing")
 {
     CHECK(has(cli_test::cremona({"mesh", "examples/portal.json"}).err, "has no regions; give a plane model"));
