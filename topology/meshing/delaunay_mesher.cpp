@@ -57,7 +57,10 @@ double MeshDomain::area() const
 }
 
 DelaunayMesher::DelaunayMesher(const MeshDomain& domain, DelaunayOptions options)
-    : domain_(domain), options_(std::move(options)), triangles_(box_of(domain), 2 * domain.nodes.size())
+    : domain_(domain),
+      options_(std::move(options)),
+      triangles_(box_of(domain), 2 * domain.nodes.size()),
+      least_chord_(4.0 * square(std::sin(options_.min_angle * std::numbers::pi / 180.0)))
 {
     for (const auto& loop : domain.loops)
         for (std::size_t i = 0; i < loop.size(); ++i) edges_.push_back({loop[i], loop[(i + 1) % loop.size()]});
@@ -166,8 +169,7 @@ bool DelaunayMesher::is_bad(Index triangle) const
     const double radius = ab * bc * ca / (4.0 * square(turn(a, b, c))); // all squared
     const double wanted = (sizes_[i] + sizes_[j] + sizes_[k]) / 3.0;
     if (radius > square(largest_circle * wanted)) return true;
-    const double sine = std::sin(options_.min_angle * std::numbers::pi / 180.0);
-    return std::min({ab, bc, ca}) < 4.0 * square(sine) * radius; // the smallest angle's chord
+    return std::min({ab, bc, ca}) < least_chord_ * radius; // the smallest angle's chord
 }
 
 void DelaunayMesher::suspect(Index triangle)

@@ -73,6 +73,7 @@ private:
     const MeshDomain& domain_;
     DelaunayOptions options_;
     Triangulation triangles_;
+    double least_chord_;          ///< of the smallest angle asked for, in a circle of radius 1, squared
     std::vector<CellEdge> edges_; ///< of the boundary
     std::vector<double> sizes_;   ///< of each vertex
     std::vector<bool> is_inside_;

@@ -275,18 +275,15 @@ void Triangulation::legalize(std::vector<Index> corners)
         if (!is_illegal(corner)) continue;
         const Index t = flip(corner) / 3, u = twin(3 * t + 1) / 3;
         for (const Index each : {3 * t, 3 * t + 2, 3 * u, 3 * u + 1}) corners.push_back(each);
-        ++n_flips_;
     }
 }
 
-std::size_t Triangulation::restore()
+void Triangulation::restore()
 {
-    n_flips_ = 0;
     std::vector<Index> corners;
     for (Index corner = 0; corner < 3 * triangles_.size(); ++corner)
         if (twin(corner) != none && corner < twin(corner)) corners.push_back(corner);
     legalize(std::move(corners));
-    return n_flips_;
 }
 
 } // namespace topology

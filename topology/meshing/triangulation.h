@@ -67,8 +67,8 @@ public:
 
     /// Moves a vertex; `restore` makes the triangulation Delaunay again. \pre all its triangles stay counter-clockwise
     void move(Index vertex, const FlatPoint& to) { points_[vertex] = to; }
-    /// Flips edges until every one that is not fixed is Delaunay. How many it flipped.
-    std::size_t restore();
+    /// Flips edges until every one that is not fixed is Delaunay.
+    void restore();
 
 private:
     struct Triangle {
@@ -92,7 +92,6 @@ private:
     std::vector<Triangle> triangles_;
     std::vector<Index> corners_;      ///< of each vertex
     std::vector<std::uint32_t> seen_; ///< of each triangle: the search that came by
-    std::size_t n_flips_ = 0;
     std::uint32_t search_ = 0;
     Cavity cavity_;
     std::vector<Index> fan_; ///< of each vertex: scratch

@@ -35,13 +35,10 @@ Diagonal diagonal_named(std::string_view name)
     return found == all.end() ? Diagonal::Right : found->second;
 }
 
-} // namespace
-
-MeshSettings settings_of(const Drawing& drawing, femoop::plane::RegionId region)
+MeshSettings settings_of(const MeshOptions& own, const MeshOptions& usual, double size)
 {
-    const MeshOptions &own = drawing.model()[region].mesh, &usual = drawing.model().mesh;
     MeshSettings settings;
-    settings.size = usual_size * box_of(drawing).diagonal();
+    settings.size = size;
     for (const MeshOptions* const options : {&usual, &own}) {
         if (!options->method.empty()) settings.method = options->method;
         if (options->element) settings.element = *options->element;
@@ -51,6 +48,18 @@ MeshSettings settings_of(const Drawing& drawing, femoop::plane::RegionId region)
         if (!options->corners.empty()) settings.corners = options->corners;
     }
     return settings;
+}
+
+} // namespace
+
+std::vector<MeshSettings> settings_of(const Drawing& drawing, const std::vector<FaceOutline>& outlines)
+{
+    const double size = usual_size * box_of(drawing).diagonal();
+    std::vector<MeshSettings> all;
+    all.reserve(outlines.size());
+    for (const FaceOutline& outline : outlines)
+        all.push_back(settings_of(drawing.model()[outline.region].mesh, drawing.model().mesh, size));
+    return all;
 }
 
 } // namespace discretize

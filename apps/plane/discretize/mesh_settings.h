@@ -1,8 +1,9 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
-#include "apps/plane/discretize/drawing.h"
+#include "apps/plane/discretize/face_outline.h"
 #include "topology/meshing/mapped_mesher.h"
 
 namespace discretize {
@@ -20,6 +21,6 @@ struct MeshSettings {
     bool is_quadratic() const { return element != femoop::ShapeKind::T3 && element != femoop::ShapeKind::Q4; }
 };
 
-MeshSettings settings_of(const Drawing& drawing, femoop::plane::RegionId region);
+std::vector<MeshSettings> settings_of(const Drawing& drawing, const std::vector<FaceOutline>& outlines); ///< of each
 
 } // namespace discretize

@@ -16,8 +16,7 @@ MeshedDrawing::MeshedDrawing(const Drawing& drawing, const std::function<bool()>
         faults_ = {{femoop::FaultKind::NothingToMesh, {}}};
         return;
     }
-    std::vector<MeshSettings> settings;
-    for (const FaceOutline& outline : outlines) settings.push_back(settings_of(drawing, outline.region));
+    const std::vector<MeshSettings> settings = settings_of(drawing, outlines);
     const EdgeDivisions divisions(drawing, outlines, settings);
     faults_ = divisions.faults();
     if (!femoop::errors_among(faults_).empty()) return;
