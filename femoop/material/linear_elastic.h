@@ -45,7 +45,7 @@ public:
     /// \throws std::invalid_argument with the sentence of why_not_elastic
     LinearElastic(const ElasticConstants& constants, StressState state);
 
-    StressVector stress(const MaterialPoint& point) const override { return D_ * point.strain; }
+    StressVector stress(const MaterialPoint& point) const override { return D_.lazyProduct(point.strain); }
     TangentMatrix tangent(const MaterialPoint&) const override { return D_; }
     StrainVector thermal_strain(double rise) const override;
 

@@ -29,6 +29,12 @@ public:
     Eigen::Vector2d place(NaturalPoint p) const { return element_.place(p); }
     Eigen::Vector2d displacement(NaturalPoint p) const;
     StrainVector strain(NaturalPoint p) const { return element_.total_strain(u_, p, heat_); } ///< that of heat too
+    ContinuumElement::StrainColumns strains(std::span<const ShapeAtPoint> points) const ///< the same, a column each
+    {
+        return element_.total_strains(u_, points, heat_);
+    }
+    StrainVector thermal_strain(NaturalPoint p) const { return element_.thermal_strain(p, heat_); }
+    bool is_warmed() const { return !heat_.empty(); }
     StrainVector mechanical_strain(NaturalPoint p) const { return element_.mechanical_strain(u_, p, heat_); }
     StressVector stress(NaturalPoint p) const { return element_.stress(u_, p, heat_); }
 

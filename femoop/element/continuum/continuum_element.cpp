@@ -79,20 +79,23 @@ public:
         return mapped.area * depth(mapped.at.x());
     }
 
-    StrainVector total_strain(const ElementVector& u, NaturalPoint p, Heat heat) const override
+    StrainColumns total_strains(const ElementVector& u, std::span<const ShapeAtPoint> points, Heat heat) const override
     {
         const Positions X = node_positions();
-        const Shape& shape = formulation().shape();
-        const Shape::Values N = shape.values(p);
-        const Mapped mapped(N, shape.derivatives(p), X);
-        StrainVector strain = strain_matrix(N, mapped, mean_dilatation(X)) * u;
+        const DofVector displacements = u;
+        const Dilatation dilatation = mean_dilatation(X);
+        StrainColumns strains(n_strains, points.size());
+        for (Eigen::Index i = 0; const ShapeAtPoint& point : points)
+            strains.col(i++) = strain_matrix(point.N, Mapped(point.N, point.dN, X), dilatation) * displacements;
         if constexpr (can_have_modes)
             if (has_modes()) {
                 const Modes modes = mode_stiffness(X);
-                const Eigen::Vector4d f = heat_on_modes(heat, X) - modes.to_nodes * u;
-                strain += mode_matrix(p, mapped, X) * (modes.own_inverse * f);
+                const Eigen::Vector4d amplitudes = modes.own_inverse *
+                                                   (heat_on_modes(heat, X) - modes.to_nodes * displacements);
+                for (Eigen::Index i = 0; const ShapeAtPoint& point : points)
+                    strains.col(i++) += mode_matrix(point.at, Mapped(point.N, point.dN, X), X) * amplitudes;
             }
-        return strain;
+        return strains;
     }
 
 private:
@@ -297,7 +300,7 @@ void check_geometry(const ContinuumFormulation& formulation, std::span<const Nod
     NodePositions X(shape.n_nodes(), 2);
     for (int i = 0; i < shape.n_nodes(); ++i) X.row(i) = positions[nodes[static_cast<std::size_t>(i)].index];
     if (formulation.state() == StressState::Axisymmetric) refuse(why_not_axisymmetric(shape, X));
-    refuse(why_not_element(shape, formulation.rule(), X));
+    refuse(formulation.geometry_check().fault(X));
 }
 
 /// Calls `use` with a number of nodes as a compile-time constant.
@@ -315,11 +318,25 @@ template <class Use> auto with_node_count(int n, Use&& use)
 
 } // namespace
 
+StrainVector ContinuumElement::total_strain(const ElementVector& u, NaturalPoint p, Heat heat) const
+{
+    const Shape& shape = formulation_.shape();
+    const ShapeAtPoint point{.at = p, .N = shape.values(p), .dN = shape.derivatives(p)};
+    return total_strains(u, {&point, 1}, heat).col(0);
+}
+
 StrainVector ContinuumElement::mechanical_strain(const ElementVector& u, NaturalPoint p, Heat heat) const
 {
     StrainVector strain = total_strain(u, p, heat);
-    for (const ThermalLoad& load : heat) strain -= formulation_.material().thermal_strain(load.rise(place(p)));
+    if (!heat.empty()) strain -= thermal_strain(p, heat);
     return strain;
+}
+
+StrainVector ContinuumElement::thermal_strain(NaturalPoint p, Heat heat) const
+{
+    double rise = 0.0;
+    for (const ThermalLoad& load : heat) rise += load.rise(place(p));
+    return formulation_.material().thermal_strain(rise);
 }
 
 std::unique_ptr<ContinuumElement> make_continuum_element(const ContinuumFormulation& formulation,

@@ -30,6 +30,9 @@ namespace femoop {
 class ContinuumElement : public Element {
 public:
     using Heat = std::span<const ThermalLoad>;
+    static constexpr int max_strain_points = 9;
+    using StrainColumns =
+        Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, n_stress_components, max_strain_points>;
 
     virtual Eigen::Vector2d place(NaturalPoint p) const = 0;
     /// The volume that a natural area of 1 has at a place: det J x depth.
@@ -38,9 +41,13 @@ public:
     /// From the element's displacements, in the order of its degrees of freedom.
     StrainVector strain(const ElementVector& u, NaturalPoint p) const { return total_strain(u, p, {}); }
     /// The same where it is warmed too: heat moves the modes of IncompatibleModes.
-    virtual StrainVector total_strain(const ElementVector& u, NaturalPoint p, Heat heat) const = 0;
+    StrainVector total_strain(const ElementVector& u, NaturalPoint p, Heat heat) const;
+    /// At several points of its shape, a column each. \pre at most max_strain_points
+    virtual StrainColumns total_strains(const ElementVector& u, std::span<const ShapeAtPoint> points,
+                                        Heat heat) const = 0;
     /// What stresses follow from: the total strain without that of heat.
     StrainVector mechanical_strain(const ElementVector& u, NaturalPoint p, Heat heat) const;
+    StrainVector thermal_strain(NaturalPoint p, Heat heat) const; ///< what heat alone would make of it there
     StressVector stress(const ElementVector& u, NaturalPoint p, Heat heat = {}) const
     {
         return formulation_.material().stress({.strain = mechanical_strain(u, p, heat)});

@@ -38,7 +38,12 @@ IntegrationRule standard_rule(ShapeKind kind, StressState state)
 
 ContinuumFormulation::ContinuumFormulation(const Shape& shape, IntegrationRule rule, const ConstitutiveModel& material,
                                            double thickness, ElementVariant variant)
-    : shape_(shape), material_(material), rule_(std::move(rule)), thickness_(thickness), variant_(variant)
+    : shape_(shape),
+      material_(material),
+      rule_(std::move(rule)),
+      thickness_(thickness),
+      variant_(variant),
+      geometry_check_(shape, rule_)
 {
     require(shape.edge_kind().has_value(), "the shape is a line, which has no area");
     require(rule_.domain == shape.domain(), "the integration rule is of another domain than the shape");

@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "femoop/element/continuum/element_geometry.h"
 #include "femoop/material/constitutive_model.h"
 #include "femoop/rule/integration_rule.h"
 #include "femoop/shape/shape.h"
@@ -51,6 +52,7 @@ public:
     double thickness() const { return thickness_; }
     ElementVariant variant() const { return variant_; }
 
+    const GeometryCheck& geometry_check() const { return geometry_check_; }
     const std::vector<ShapeAtPoint>& points() const { return points_; } ///< of the rule, for stiffness
     /// Of rules that integrate loads of degree 4 on straight-sided elements exactly: inside, and of its shape on an
     /// edge.
@@ -63,6 +65,7 @@ private:
     IntegrationRule rule_;
     double thickness_;
     ElementVariant variant_;
+    GeometryCheck geometry_check_;
     std::vector<ShapeAtPoint> points_, load_points_, edge_points_;
 };
 

@@ -5,7 +5,6 @@
 #include <cmath>
 #include <limits>
 #include <sstream>
-#include <vector>
 
 namespace femoop {
 
@@ -13,23 +12,9 @@ namespace {
 
 constexpr double area_rounding = 64.0 * std::numeric_limits<double>::epsilon();
 
-struct Place {
-    NaturalPoint at;
-    std::optional<int> corner;
-};
-
-std::vector<Place> places_to_check(const Shape& shape, const IntegrationRule& rule)
-{
-    std::vector<Place> places;
-    for (int i = 0; i < shape.n_corners(); ++i) places.push_back({.at = shape.nodes()[i], .corner = i});
-    for (const IntegrationPoint& point : rule.points) places.push_back({.at = point.at, .corner = {}});
-    return places;
-}
-
 /// det J, and zero where it is no more than what area_rounding leaves of it.
-double area_ratio(const Shape& shape, const NodePositions& positions, NaturalPoint p)
+double area_ratio(const Eigen::Matrix2d& J)
 {
-    const Eigen::Matrix2d J = jacobian(shape.derivatives(p), positions);
     const double area = J.determinant();
     return std::abs(area) <= area_rounding * J.row(0).norm() * J.row(1).norm() ? 0.0 : area;
 }
@@ -39,20 +24,30 @@ double area_ratio(const Shape& shape, const NodePositions& positions, NaturalPoi
 Eigen::Matrix2d jacobian(const Shape::Derivatives& derivatives, const NodePositions& positions)
 {
     // From the first node, so that nothing is lost far from the origin.
-    return derivatives.transpose() * (positions.rowwise() - positions.row(0));
+    Eigen::Matrix2d J = Eigen::Matrix2d::Zero();
+    for (Eigen::Index i = 1; i < positions.rows(); ++i)
+        J += derivatives.row(i).transpose() * (positions.row(i) - positions.row(0));
+    return J;
 }
 
-std::optional<GeometryFault> why_not_element(const Shape& shape, const IntegrationRule& rule,
-                                             const NodePositions& positions)
+GeometryCheck::GeometryCheck(const Shape& shape, const IntegrationRule& rule) : shape_(shape)
 {
-    if (positions.rows() != shape.n_nodes())
+    for (int i = 0; const NaturalPoint at : shape.nodes().first(static_cast<std::size_t>(shape.n_corners())))
+        places_.push_back({.at = at, .dN = shape.derivatives(at), .corner = i++});
+    for (const IntegrationPoint& point : rule.points)
+        places_.push_back({.at = point.at, .dN = shape.derivatives(point.at)});
+}
+
+std::optional<GeometryFault> GeometryCheck::fault(const NodePositions& positions) const
+{
+    if (positions.rows() != shape_.n_nodes())
         return GeometryFault{.flaw = GeometryFlaw::WrongNodeCount,
-                             .shape = shape.kind(),
+                             .shape = shape_.kind(),
                              .value = static_cast<double>(positions.rows())};
-    GeometryFault least{.shape = shape.kind(), .value = std::numeric_limits<double>::infinity()};
+    GeometryFault least{.shape = shape_.kind(), .value = std::numeric_limits<double>::infinity()};
     double largest = -std::numeric_limits<double>::infinity();
-    for (const Place& place : places_to_check(shape, rule)) {
-        const double area = area_ratio(shape, positions, place.at);
+    for (const Place& place : places_) {
+        const double area = area_ratio(jacobian(place.dN, positions));
         if (!(area >= least.value)) least.value = area, least.at = place.at, least.node = place.corner;
         largest = std::max(largest, area);
     }
@@ -60,6 +55,12 @@ std::optional<GeometryFault> why_not_element(const Shape& shape, const Integrati
     least.flaw = largest > 0.0 ? GeometryFlaw::Distorted : GeometryFlaw::Clockwise;
     if (largest == 0.0 && least.value == 0.0) least.flaw = GeometryFlaw::NoArea;
     return least;
+}
+
+std::optional<GeometryFault> why_not_element(const Shape& shape, const IntegrationRule& rule,
+                                             const NodePositions& positions)
+{
+    return GeometryCheck(shape, rule).fault(positions);
 }
 
 std::optional<GeometryFault> why_not_axisymmetric(const Shape& shape, const NodePositions& positions)

@@ -3,8 +3,8 @@
 #include <Eigen/Core>
 #include <cstdint>
 #include <optional>
-#include <span>
 #include <string>
+#include <vector>
 
 #include "femoop/rule/integration_rule.h"
 #include "femoop/shape/shape.h"
@@ -34,7 +34,24 @@ struct GeometryFault {
     std::optional<int> node{}; ///< counted from 0: at that place, or with that radius
 };
 
-/// Why nodes there make no element: its map must keep areas positive at corners and at integration points.
+/// Why nodes there make no element: its map must keep areas positive at corners and at integration points. Tabulated
+/// for the many elements that have one shape and one rule.
+class GeometryCheck {
+public:
+    GeometryCheck(const Shape& shape, const IntegrationRule& rule);
+    std::optional<GeometryFault> fault(const NodePositions& positions) const;
+
+private:
+    struct Place {
+        NaturalPoint at;
+        Shape::Derivatives dN;
+        std::optional<int> corner{};
+    };
+    const Shape& shape_;
+    std::vector<Place> places_;
+};
+
+/// The same of a single element.
 std::optional<GeometryFault> why_not_element(const Shape& shape, const IntegrationRule& rule,
                                              const NodePositions& positions);
 std::optional<GeometryFault> why_not_axisymmetric(const Shape& shape, const NodePositions& positions);

@@ -80,25 +80,34 @@ std::vector<int> wanted_terms(ShapeKind kind)
 
 } // namespace
 
-const IntegrationRule& recovery_rule(ShapeKind kind)
+std::span<const ShapeAtPoint> recovery_points(ShapeKind kind)
 {
-    static const IntegrationRule one = symmetric_triangle(1), three = symmetric_triangle(3),
-                                 four = gauss_quadrilateral(2);
-    if (kind == ShapeKind::T3) return one;
-    return kind == ShapeKind::T6 ? three : four;
+    const auto of_plane_shapes = [] {
+        std::array<std::vector<ShapeAtPoint>, 7> tables;
+        for (const ShapeKind each : shape_kinds()) {
+            const Shape& shape = shape_of(each);
+            const IntegrationRule in_triangle = symmetric_triangle(shape.degree() == 1 ? 1 : 3);
+            if (shape.edge_kind())
+                tables[static_cast<std::size_t>(each)] = tabulated(
+                    shape, shape.domain() == Domain::Triangle ? in_triangle : gauss_quadrilateral(2));
+        }
+        return tables;
+    };
+    static const std::array<std::vector<ShapeAtPoint>, 7> tables = of_plane_shapes();
+    return tables[static_cast<std::size_t>(kind)];
 }
 
-Eigen::VectorXd extrapolation(ShapeKind kind, NaturalPoint at)
+RecoveryWeights extrapolation(ShapeKind kind, NaturalPoint at)
 {
-    if (kind == ShapeKind::T3) return Eigen::VectorXd::Ones(1);
-    const std::vector<IntegrationPoint>& points = recovery_rule(kind).points;
+    if (kind == ShapeKind::T3) return RecoveryWeights::Ones(1);
+    const std::span<const ShapeAtPoint> points = recovery_points(kind);
     if (kind == ShapeKind::T6) {
         Eigen::Matrix3d A;
         for (int i = 0; i < 3; ++i)
             A.row(i) << 1.0, points[static_cast<std::size_t>(i)].at.xi, points[static_cast<std::size_t>(i)].at.eta;
         return (Eigen::RowVector3d(1.0, at.xi, at.eta) * A.inverse()).transpose();
     }
-    Eigen::VectorXd weights(4);
+    RecoveryWeights weights(4);
     for (int i = 0; i < 4; ++i) {
         const auto [xi, eta] = points[static_cast<std::size_t>(i)].at; // of +- 1 / sqrt 3
         weights[i] = 0.25 * (1.0 + at.xi / xi) * (1.0 + at.eta / eta);
@@ -106,12 +115,18 @@ Eigen::VectorXd extrapolation(ShapeKind kind, NaturalPoint at)
     return weights;
 }
 
-PatchRecovery::PatchRecovery(const PlaneModel& model) : model_(model), first_sample_{0}, first_slot_{0}
+SampleNumbers::SampleNumbers(const PlaneModel& model)
 {
-    for (const PlaneElement& element : model.elements) {
-        first_sample_.push_back(first_sample_.back() + recovery_rule(element.kind).points.size());
+    first_.reserve(model.elements.size() + 1);
+    first_.push_back(0);
+    for (const PlaneElement& element : model.elements)
+        first_.push_back(first_.back() + recovery_points(element.kind).size());
+}
+
+PatchRecovery::PatchRecovery(const PlaneModel& model) : model_(model), samples_(model), first_slot_{0}
+{
+    for (const PlaneElement& element : model.elements)
         first_slot_.push_back(first_slot_.back() + element.points.size());
-    }
     number_slots();
     find_borders();
     list_elements();
@@ -199,7 +214,7 @@ public:
         ValueTable places(n, 2), values(n, samples_.cols());
         ShapeKind kind = model_.elements[elements.front()].kind;
         for (Eigen::Index row = 0; const std::uint32_t e : elements) {
-            const auto first = static_cast<Eigen::Index>(recovery_.first_sample(ElementId(e)));
+            const auto first = static_cast<Eigen::Index>(recovery_.samples().first(ElementId(e)));
             places.middleRows(row, n_samples(e)) = places_.middleRows(first, n_samples(e));
             values.middleRows(row, n_samples(e)) = samples_.middleRows(first, n_samples(e));
             row += n_samples(e);
@@ -228,7 +243,7 @@ public:
 private:
     Eigen::Index n_samples(std::uint32_t e) const
     {
-        return static_cast<Eigen::Index>(recovery_rule(model_.elements[e].kind).points.size());
+        return static_cast<Eigen::Index>(recovery_points(model_.elements[e].kind).size());
     }
 
     const PlaneModel& model_;

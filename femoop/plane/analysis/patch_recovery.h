@@ -5,18 +5,30 @@
 #include <span>
 #include <vector>
 
+#include "femoop/element/continuum/continuum_formulation.h"
 #include "femoop/plane/model/plane_model.h"
-#include "femoop/rule/integration_rule.h"
 
 namespace femoop::plane {
 
 /// The points of an element at which stresses are best: 2 x 2 Gauss points, of a T6 the 3 inner ones, of a T3 its
 /// centroid.
-const IntegrationRule& recovery_rule(ShapeKind kind);
+std::span<const ShapeAtPoint> recovery_points(ShapeKind kind);
 
 /// Of values at an element's recovery points, how much each counts at a place: bilinear through 2 x 2, linear through 3,
 /// constant of 1.
-Eigen::VectorXd extrapolation(ShapeKind kind, NaturalPoint at);
+using RecoveryWeights = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, 4, 1>;
+RecoveryWeights extrapolation(ShapeKind kind, NaturalPoint at);
+
+/// The numbers of all recovery points, element after element.
+class SampleNumbers {
+public:
+    explicit SampleNumbers(const PlaneModel& model);
+    std::size_t first(ElementId element) const { return first_[element.index]; }
+    std::size_t size() const { return first_.back(); }
+
+private:
+    std::vector<std::size_t> first_;
+};
 
 /// Rows of numbers, each [values].
 using ValueTable = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
@@ -31,11 +43,10 @@ class PatchRecovery {
 public:
     explicit PatchRecovery(const PlaneModel& model);
 
-    /// \param samples  rows: recovery points, element after element
+    /// \param samples, places  rows: recovery points, as SampleNumbers has them
     ValueTable nodal_values(const ValueTable& samples, const ValueTable& places) const;
 
-    std::size_t first_sample(ElementId element) const { return first_sample_[element.index]; }
-    std::size_t n_samples() const { return first_sample_.back(); }
+    const SampleNumbers& samples() const { return samples_; }
     std::size_t n_values() const { return slot_nodes_.size(); }
     /// The row of an element's node, counted in the element, among the nodal values.
     std::size_t slot(ElementId element, std::size_t node) const { return slots_[first_slot_[element.index] + node]; }
@@ -48,7 +59,8 @@ private:
     void list_elements();
 
     const PlaneModel& model_;
-    std::vector<std::size_t> first_sample_, first_slot_;
+    SampleNumbers samples_;
+    std::vector<std::size_t> first_slot_;
     std::vector<std::uint32_t> slots_;
     std::vector<NodeId> slot_nodes_;
     std::vector<RegionId> slot_regions_;

@@ -36,30 +36,26 @@ constexpr int points_of_piece = 8; // of Gauss's rule along a part of a cut
 } // namespace
 
 struct PlaneCase::Samples {
+    SampleNumbers numbers;
     ValueTable values; ///< [recovery points x 8]
-    ValueTable places; ///< [recovery points x 2]
-    PatchRecovery recovery;
 };
 
 struct PlaneCase::Recovered {
+    PatchRecovery recovery;
     ValueTable values; ///< [nodal values x 8]
 };
 
 PlaneResults::PlaneResults(std::shared_ptr<const PlaneStructure> structure,
                            std::shared_ptr<const detail::Solution> solution, AnalysisStatistics statistics)
-    : structure_(std::move(structure)),
-      solution_(std::move(solution)),
-      locator_(std::make_shared<const Locator>(structure_->model())),
-      statistics_(std::move(statistics))
+    : structure_(std::move(structure)), solution_(std::move(solution)), statistics_(std::move(statistics))
 {}
 
-PlaneCase PlaneResults::operator[](CaseId id) const { return {structure_, solution_, locator_, id.index}; }
+PlaneCase PlaneResults::operator[](CaseId id) const { return {structure_, solution_, id.index}; }
 
 PlaneCase::PlaneCase(std::shared_ptr<const PlaneStructure> structure, std::shared_ptr<const detail::Solution> solution,
-                     std::shared_ptr<const Locator> locator, std::size_t index)
+                     std::size_t index)
     : structure_(std::move(structure)),
       solution_(std::move(solution)),
-      locator_(std::move(locator)),
       terms_(solution_->cases[index]),
       displacements_(2 * structure_->positions().size(), 0.0),
       reactions_(solution_->structure->supports.size())
@@ -147,37 +143,55 @@ const PlaneCase::Samples& PlaneCase::samples() const
 {
     if (samples_) return *samples_;
     const PlaneModel& model = structure_->model();
-    auto made = std::make_shared<Samples>(Samples{{}, {}, PatchRecovery(model)});
-    made->values.resize(static_cast<Eigen::Index>(made->recovery.n_samples()), 8);
-    made->places.resize(static_cast<Eigen::Index>(made->recovery.n_samples()), 2);
-    for (std::size_t e = 0; e < model.elements.size(); ++e) {
-        const PlaneElement& element = model.elements[e];
-        const ElementField inside = field(ElementId(e));
-        auto row = static_cast<Eigen::Index>(made->recovery.first_sample(ElementId(e)));
-        for (const IntegrationPoint& point : recovery_rule(element.kind).points) {
-            const StrainVector mechanical = inside.mechanical_strain(point.at), total = inside.strain(point.at);
-            const PlaneStress s = stress_of(structure_->material(element.region).stress({.strain = mechanical}));
-            Values values;
-            values << s.sx, s.sy, s.sz, s.txy, total[0], total[1], 0.0, total[total.size() - 1];
-            if (total.size() == 4) values[6] = total[2];
-            else { // a sheet contracts across: nu / E times its stresses, and what heat adds
-                const Material& material = model[model[element.region].material];
-                values[6] = -material.poisson() / material.E * (s.sx + s.sy) + (total[0] - mechanical[0]);
-            }
-            made->values.row(row) = values;
-            made->places.row(row++) = inside.place(point.at);
+    auto made = std::make_shared<Samples>(Samples{SampleNumbers(model), {}});
+    made->values.resize(static_cast<Eigen::Index>(made->numbers.size()), 8);
+    for (Eigen::Index row = 0, e = 0; const PlaneElement& element : model.elements) {
+        const ElementField inside = field(ElementId(static_cast<std::size_t>(e++)));
+        const std::span<const ShapeAtPoint> points = recovery_points(element.kind);
+        const ContinuumElement::StrainColumns totals = inside.strains(points);
+        for (Eigen::Index i = 0; const ShapeAtPoint& point : points) {
+            const StrainVector total = totals.col(i++);
+            StrainVector mechanical = total;
+            if (inside.is_warmed()) mechanical -= inside.thermal_strain(point.at);
+            made->values.row(row++) = values_of(element.region, total, mechanical);
         }
     }
     samples_ = std::move(made);
     return *samples_;
 }
 
+Eigen::Matrix<double, 8, 1> PlaneCase::values_of(RegionId region, const StrainVector& total,
+                                                 const StrainVector& mechanical) const
+{
+    const PlaneStress s = stress_of(structure_->material(region).stress({.strain = mechanical}));
+    Values values;
+    values << s.sx, s.sy, s.sz, s.txy, total[0], total[1], 0.0, total[total.size() - 1];
+    if (total.size() == 4) values[6] = total[2];
+    else { // a sheet contracts across: nu / E times its stresses, and what heat adds
+        const PlaneModel& model = structure_->model();
+        const Material& material = model[model[region].material];
+        values[6] = -material.poisson() / material.E * (s.sx + s.sy) + (total[0] - mechanical[0]);
+    }
+    return values;
+}
+
+/// Where the recovery points lie, in the order of the samples.
+ValueTable PlaneCase::sample_places() const
+{
+    const PlaneModel& model = structure_->model();
+    ValueTable places(samples().values.rows(), 2);
+    for (Eigen::Index row = 0; const PlaneElement& element : model.elements) {
+        const NodePositions X = positions_of(model, element);
+        for (const ShapeAtPoint& point : recovery_points(element.kind)) places.row(row++) = point.N.transpose() * X;
+    }
+    return places;
+}
+
 const PlaneCase::Recovered& PlaneCase::recovered() const
 {
     if (recovered_) return *recovered_;
-    const Samples& from = samples();
-    auto made = std::make_shared<Recovered>();
-    made->values = from.recovery.nodal_values(from.values, from.places);
+    auto made = std::make_shared<Recovered>(Recovered{PatchRecovery(structure_->model()), {}});
+    made->values = made->recovery.nodal_values(samples().values, sample_places());
     recovered_ = std::move(made);
     return *recovered_;
 }
@@ -186,19 +200,22 @@ Values PlaneCase::element_values(const Location& place) const
 {
     const Samples& from = samples();
     const ShapeKind kind = structure_->model()[place.element].kind;
-    const Eigen::VectorXd weights = extrapolation(kind, place.at);
-    const auto first = static_cast<Eigen::Index>(from.recovery.first_sample(place.element));
-    return from.values.middleRows(first, weights.size()).transpose() * weights;
+    const RecoveryWeights weights = extrapolation(kind, place.at);
+    const auto first = static_cast<Eigen::Index>(from.numbers.first(place.element));
+    Values sum = Values::Zero();
+    for (Eigen::Index i = 0; i < weights.size(); ++i) sum += weights[i] * from.values.row(first + i).transpose();
+    return sum;
 }
 
 Values PlaneCase::recovered_values(const Location& place) const
 {
     const PlaneElement& element = structure_->model()[place.element];
     const Shape::Values N = shape_of(element.kind).values(place.at);
+    const Recovered& from = recovered();
     Values sum = Values::Zero();
     for (std::size_t i = 0; i < element.points.size(); ++i)
         sum += N[static_cast<Eigen::Index>(i)] *
-               recovered().values.row(static_cast<Eigen::Index>(samples().recovery.slot(place.element, i))).transpose();
+               from.values.row(static_cast<Eigen::Index>(from.recovery.slot(place.element, i))).transpose();
     return sum;
 }
 
@@ -307,7 +324,7 @@ CutForces PlaneCase::forces(const Cut& cut) const
 {
     static const IntegrationRule rule = gauss_line(points_of_piece);
     const PlaneModel& model = structure_->model();
-    const std::vector<CutPiece> pieces = pieces_along(model, *locator_, cut);
+    const std::vector<CutPiece> pieces = pieces_along(model, structure_->locator(), cut);
     double length = 0.0, first_moment = 0.0;
     for (const CutPiece& piece : pieces) {
         length += piece.to - piece.from;
@@ -334,7 +351,7 @@ CutForces PlaneCase::forces(const Cut& cut) const
 std::vector<CutStation> PlaneCase::stations(const Cut& cut) const
 {
     std::vector<CutStation> stations;
-    for (const CutPiece& piece : pieces_along(structure_->model(), *locator_, cut))
+    for (const CutPiece& piece : pieces_along(structure_->model(), structure_->locator(), cut))
         for (const double s : {piece.from, 0.5 * (piece.from + piece.to), piece.to}) {
             const Eigen::Vector3d stress = stress_on(cut, piece, s);
             stations.push_back({.s = s, .at = cut.at(s), .sx = stress[0], .sy = stress[1], .txy = stress[2]});

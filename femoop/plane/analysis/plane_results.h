@@ -12,10 +12,10 @@
 #include "femoop/analysis/analysis_options.h"
 #include "femoop/discretisation/solution.h"
 #include "femoop/model/fault/fault.h"
+#include "femoop/plane/analysis/patch_recovery.h"
 #include "femoop/plane/analysis/plane_structure.h"
 #include "femoop/plane/analysis/stress_state_values.h"
 #include "femoop/plane/mesh/cut.h"
-#include "femoop/plane/mesh/locator.h"
 #include "femoop/result/element_field.h"
 
 namespace femoop::plane {
@@ -85,10 +85,13 @@ private:
     struct Samples;   ///< stresses and strains at recovery points
     struct Recovered; ///< nodal values, region by region
     PlaneCase(std::shared_ptr<const PlaneStructure> structure, std::shared_ptr<const detail::Solution> solution,
-              std::shared_ptr<const Locator> locator, std::size_t index);
+              std::size_t index);
 
     ElementField field(ElementId element) const;
     const Samples& samples() const;
+    Eigen::Matrix<double, 8, 1> values_of(RegionId region, const StrainVector& total,
+                                          const StrainVector& mechanical) const;
+    ValueTable sample_places() const;
     const Recovered& recovered() const;
     Eigen::Matrix<double, 8, 1> element_values(const Location& place) const;
     Eigen::Matrix<double, 8, 1> recovered_values(const Location& place) const;
@@ -96,7 +99,6 @@ private:
 
     std::shared_ptr<const PlaneStructure> structure_;
     std::shared_ptr<const detail::Solution> solution_;
-    std::shared_ptr<const Locator> locator_;
     CaseTerms terms_;
     std::vector<double> displacements_;
     std::vector<NodeVector> reactions_;
@@ -114,14 +116,13 @@ public:
     const PlaneModel& model() const { return structure_->model(); }
     std::size_t n_cases() const { return solution_->cases.size(); }
     PlaneCase operator[](CaseId id) const;
-    const Locator& locator() const { return *locator_; }
+    const Locator& locator() const { return structure_->locator(); }
     const std::vector<Fault>& warnings() const { return solution_->warnings; }
     const AnalysisStatistics& statistics() const { return statistics_; }
 
 private:
     std::shared_ptr<const PlaneStructure> structure_;
     std::shared_ptr<const detail::Solution> solution_;
-    std::shared_ptr<const Locator> locator_;
     AnalysisStatistics statistics_;
 };
 

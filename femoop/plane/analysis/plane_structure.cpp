@@ -99,14 +99,19 @@ void PlaneStructure::list_elements_of_nodes()
 std::vector<Location> PlaneStructure::locations(NodeId node, RegionId region) const
 {
     std::vector<Location> found;
-    for (std::uint32_t k = elements_start_[node.index]; k < elements_start_[node.index + 1]; ++k) {
-        const PlaneElement& element = model_.elements[elements_of_[k]];
+    for (const std::uint32_t e : elements_of(node)) {
+        const PlaneElement& element = model_.elements[e];
         if (element.region != region) continue;
         const auto i = std::ranges::find(element.points, node) - element.points.begin();
-        found.push_back(
-            {.element = ElementId(elements_of_[k]), .at = shape_of(element.kind).nodes()[static_cast<std::size_t>(i)]});
+        found.push_back({.element = ElementId(e), .at = shape_of(element.kind).nodes()[static_cast<std::size_t>(i)]});
     }
     return found;
+}
+
+const Locator& PlaneStructure::locator() const
+{
+    std::call_once(is_located_, [this] { locator_ = std::make_unique<const Locator>(model_); });
+    return *locator_;
 }
 
 void PlaneStructure::add_materials()

@@ -4,6 +4,8 @@
 #include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <mutex>
+#include <span>
 #include <vector>
 
 #include "femoop/discretisation/case_loads.h"
@@ -28,9 +30,17 @@ public:
     const CurveTable& curves() const { return curves_; }
     const NodeSupports& supports() const { return supports_; }
     const std::shared_ptr<const Discretisation>& discretisation() const { return discretisation_; }
+    const EdgeTable& edges() const { return edges_; }
+    const Locator& locator() const; ///< made when it is first asked for
     const ContinuumElement& element(ElementId id) const { return *elements_[id.index]; }
     const ConstitutiveModel& material(RegionId region) const { return *materials_[region.index]; }
 
+    /// Indices of the elements that have a node.
+    std::span<const std::uint32_t> elements_of(NodeId node) const
+    {
+        return std::span(elements_of_)
+            .subspan(elements_start_[node.index], elements_start_[node.index + 1] - elements_start_[node.index]);
+    }
     /// The node in every element of the region that has it. \pre there is one
     std::vector<Location> locations(NodeId node, RegionId region) const;
 
@@ -64,6 +74,8 @@ private:
     std::vector<SprungEdge> sprung_edges_;                    ///< the first foundations
     std::vector<NodeId> sprung_points_;                       ///< those behind them
     std::shared_ptr<const Discretisation> discretisation_;
+    mutable std::once_flag is_located_;
+    mutable std::unique_ptr<const Locator> locator_;
 };
 
 /// What springs of these directions make of a displacement: sum of k d d'.

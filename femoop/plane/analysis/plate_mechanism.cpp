@@ -2,7 +2,6 @@
 
 #include <Eigen/Dense>
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <numeric>
 #include <sstream>
@@ -20,7 +19,8 @@ constexpr double at_rest = 1e-9;
 /// Parts that elements make edge by edge.
 class RigidParts {
 public:
-    explicit RigidParts(const PlaneModel& model) : model_(model), of_element_(model.elements.size())
+    explicit RigidParts(const PlaneStructure& structure)
+        : structure_(structure), of_element_(structure.model().elements.size())
     {
         std::iota(of_element_.begin(), of_element_.end(), std::size_t{0});
         join_by_edges();
@@ -34,16 +34,16 @@ public:
     std::size_t size() const { return n_; }
     std::size_t of(std::size_t element) const { return of_element_[element]; }
 
-    /// Of every node the parts that meet there.
-    std::vector<std::vector<std::size_t>> at_nodes() const
+    /// The parts that meet at a node.
+    std::vector<std::size_t> at(NodeId node) const
     {
-        std::vector<std::vector<std::size_t>> parts(model_.points.size());
-        for (std::size_t e = 0; e < of_element_.size(); ++e)
-            for (const NodeId node : model_.elements[e].points)
-                if (auto& here = parts[node.index]; std::ranges::find(here, of_element_[e]) == here.end())
-                    here.push_back(of_element_[e]);
+        std::vector<std::size_t> parts;
+        for (const std::uint32_t e : structure_.elements_of(node))
+            if (std::ranges::find(parts, of_element_[e]) == parts.end()) parts.push_back(of_element_[e]);
         return parts;
     }
+    /// One of them. \pre an element has the node
+    std::size_t one_at(NodeId node) const { return of_element_[structure_.elements_of(node).front()]; }
 
 private:
     std::size_t find(std::size_t i)
@@ -54,18 +54,14 @@ private:
 
     void join_by_edges()
     {
-        std::vector<std::array<std::size_t, 3>> edges; // ends, element
-        for (std::size_t e = 0; e < model_.elements.size(); ++e) {
-            const PlaneElement& element = model_.elements[e];
-            for (const Shape::Edge edge : shape_of(element.kind).edges()) {
-                const std::size_t a = element.points[static_cast<std::size_t>(edge[0])].index;
-                const std::size_t b = element.points[static_cast<std::size_t>(edge[1])].index;
-                edges.push_back({std::min(a, b), std::max(a, b), e});
+        const std::vector<PlaneElement>& elements = structure_.model().elements;
+        for (std::size_t e = 0; e < elements.size(); ++e)
+            for (const Shape::Edge edge : shape_of(elements[e].kind).edges()) {
+                const NodeId a = elements[e].points[static_cast<std::size_t>(edge[0])];
+                const NodeId b = elements[e].points[static_cast<std::size_t>(edge[1])];
+                for (const auto& other : {structure_.edges().find(a, b), structure_.edges().find(b, a)})
+                    if (other) join(e, other->element.index);
             }
-        }
-        std::ranges::sort(edges);
-        for (std::size_t i = 0; i + 1 < edges.size(); ++i)
-            if (edges[i][0] == edges[i + 1][0] && edges[i][1] == edges[i + 1][1]) join(edges[i][2], edges[i + 1][2]);
     }
 
     void join(std::size_t a, std::size_t b)
@@ -74,7 +70,7 @@ private:
         of_element_[std::max(p, q)] = std::min(p, q);
     }
 
-    const PlaneModel& model_;
+    const PlaneStructure& structure_;
     std::vector<std::size_t> of_element_;
     std::size_t n_ = 0;
 };
@@ -82,8 +78,7 @@ private:
 /// The conditions on three motions of each part: (a, b, w) moves a point by a - w y, b + w x about the middle.
 class MotionConditions {
 public:
-    MotionConditions(const PlaneStructure& structure, const RigidParts& parts)
-        : structure_(structure), at_nodes_(parts.at_nodes())
+    MotionConditions(const PlaneStructure& structure, const RigidParts& parts) : structure_(structure), parts_(parts)
     {
         Eigen::Vector2d low = structure.positions().front(), high = low;
         for (const Eigen::Vector2d& at : structure.positions()) low = low.cwiseMin(at), high = high.cwiseMax(at);
@@ -91,13 +86,11 @@ public:
         size_ = (high - low).norm();
         squares_ = Eigen::MatrixXd::Zero(3 * static_cast<Eigen::Index>(parts.size()),
                                          3 * static_cast<Eigen::Index>(parts.size()));
-        for (std::size_t i = 0; i < at_nodes_.size(); ++i)
-            if (!at_nodes_[i].empty()) add_node(NodeId(i));
+        for (std::size_t i = 0; i < structure.positions().size(); ++i)
+            if (!structure.elements_of(NodeId(i)).empty()) add_node(NodeId(i));
         for (const Discretisation::Tie& tie : structure.discretisation()->ties) {
             const Eigen::Vector2d axis = tie.dof == Dof::ux ? Eigen::Vector2d::UnitX() : Eigen::Vector2d::UnitY();
-            add({{tie.node, at_nodes_[tie.node.index].front(), 1.0},
-                 {tie.leader, at_nodes_[tie.leader.index].front(), -1.0}},
-                axis);
+            add({{tie.node, parts.one_at(tie.node), 1.0}, {tie.leader, parts.one_at(tie.leader), -1.0}}, axis);
         }
         if (structure.model().analysis == StressState::Axisymmetric) // radial motions and turns strain a ring
             for (Eigen::Index p = 0; p < squares_.rows(); p += 3) squares_(p, p) += 1.0, squares_(p + 2, p + 2) += 1.0;
@@ -124,8 +117,6 @@ public:
         return middle_ + size_ * Eigen::Vector2d(-motion[1], motion[0]) / motion[2];
     }
 
-    const std::vector<std::vector<std::size_t>>& at_nodes() const { return at_nodes_; }
-
 private:
     struct Term {
         NodeId node;
@@ -136,7 +127,7 @@ private:
     void add_node(NodeId node)
     {
         const Discretisation::SupportRow* support = structure_.discretisation()->support_of(node);
-        const std::size_t first = at_nodes_[node.index].front();
+        const std::size_t first = parts_.one_at(node);
         if (support != nullptr) {
             const Eigen::Vector2d x(std::cos(support->angle), std::sin(support->angle));
             const Eigen::Vector2d y(-x.y(), x.x());
@@ -146,7 +137,8 @@ private:
             if (holds(Dof::ux)) add({{node, first, 1.0}}, x);
             if (holds(Dof::uy)) add({{node, first, 1.0}}, y);
         }
-        for (const std::size_t part : at_nodes_[node.index])
+        if (parts_.size() == 1) return;
+        for (const std::size_t part : parts_.at(node))
             if (part != first)
                 for (const Eigen::Vector2d& axis : {Eigen::Vector2d(1.0, 0.0), Eigen::Vector2d(0.0, 1.0)})
                     add({{node, first, 1.0}, {node, part, -1.0}}, axis);
@@ -184,7 +176,7 @@ private:
     }
 
     const PlaneStructure& structure_;
-    std::vector<std::vector<std::size_t>> at_nodes_;
+    const RigidParts& parts_;
     Eigen::Vector2d middle_;
     double size_ = 1.0;
     Eigen::MatrixXd squares_;
@@ -239,8 +231,8 @@ Mechanism described(const PlaneStructure& structure, const RigidParts& parts, co
     double largest = 0.0;
     for (std::size_t i = 0; i < structure.positions().size(); ++i) {
         NodeVector& u = mechanism.motion.emplace_back();
-        if (conditions.at_nodes()[i].empty()) continue;
-        const auto part = 3 * static_cast<Eigen::Index>(conditions.at_nodes()[i].front());
+        if (structure.elements_of(NodeId(i)).empty()) continue;
+        const auto part = 3 * static_cast<Eigen::Index>(parts.one_at(NodeId(i)));
         const Eigen::Vector2d moved = conditions.moved(motion.segment<3>(part), structure.positions()[i]);
         u[0] = moved.x();
         u[1] = moved.y();
@@ -255,7 +247,7 @@ Mechanism described(const PlaneStructure& structure, const RigidParts& parts, co
 
 std::vector<Mechanism> rigid_motions(const PlaneStructure& structure)
 {
-    const RigidParts parts(structure.model());
+    const RigidParts parts(structure);
     if (static_cast<Eigen::Index>(parts.size()) > most_parts) return {};
     const MotionConditions conditions(structure, parts);
     const Eigen::MatrixXd free = conditions.free_motions();

@@ -194,6 +194,15 @@ void PlaneChecker::check_elements()
     }
 }
 
+const GeometryCheck& PlaneChecker::geometry_check(ShapeKind kind)
+{
+    auto known = geometry_checks_.find(kind);
+    if (known == geometry_checks_.end())
+        known =
+            geometry_checks_.emplace(kind, GeometryCheck(shape_of(kind), standard_rule(kind, model_.analysis))).first;
+    return known->second;
+}
+
 void PlaneChecker::check_element(const PlaneElement& element, const Entry& place)
 {
     for (const NodeId point : element.points) require_entry(place, "points", point.index, model_.points.size());
@@ -206,7 +215,7 @@ void PlaneChecker::check_element(const PlaneElement& element, const Entry& place
     if (is_partial_ || !has_points(model_, element)) return;
     const NodePositions X = positions_of(model_, element);
     if (!X.allFinite()) return;
-    const auto fault = why_not_element(shape, standard_rule(element.kind, model_.analysis), X);
+    const auto fault = geometry_check(element.kind).fault(X);
     if (!fault) return;
     switch (fault->flaw) {
     case GeometryFlaw::NoArea: add(FaultKind::ElementNoArea, place, {}); break;

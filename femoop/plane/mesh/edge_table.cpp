@@ -1,13 +1,12 @@
 #include "femoop/plane/mesh/edge_table.h"
 
 #include <algorithm>
+#include <numeric>
 #include <utility>
 
 namespace femoop::plane {
 
 namespace {
-
-std::uint64_t key(NodeId start, NodeId end) { return (std::uint64_t{start.index} << 32U) | end.index; }
 
 NodeId node_at(const PlaneElement& element, const Shape::Edge& edge, std::size_t i)
 {
@@ -47,25 +46,30 @@ bool has_points(const PlaneModel& model, const PlaneElement& element)
                                                      [&](NodeId point) { return point.index < model.points.size(); });
 }
 
-EdgeTable::EdgeTable(const PlaneModel& model)
+EdgeTable::EdgeTable(const PlaneModel& model) : first_(model.points.size() + 1, 0)
 {
-    entries_.reserve(4 * model.elements.size());
-    for (std::size_t e = 0; e < model.elements.size(); ++e) {
-        const PlaneElement& element = model.elements[e];
-        if (!has_points(model, element)) continue;
-        for (int i = 0; const Shape::Edge edge : shape_of(element.kind).edges())
-            entries_.push_back(
-                {key(node_at(element, edge, 0), node_at(element, edge, 1)), {.element = ElementId(e), .edge = i++}});
-    }
-    std::ranges::stable_sort(entries_, {}, &Entry::ends);
+    const auto for_each_edge = [&](auto&& use) {
+        for (std::size_t e = 0; e < model.elements.size(); ++e) {
+            const PlaneElement& element = model.elements[e];
+            if (!has_points(model, element)) continue;
+            for (int i = 0; const Shape::Edge edge : shape_of(element.kind).edges())
+                use(node_at(element, edge, 0), node_at(element, edge, 1),
+                    ElementEdge{.element = ElementId(e), .edge = i++});
+        }
+    };
+    for_each_edge([&](NodeId start, NodeId, ElementEdge) { ++first_[start.index + 1]; });
+    std::partial_sum(first_.begin(), first_.end(), first_.begin());
+    entries_.resize(first_.back());
+    std::vector<std::uint32_t> next(first_.begin(), first_.end() - 1);
+    for_each_edge([&](NodeId start, NodeId end, ElementEdge edge) { entries_[next[start.index]++] = {end, edge}; });
 }
 
 std::optional<ElementEdge> EdgeTable::find(NodeId start, NodeId end) const
 {
-    const std::uint64_t wanted = key(start, end);
-    const auto found = std::ranges::lower_bound(entries_, wanted, {}, &Entry::ends);
-    if (found == entries_.end() || found->ends != wanted) return std::nullopt;
-    return found->edge;
+    if (start.index + 1 >= first_.size()) return std::nullopt;
+    for (std::uint32_t i = first_[start.index]; i < first_[start.index + 1]; ++i)
+        if (entries_[i].end == end) return entries_[i].edge;
+    return std::nullopt;
 }
 
 CurveEdges edges_along(const PlaneModel& model, const EdgeTable& table, const PlaneCurve& curve)

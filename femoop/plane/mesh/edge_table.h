@@ -27,10 +27,11 @@ public:
 
 private:
     struct Entry {
-        std::uint64_t ends; ///< start, end
+        NodeId end;
         ElementEdge edge;
     };
-    std::vector<Entry> entries_; ///< ascending
+    std::vector<std::uint32_t> first_; ///< of each node the first entry that starts there
+    std::vector<Entry> entries_;
 };
 
 /// A piece of a curve: an edge with the elements on both its sides, seen in the curve's direction.
