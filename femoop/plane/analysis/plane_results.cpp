@@ -209,13 +209,17 @@ Values PlaneCase::element_values(const Location& place) const
 
 Values PlaneCase::recovered_values(const Location& place) const
 {
-    const PlaneElement& element = structure_->model()[place.element];
-    const Shape::Values N = shape_of(element.kind).values(place.at);
+    return recovered_values(place.element, shape_of(structure_->model()[place.element].kind).values(place.at));
+}
+
+Values PlaneCase::recovered_values(ElementId element, const Shape::Values& N) const
+{
     const Recovered& from = recovered();
     Values sum = Values::Zero();
-    for (std::size_t i = 0; i < element.points.size(); ++i)
-        sum += N[static_cast<Eigen::Index>(i)] *
-               from.values.row(static_cast<Eigen::Index>(from.recovery.slot(place.element, i))).transpose();
+    for (Eigen::Index i = 0; i < N.size(); ++i)
+        sum += N[i] *
+               from.values.row(static_cast<Eigen::Index>(from.recovery.slot(element, static_cast<std::size_t>(i))))
+                   .transpose();
     return sum;
 }
 
@@ -235,6 +239,11 @@ PlaneStress PlaneCase::element_stress(const std::vector<Location>& places, Regio
 
 PlaneStress PlaneCase::smoothed_stress(const Location& place) const { return stress_in(recovered_values(place)); }
 PlaneStrain PlaneCase::smoothed_strain(const Location& place) const { return strain_in(recovered_values(place)); }
+
+PlaneStress PlaneCase::smoothed_stress(ElementId element, const Shape::Values& N) const
+{
+    return stress_in(recovered_values(element, N));
+}
 
 PlaneStress PlaneCase::smoothed_stress(NodeId node, RegionId region) const
 {

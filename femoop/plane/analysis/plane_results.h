@@ -59,6 +59,7 @@ public:
     PlaneStress element_stress(const std::vector<Location>& places, RegionId region) const;
     /// Recovered by superconvergent patches, interpolated by the element's shapes.
     PlaneStress smoothed_stress(const Location& place) const;
+    PlaneStress smoothed_stress(ElementId element, const Shape::Values& N) const; ///< where its shape's functions are N
     PlaneStrain smoothed_strain(const Location& place) const;
     PlaneStress smoothed_stress(NodeId node, RegionId region) const;
     PlaneStrain smoothed_strain(NodeId node, RegionId region) const;
@@ -95,6 +96,7 @@ private:
     const Recovered& recovered() const;
     Eigen::Matrix<double, 8, 1> element_values(const Location& place) const;
     Eigen::Matrix<double, 8, 1> recovered_values(const Location& place) const;
+    Eigen::Matrix<double, 8, 1> recovered_values(ElementId element, const Shape::Values& N) const;
     Eigen::Vector3d stress_on(const Cut& cut, const CutPiece& piece, double s) const;
 
     std::shared_ptr<const PlaneStructure> structure_;

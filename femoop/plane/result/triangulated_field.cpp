@@ -4,7 +4,8 @@
 #include <cmath>
 #include <map>
 #include <optional>
-#include <tuple>
+#include <unordered_map>
+#include <utility>
 
 #include "femoop/element/continuum/element_geometry.h"
 #include "femoop/plane/analysis/result_reader.h"
@@ -20,9 +21,10 @@ using Eigen::Vector2d;
 /// A place of an element's pattern: a node, a place on a side between two corners, or one of its own.
 struct PatternPoint {
     NaturalPoint at;
-    std::optional<int> node;
-    std::optional<int> side; ///< from corner `side` on
-    int part = 0;            ///< along the side
+    Shape::Values N;
+    std::optional<int> node{};
+    std::optional<int> side{}; ///< from corner `side` on
+    int part = 0;              ///< along the side
 };
 
 /// How elements of a kind are cut.
@@ -34,7 +36,7 @@ struct Pattern {
 PatternPoint pattern_point(const Shape& shape, NaturalPoint at, int parts)
 {
     constexpr double near = 1e-9;
-    PatternPoint point{.at = at, .node = {}, .side = {}};
+    PatternPoint point{.at = at, .N = shape.values(at)};
     const auto nodes = shape.nodes();
     for (std::size_t i = 0; i < nodes.size(); ++i)
         if (std::abs(nodes[i].xi - at.xi) < near && std::abs(nodes[i].eta - at.eta) < near)
@@ -119,16 +121,42 @@ Pattern pattern_of(ShapeKind kind, int parts)
 /// Whether elements of a region have the same values at the nodes that they share.
 enum class NodeValues : std::uint8_t { OfRegion, OfElement };
 
-/// Cuts a mesh element by element.
+/// What a place has in the region that came there first, and in others.
+class RegionValues {
+public:
+    /// The value that is known, or else this one.
+    double known_or(std::uint32_t place, RegionId region, double value)
+    {
+        if (place >= first_.size()) first_.resize(place + 1);
+        std::optional<Entry>& first = first_[place];
+        if (!first) first = Entry{.region = region, .value = value};
+        if (first->region == region) return first->value;
+        return others_.try_emplace({place, region.index}, value).first->second;
+    }
+
+private:
+    struct Entry {
+        RegionId region;
+        double value = 0.0;
+    };
+    std::vector<std::optional<Entry>> first_;
+    std::map<std::pair<std::uint32_t, std::uint32_t>, double> others_; ///< on borders of regions
+};
+
+/// The value at a place of an element, whose shape's functions are N there.
+using ValueAt = std::function<double(const Location&, const Shape::Values& N)>;
+
+/// Cuts a mesh element by element. What is shared has one value in a region, to the last bit: a field is continuous
+/// only then.
 class Triangulation {
 public:
-    Triangulation(const PlaneModel& mesh, int parts, NodeValues at_nodes,
-                  const std::function<double(const Location&)>& value)
-        : mesh_(mesh), value_(value), parts_(parts), place_of_node_(mesh.points.size(), TriangulatedField::none)
-    {
-        if (at_nodes == NodeValues::OfRegion)
-            of_nodes_.assign(mesh.points.size() * mesh.regions.size(), std::numeric_limits<double>::quiet_NaN());
-    }
+    Triangulation(const PlaneModel& mesh, int parts, NodeValues at_nodes, ValueAt value)
+        : mesh_(mesh),
+          value_(std::move(value)),
+          parts_(parts),
+          place_of_node_(mesh.points.size(), TriangulatedField::none),
+          is_shared_(at_nodes == NodeValues::OfRegion)
+    {}
 
     TriangulatedField made()
     {
@@ -160,42 +188,39 @@ private:
         std::uint32_t from = node(*point.side), to = node((*point.side + 1) % n_corners);
         const bool is_backwards = from > to;
         if (is_backwards) std::swap(from, to);
+        const auto n = static_cast<std::size_t>(parts_ - 1);
+        const auto [found, is_new] = on_sides_.try_emplace((std::uint64_t{from} << 32U) | to, places_on_sides_.size());
+        if (is_new) places_on_sides_.resize(found->second + n, TriangulatedField::none);
         const int part = is_backwards ? parts_ - point.part : point.part;
-        const auto [found, is_new] = on_sides_.try_emplace({from, to, part}, 0);
-        if (is_new) found->second = new_place(at, {.element = e, .at = point.at});
-        return found->second;
+        std::uint32_t& place = places_on_sides_[found->second + static_cast<std::size_t>(part) - 1];
+        if (place == TriangulatedField::none) place = new_place(at, {.element = e, .at = point.at});
+        return place;
     }
 
-    /// At a node that is met again the value is known.
-    double value_at(const PlaneElement& element, const PatternPoint& point, const Location& here)
+    std::uint32_t place_of(ElementId e, const PatternPoint& point, const NodePositions& X)
     {
-        if (of_nodes_.empty() || !point.node) return value_(here);
-        const NodeId node = element.points[static_cast<std::size_t>(*point.node)];
-        double& known = of_nodes_[node.index * mesh_.regions.size() + element.region.index];
-        if (std::isnan(known)) known = value_(here);
-        return known;
+        const Location here{.element = e, .at = point.at};
+        if (point.node) {
+            const NodeId node = mesh_[e].points[static_cast<std::size_t>(*point.node)];
+            std::uint32_t& place = place_of_node_[node.index];
+            if (place == TriangulatedField::none) place = new_place(position(mesh_[node]), here);
+            return place;
+        }
+        const Vector2d at = X.transpose() * point.N;
+        return point.side ? place_on_side(e, point, at) : new_place(at, here);
     }
 
     void add(ElementId e)
     {
         const PlaneElement& element = mesh_[e];
-        const Shape& shape = shape_of(element.kind);
         const Pattern& cut = pattern(element.kind);
         const NodePositions X = positions_of(mesh_, element);
         std::vector<std::uint32_t> places;
         std::vector<double> values;
         for (const PatternPoint& point : cut.points) {
-            const Location here{.element = e, .at = point.at};
-            values.push_back(value_at(element, point, here));
-            if (point.node) {
-                const NodeId node = element.points[static_cast<std::size_t>(*point.node)];
-                std::uint32_t& place = place_of_node_[node.index];
-                if (place == TriangulatedField::none) place = new_place(position(mesh_[node]), here);
-                places.push_back(place);
-                continue;
-            }
-            const Vector2d at = X.transpose() * shape.values(point.at);
-            places.push_back(point.side ? place_on_side(e, point, at) : new_place(at, here));
+            const std::uint32_t place = places.emplace_back(place_of(e, point, X));
+            const double value = value_({.element = e, .at = point.at}, point.N);
+            values.push_back(is_shared_ ? known_.known_or(place, element.region, value) : value);
         }
         for (const auto& [a, b, c] : cut.triangles) {
             const auto i = static_cast<std::size_t>(a), j = static_cast<std::size_t>(b),
@@ -206,11 +231,13 @@ private:
     }
 
     const PlaneModel& mesh_;
-    const std::function<double(const Location&)>& value_;
+    ValueAt value_;
     int parts_;
     std::vector<std::uint32_t> place_of_node_;
-    std::vector<double> of_nodes_; ///< by node and region, NaN where not known yet; empty where elements differ
-    std::map<std::tuple<std::uint32_t, std::uint32_t, int>, std::uint32_t> on_sides_;
+    bool is_shared_; ///< elements of a region have one value where they meet
+    RegionValues known_;
+    std::unordered_map<std::uint64_t, std::size_t> on_sides_; ///< by both corners, the lesser first: among the next
+    std::vector<std::uint32_t> places_on_sides_;
     std::map<ShapeKind, Pattern> patterns_;
     TriangulatedField field_;
 };
@@ -278,7 +305,8 @@ int parts_of_sides(const PlaneModel& mesh)
 
 TriangulatedField triangulated(const PlaneModel& mesh, int parts, const std::function<double(const Location&)>& value)
 {
-    return Triangulation(mesh, parts, NodeValues::OfElement, value).made();
+    const auto at_location = [&](const Location& here, const Shape::Values&) { return value(here); };
+    return Triangulation(mesh, parts, NodeValues::OfElement, at_location).made();
 }
 
 double component_at(const PlaneCase& result, PlaneComponent which, StressReading reading, const Location& place)
@@ -295,8 +323,10 @@ TriangulatedField component_field(const PlaneCase& result, PlaneComponent which,
 {
     const PlaneModel& mesh = result.structure().model();
     const bool jumps = reading == StressReading::Element && !is_of_displacement(which) && !is_of_strain(which);
-    const std::function<double(const Location&)> value = [&](const Location& place) {
-        return component_at(result, which, reading, place);
+    const bool is_recovered = reading == StressReading::Smoothed && !is_of_displacement(which) && !is_of_strain(which);
+    const auto value = [&](const Location& place, const Shape::Values& N) {
+        if (!is_recovered) return component_at(result, which, reading, place);
+        return component(result.smoothed_stress(place.element, N), which, Vector2d::Zero(), Vector2d::Zero());
     };
     return Triangulation(mesh, parts_of_sides(mesh), jumps ? NodeValues::OfElement : NodeValues::OfRegion, value)
         .made();
