@@ -42,19 +42,18 @@ bool is_of_drawing(const femoop::plane::PlaneExpected& check)
 
 } // namespace
 
-MeshModelMaker::MeshModelMaker(const Drawing& drawing, const std::vector<FaceOutline>& outlines,
-                               const RegionMesher& mesher)
+MeshModelMaker::MeshModelMaker(const Drawing& drawing, const std::vector<FaceOutline>& outlines, const RegionMesh& mesh)
     : drawing_(drawing),
       drawn_(drawing.model()),
       outlines_(outlines),
-      mesher_(mesher),
-      is_used_(mesher.nodes().size()),
-      number_of_(mesher.nodes().size()),
+      mesh_(mesh),
+      is_used_(mesh.nodes.size()),
+      number_of_(mesh.nodes.size()),
       node_of_point_(drawn_.points.size()),
       curve_of_(drawn_.curves.size()),
       region_of_(drawn_.regions.size())
 {
-    for (const MeshedElement& element : mesher.elements())
+    for (const MeshedElement& element : mesh.elements)
         for (const CellNode node : element.nodes) is_used_[node] = true;
 }
 
@@ -81,10 +80,10 @@ PlaneModel MeshModelMaker::model()
 /// Points of the drawing first; of those that are one place, the first.
 void MeshModelMaker::add_points(PlaneModel& model)
 {
-    std::vector<std::size_t> point_of(mesher_.nodes().size());
+    std::vector<std::size_t> point_of(mesh_.nodes.size());
     for (std::size_t i = 0; i < drawn_.points.size(); ++i) {
         const auto vertex = drawing_.vertex(NodeId(i));
-        const auto at = vertex ? mesher_.node(*vertex) : std::nullopt;
+        const auto at = vertex ? mesh_.of_vertex[vertex->index] : std::nullopt;
         if (!at || !is_used_[*at]) continue;
         if (!number_of_[*at]) {
             number_of_[*at] = NodeId(model.points.size());
@@ -106,7 +105,7 @@ void MeshModelMaker::add_points(PlaneModel& model)
     for (std::size_t i = 0; i < number_of_.size(); ++i) {
         if (!is_used_[i] || number_of_[i]) continue;
         number_of_[i] = NodeId(model.points.size());
-        const auto& [x, y] = mesher_.nodes()[i];
+        const auto& [x, y] = mesh_.nodes[i];
         model.points.push_back({.id = prefix + std::to_string(model.points.size() - n_points_ + 1), .at = {x, y}});
     }
 }
@@ -126,8 +125,8 @@ void MeshModelMaker::add_regions(PlaneModel& model)
 
 void MeshModelMaker::add_elements(PlaneModel& model) const
 {
-    model.elements.reserve(mesher_.elements().size());
-    for (const MeshedElement& meshed : mesher_.elements()) {
+    model.elements.reserve(mesh_.elements.size());
+    for (const MeshedElement& meshed : mesh_.elements) {
         auto& element = model.elements.emplace_back();
         element.id = std::to_string(model.elements.size());
         element.kind = meshed.kind;
@@ -139,7 +138,7 @@ void MeshModelMaker::add_elements(PlaneModel& model) const
 
 std::vector<CellNode> MeshModelMaker::chain_along(const CurvePiece& piece) const
 {
-    std::vector<CellNode> chain = mesher_.chain(piece.edge);
+    std::vector<CellNode> chain = mesh_.chains[piece.edge.index];
     if (!piece.is_forward) std::reverse(chain.begin(), chain.end());
     return chain;
 }

@@ -4,7 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "apps/plane/discretize/region_mesher.h"
+#include "apps/plane/discretize/face_outline.h"
+#include "apps/plane/discretize/region_mesh.h"
 
 namespace discretize {
 
@@ -12,7 +13,7 @@ namespace discretize {
 /// nodes and elements carry.
 class MeshModelMaker {
 public:
-    MeshModelMaker(const Drawing& drawing, const std::vector<FaceOutline>& outlines, const RegionMesher& mesher);
+    MeshModelMaker(const Drawing& drawing, const std::vector<FaceOutline>& outlines, const RegionMesh& mesh);
 
     PlaneModel model();
     const std::vector<femoop::Fault>& errors() const { return errors_; }
@@ -36,8 +37,8 @@ private:
     const Drawing& drawing_;
     const PlaneModel& drawn_;
     const std::vector<FaceOutline>& outlines_;
-    const RegionMesher& mesher_;
-    std::vector<bool> is_used_;                            ///< of each node of the mesher
+    const RegionMesh& mesh_;
+    std::vector<bool> is_used_;                            ///< of each node of the mesh
     std::vector<std::optional<femoop::NodeId>> number_of_; ///< of the same, in the model
     std::vector<std::optional<femoop::NodeId>> node_of_point_;
     std::vector<std::optional<femoop::plane::CurveId>> curve_of_;

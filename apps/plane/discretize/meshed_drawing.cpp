@@ -25,7 +25,18 @@ MeshedDrawing::MeshedDrawing(const Drawing& drawing, const std::function<bool()>
     faults_ = mesher.errors();
     if (!faults_.empty()) return;
     faults_ = mesher.warnings();
-    MeshModelMaker maker(drawing, outlines, mesher);
+    mesh_ = mesher.mesh();
+    make_model(drawing, outlines);
+}
+
+MeshedDrawing::MeshedDrawing(const Drawing& drawing, RegionMesh mesh) : mesh_(std::move(mesh))
+{
+    make_model(drawing, outlines_of(drawing));
+}
+
+void MeshedDrawing::make_model(const Drawing& drawing, const std::vector<FaceOutline>& outlines)
+{
+    MeshModelMaker maker(drawing, outlines, mesh_);
     auto model = std::make_shared<PlaneModel>(maker.model());
     for (const auto& faults : {maker.errors(), femoop::plane::check(*model)})
         faults_.insert(faults_.end(), faults.begin(), faults.end());
@@ -34,7 +45,7 @@ MeshedDrawing::MeshedDrawing(const Drawing& drawing, const std::function<bool()>
     node_of_point_ = maker.node_of_point();
     checks_ = maker.checks();
     for (std::size_t i = 0; i < maker.regions().size(); ++i)
-        if (maker.regions()[i]) reports_.push_back(mesher.reports()[i]);
+        if (maker.regions()[i]) reports_.push_back(mesh_.reports[i]);
     model_ = std::move(model);
 }
 

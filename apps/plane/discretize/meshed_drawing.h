@@ -16,6 +16,8 @@ class MeshedDrawing {
 public:
     /// \param is_cancelled  asked now and then; the mesh is not used when it says so  \pre the drawing is sound
     explicit MeshedDrawing(const Drawing& drawing, const std::function<bool()>& is_cancelled = {});
+    /// With a mesh that it has already (FollowingMesh).
+    MeshedDrawing(const Drawing& drawing, RegionMesh mesh);
 
     const std::vector<femoop::Fault>& faults() const { return faults_; }
     bool is_sound() const { return model_ != nullptr; }
@@ -27,8 +29,12 @@ public:
     /// The checks of the model that is drawn, each as the mesh has it; those of counts and areas as they are.
     const std::vector<femoop::plane::PlaneExpected>& checks() const { return checks_; }
     const std::vector<RegionReport>& reports() const { return reports_; } ///< of each region of the mesh
+    const RegionMesh& mesh() const { return mesh_; }                      ///< in the drawing. \pre it is sound
 
 private:
+    void make_model(const Drawing& drawing, const std::vector<FaceOutline>& outlines);
+
+    RegionMesh mesh_;
     std::shared_ptr<const PlaneModel> model_;
     std::size_t n_points_ = 0;
     std::vector<std::optional<femoop::NodeId>> node_of_point_;

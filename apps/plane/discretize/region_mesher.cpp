@@ -96,7 +96,8 @@ void RegionMesher::run()
         if (!is_quadratic_[e.index]) continue;
         const EdgeShares& shares = divisions_.shares(e);
         for (std::size_t i = 0; i + 1 < chain.size(); ++i)
-            set_middle(chain[i], chain[i + 1], add_node(on_edge(e, 0.5 * (shares[i] + shares[i + 1]))));
+            set_middle(chain[i], chain[i + 1],
+                       add_node(place_on_edge(drawing_.subdivision(), e, 0.5 * (shares[i] + shares[i + 1]))));
     }
     const std::size_t n_of_curves = nodes_.size();
     for (std::size_t i = 0; i < outlines_.size() && errors_.empty(); ++i) mesh(i);
@@ -105,6 +106,27 @@ void RegionMesher::run()
     std::fill_n(is_held.begin(), n_of_curves, true);
     untangle(nodes_, elements_, is_held);
     require_right_way_round();
+}
+
+RegionMesh RegionMesher::mesh() const
+{
+    RegionMesh mesh{.nodes = nodes_,
+                    .elements = elements_,
+                    .of_vertex = of_vertex_,
+                    .chains = chains_,
+                    .on_edges = {},
+                    .reports = reports_};
+    for (const EdgeId e : drawing_.subdivision().solid().edges()) {
+        const Chain& chain = chains_[e.index];
+        if (chain.empty()) continue;
+        const EdgeShares& shares = divisions_.shares(e);
+        for (std::size_t i = 0; i + 1 < chain.size(); ++i) {
+            if (i > 0) mesh.on_edges.push_back({chain[i], e, shares[i]});
+            if (const auto middle = middles_.find(key_of(chain[i], chain[i + 1])); middle != middles_.end())
+                mesh.on_edges.push_back({middle->second, e, 0.5 * (shares[i] + shares[i + 1])});
+        }
+    }
+    return mesh;
 }
 
 /// About as many elements as an outline gets.
@@ -206,17 +228,6 @@ CellNode RegionMesher::node_at(VertexId vertex)
     return *known;
 }
 
-FlatPoint RegionMesher::on_edge(EdgeId edge, double share) const
-{
-    const topology::PlanarSubdivision& plane = drawing_.subdivision();
-    const topology::CurvePart& part = plane.part(edge);
-    const topology::Curve& curve = plane.curve(part.curve);
-    if (!curve.is_straight()) return curve.at(curve.at_share(part.span, share));
-    const HalfEdgeId h = plane.solid().plus(edge);
-    const FlatPoint a = plane.at(plane.solid().start(h)), b = plane.at(plane.solid().end(h));
-    return a + share * (b - a);
-}
-
 void RegionMesher::divide(EdgeId edge)
 {
     Chain& chain = chains_[edge.index];
@@ -224,7 +235,8 @@ void RegionMesher::divide(EdgeId edge)
     const topology::Solid& solid = drawing_.subdivision().solid();
     const EdgeShares& shares = divisions_.shares(edge);
     chain.push_back(node_at(solid.start(solid.plus(edge))));
-    for (std::size_t i = 1; i + 1 < shares.size(); ++i) chain.push_back(add_node(on_edge(edge, shares[i])));
+    for (std::size_t i = 1; i + 1 < shares.size(); ++i)
+        chain.push_back(add_node(place_on_edge(drawing_.subdivision(), edge, shares[i])));
     chain.push_back(node_at(solid.end(solid.plus(edge))));
 }
 

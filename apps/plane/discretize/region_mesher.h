@@ -8,22 +8,10 @@
 #include <vector>
 
 #include "apps/plane/discretize/edge_divisions.h"
+#include "apps/plane/discretize/region_mesh.h"
 #include "topology/meshing/mesh_domain.h"
 
 namespace discretize {
-
-/// An element as nodes of all regions' mesh: corners, then middle nodes, then the centre.
-struct MeshedElement {
-    std::vector<topology::CellNode> nodes;
-    femoop::ShapeKind kind = femoop::ShapeKind::T3;
-    femoop::plane::RegionId region;
-};
-
-/// How a region was meshed.
-struct RegionReport {
-    std::string method;
-    double seconds = 0.0;
-};
 
 /// Nodes along the curves, then the elements of one outline after another. Nodes on borders are shared, middle nodes on
 /// curves lie on them.
@@ -35,14 +23,9 @@ public:
 
     void run(); ///< until an error is found, or it is cancelled
 
-    const std::vector<topology::FlatPoint>& nodes() const { return nodes_; }
-    const std::vector<MeshedElement>& elements() const { return elements_; }
-    const std::vector<RegionReport>& reports() const { return reports_; } ///< of each region of the model
+    RegionMesh mesh() const; ///< \pre no error was found
     const std::vector<femoop::Fault>& errors() const { return errors_; }
     const std::vector<femoop::Fault>& warnings() const { return warnings_; }
-    std::optional<topology::CellNode> node(topology::VertexId vertex) const { return of_vertex_[vertex.index]; }
-    /// Corner nodes of an edge in its plus direction; none beside no material.
-    const std::vector<topology::CellNode>& chain(topology::EdgeId edge) const { return chains_[edge.index]; }
 
 private:
     using Chain = std::vector<topology::CellNode>;
@@ -50,7 +33,6 @@ private:
     topology::CellNode node_at(topology::VertexId vertex);
     topology::CellNode add_node(const topology::FlatPoint& at);
     Chain chain_along(topology::HalfEdgeId h) const;
-    topology::FlatPoint on_edge(topology::EdgeId edge, double share) const;
 
     void require_possible();
     void require_one_order();

@@ -19,6 +19,15 @@ Analysed::Analysed(std::shared_ptr<const Solution> solution, const std::function
     if (mesh_->model().n_cases() > 0) solve();
 }
 
+Analysed::Analysed(std::shared_ptr<const Solution> solution, const discretize::FollowingMesh& mesh)
+    : solution_(std::move(solution)), is_following_(true)
+{
+    auto moved = mesh.in(*solution_->drawing());
+    if (moved) mesh_.emplace(*solution_->drawing(), std::move(*moved));
+    if (mesh_ && !mesh_->is_sound()) mesh_.reset();
+    if (mesh_ && mesh_->model().n_cases() > 0) solve();
+}
+
 void Analysed::solve()
 {
     try {

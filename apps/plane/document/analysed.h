@@ -5,6 +5,7 @@
 #include <optional>
 #include <vector>
 
+#include "apps/plane/discretize/following_mesh.h"
 #include "apps/plane/discretize/meshed_drawing.h"
 #include "apps/plane/document/solution.h"
 #include "femoop/plane/analysis/plane_results.h"
@@ -17,9 +18,13 @@ class Analysed {
 public:
     /// \param is_cancelled  asked now and then while the mesh is made  \pre solution->is_sound()
     Analysed(std::shared_ptr<const Solution> solution, const std::function<bool()>& is_cancelled);
+    /// With the mesh of another drawing that goes along as far as this one; without a mesh where it cannot.
+    Analysed(std::shared_ptr<const Solution> solution, const discretize::FollowingMesh& mesh);
 
     const std::shared_ptr<const Solution>& solution() const { return solution_; } ///< that it is of
     const PlaneModel* mesh() const { return mesh_ ? &mesh_->model() : nullptr; }
+    const discretize::MeshedDrawing& meshed() const { return *mesh_; } ///< \pre there is a mesh
+    bool is_following() const { return is_following_; }                ///< its mesh is another drawing's
     const femoop::plane::PlaneResults* results() const { return results_ ? &*results_ : nullptr; }
     /// Of a case, with all that was recovered of it; null where there are no results.
     const femoop::plane::PlaneCase* result(std::size_t load_case) const;
@@ -35,7 +40,7 @@ private:
     std::optional<femoop::plane::PlaneResults> results_;
     std::vector<femoop::plane::PlaneCase> cases_;
     std::vector<femoop::Fault> faults_;
-    bool was_cancelled_ = false;
+    bool was_cancelled_ = false, is_following_ = false;
 };
 
 } // namespace plane

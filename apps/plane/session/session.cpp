@@ -203,7 +203,8 @@ PlateInput Session::input() const
 
 const Analysed* Session::analysed() const
 {
-    const bool is_of_now = analysed_ && analysed_->solution() == solution_;
+    const bool is_of_now = analysed_ && analysed_->solution() == solution_ &&
+                           (!analysed_->is_following() || history_.is_dragging());
     return is_of_now && needs_mesh(look) ? analysed_.get() : nullptr;
 }
 
@@ -211,12 +212,39 @@ void Session::analyse_what_is_shown()
 {
     if (!needs_mesh(look) || !solution_->is_sound() || drawing() == nullptr || analysed() != nullptr) return;
     constexpr double fast_enough = 0.05, longest = 20.0; // [s]
-    if (history_.is_dragging() && last_seconds_ > fast_enough) return;
+    const bool is_dragging = history_.is_dragging();
+    if (!is_dragging) {
+        dragged_.reset();
+        following_.reset();
+        follow_seconds_ = 0.0;
+    }
     using Clock = std::chrono::steady_clock;
     const Clock::time_point start = Clock::now();
     const auto seconds = [&] { return std::chrono::duration<double>(Clock::now() - start).count(); };
+    if (is_dragging && follow_seconds_ <= fast_enough && follow_with_mesh()) {
+        follow_seconds_ = seconds();
+        return;
+    }
+    if (is_dragging && last_seconds_ > fast_enough) return;
     analysed_ = std::make_shared<const Analysed>(solution_, [&] { return seconds() > longest; });
     last_seconds_ = seconds();
+}
+
+/// Elements that were turned inside out have the drawing meshed again, from where the hand is now.
+bool Session::follow_with_mesh()
+{
+    if (analysed_ && !analysed_->is_following() && analysed_ != dragged_) {
+        dragged_ = analysed_;
+        following_.reset();
+    }
+    if (!dragged_ || dragged_->mesh() == nullptr) return false;
+    if (!following_)
+        following_ = std::make_shared<const discretize::FollowingMesh>(*dragged_->solution()->drawing(),
+                                                                       dragged_->meshed().mesh());
+    auto found = std::make_shared<const Analysed>(solution_, *following_);
+    if (found->mesh() == nullptr) return false;
+    analysed_ = std::move(found);
+    return true;
 }
 
 std::optional<Message> Session::why_no_results() const

@@ -94,12 +94,17 @@ private:
     void accept(std::shared_ptr<const Solution> solution); ///< of the document
     void keep_selection(const PlaneModel& before);
     void restart(Document document);
+    /// Does the mesh of before go along with the hand?
+    bool follow_with_mesh();
     /// The solution of the document that a change starts from.
     const Solution& settled() const { return history_.is_dragging() && settled_ ? *settled_ : *solution_; }
 
     std::shared_ptr<const Solution> solution_, settled_; ///< settled_: before the gesture that is under way
     std::shared_ptr<const Analysed> analysed_;
-    double last_seconds_ = 0.0; ///< that an analysis took
+    std::shared_ptr<const Analysed> dragged_; ///< of before the drag that is under way
+    std::shared_ptr<const discretize::FollowingMesh> following_;
+    double last_seconds_ = 0.0;   ///< that an analysis took
+    double follow_seconds_ = 0.0; ///< that the last one of this drag took, with the mesh that went along
     std::vector<Part> selection_;
     std::optional<Gap> gap_, left_gap_;
     std::size_t opening_ = 0;

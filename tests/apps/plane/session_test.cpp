@@ -140,6 +140,28 @@ TEST_CASE("Results are found where they are shown, and again when the drawing ch
     CHECK(session.analysed() == nullptr);
 }
 
+TEST_CASE("While a hand drags, elements stay as many as they were; when it lets go, the drawing is meshed anew")
+{
+    Workspace workspace = quarter_plate();
+    Session& session = workspace.session;
+    session.look.mesh = true;
+    session.analyse_what_is_shown();
+    REQUIRE(session.analysed() != nullptr);
+    const std::size_t n = session.analysed()->mesh()->elements.size();
+    for (const double x : {11.0, 13.0, 15.0}) {
+        session.change({"Move", [x](Document& d) { move_point(d, NodeId(1U), {x, 0}); }, Step::Drag});
+        session.analyse_what_is_shown();
+        REQUIRE(session.analysed() != nullptr);
+        CHECK(session.analysed()->is_following());
+        CHECK(session.analysed()->mesh()->elements.size() == n);
+    }
+    session.settle();
+    CHECK(session.analysed() == nullptr);
+    session.analyse_what_is_shown();
+    REQUIRE(session.analysed() != nullptr);
+    CHECK_FALSE(session.analysed()->is_following());
+}
+
 TEST_CASE("What is selected goes on under another name")
 {
     Workspace workspace = quarter_plate();
