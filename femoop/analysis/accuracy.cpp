@@ -10,8 +10,9 @@ namespace femoop {
 namespace {
 
 constexpr double wanted = 1e-11; // imbalance, at the unknowns: a sum over thousands of nodes then still has nine digits
-constexpr double doubtful = 1e-8;  // warned of
-constexpr double useless = 1e-3;   // refused
+constexpr double doubtful = 1e-8; // warned of
+constexpr double useless = 1e-3;  // refused
+constexpr double no_digit = 0.1;
 constexpr double rounding = 2e-16; // of the imposed, by which doubles may be wrong though they balance
 
 // Where settlements and heat strain members and nothing holds against them, no force is left but rounding.
@@ -45,6 +46,16 @@ double of_sums(const Equilibrium& equilibrium, const detail::Balance& balance)
                   ratio(unbalanced(3), std::max(balance.sum_moments, least_moment)));
 }
 
+/// The part that is told of.
+auto shown(LeastForce least)
+{
+    const double part = least == LeastForce::OfBodies ? least_force_of_body : least_force;
+    return [part](const detail::CaseSolution& each) {
+        const double unbalanced = larger(at_unknowns(each.balance, part), of_sums(each.equilibrium, each.balance));
+        return larger(unbalanced, each.equilibrium.residual);
+    };
+}
+
 template <class Error>
 std::vector<Fault> worse_than(double limit, const Error& error_of, FaultKind kind, const detail::Solution& solution)
 {
@@ -76,16 +87,13 @@ bool needs_precision(const detail::Solution& solution)
 
 std::vector<Fault> inaccurate_cases(const detail::Solution& solution, LeastForce least)
 {
-    const double part = least == LeastForce::OfBodies ? least_force_of_body : least_force;
-    const auto shown = [part](const detail::CaseSolution& each) {
-        const double unbalanced = larger(at_unknowns(each.balance, part), of_sums(each.equilibrium, each.balance));
-        return larger(unbalanced, each.equilibrium.residual);
-    };
-    return worse_than(doubtful, shown, FaultKind::InaccurateCase, solution);
+    return worse_than(doubtful, shown(least), FaultKind::InaccurateCase, solution);
 }
 
-std::vector<Fault> ill_conditioned_cases(const detail::Solution& solution)
+std::vector<Fault> ill_conditioned_cases(const detail::Solution& solution, LeastForce least)
 {
+    const auto unbalanced = worse_than(no_digit, shown(least), FaultKind::IllConditionedCase, solution);
+    if (least == LeastForce::OfBodies && !unbalanced.empty()) return unbalanced;
     return worse_than(useless, imbalance, FaultKind::IllConditionedCase, solution);
 }
 

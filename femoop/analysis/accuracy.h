@@ -20,8 +20,9 @@ bool needs_precision(const detail::Solution& solution);
 enum class LeastForce : std::uint8_t { OfMembers, OfBodies };
 /// Warns of cases that balance to less than eight digits.
 std::vector<Fault> inaccurate_cases(const detail::Solution& solution, LeastForce least = LeastForce::OfMembers);
-/// Cases that balance to less than three digits, which nobody should see.
-std::vector<Fault> ill_conditioned_cases(const detail::Solution& solution);
+/// Cases that balance to less than three digits, and of bodies those of whose loads no digit is balanced, which nobody
+/// should see.
+std::vector<Fault> ill_conditioned_cases(const detail::Solution& solution, LeastForce least = LeastForce::OfMembers);
 std::vector<Fault> unsolved_cases(const detail::Solution& solution); ///< the same of every load case
 
 } // namespace femoop

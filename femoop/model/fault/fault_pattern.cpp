@@ -577,7 +577,7 @@ std::string_view pattern(FaultKind kind)
     case FaultKind::RegionTurns:
         return "structure can move without strain: the part in {0} turns about {1}; add a support against it";
     case FaultKind::RegionDeforms:
-        return "structure can move without strain: elements in {0} deform so that no integration point feels it, or are so flat that nothing is left of their stiffness in 16 digits, most at {1}; choose standard elements, less flat ones or more supports";
+        return "structure can move without strain: elements in {0} deform so that no integration point feels it, most at {1}; choose standard elements or more supports";
     }
     return "";
 }

@@ -41,11 +41,28 @@ void refuse_rigid_motions(const PlaneStructure& structure)
     throw MechanismError(std::move(mechanisms), n_more);
 }
 
+/// Does a motion deform any element, by more than rounding leaves of a motion that is none of its own? A slender body is
+/// soft, and yet each of its elements is strained where it bends.
+bool strains(const PlaneStructure& structure, const std::vector<double>& u)
+{
+    constexpr double rounding = 1e-11; // of the motion, over the element's size
+    const std::vector<PlaneElement>& elements = structure.model().elements;
+    return std::any_of(elements.begin(), elements.end(), [&, e = std::size_t{0}](const PlaneElement& element) mutable {
+        const ElementField inside(structure.element(ElementId(e++)), u);
+        const Eigen::Vector2d at = structure.positions()[element.points.front().index];
+        double size = 0.0;
+        for (const NodeId node : element.points) size = std::max(size, (structure.positions()[node.index] - at).norm());
+        const ContinuumElement::StrainColumns strain = inside.strains(inside.element().formulation().points());
+        return strain.cwiseAbs().maxCoeff() * size > rounding * inside.node_displacements().cwiseAbs().maxCoeff();
+    });
+}
+
 /// Modes of elements that no integration point feels: told by the nodes that move the most.
-[[noreturn]] void refuse_soft_motion(const PlaneStructure& structure, const StaticSystem& system)
+void refuse_soft_motion(const PlaneStructure& structure, const StaticSystem& system)
 {
     const PlaneModel& model = structure.model();
     const std::vector<double> u = system.motion(system.reduced().softest_motion().x).displacements;
+    if (strains(structure, u)) return;
     double largest = 0.0;
     for (const double value : u) largest = std::max(largest, std::abs(value));
     constexpr std::size_t most_named = 6;
@@ -85,6 +102,14 @@ void require_finite_stiffness(const PlaneModel& model, const StaticSystem& syste
             for (const PlaneRegion& region : model.regions) regions.push_back(region.id);
             throw ModelError({{FaultKind::StiffnessBeyondRange, {listed(regions)}}});
         }
+}
+
+std::vector<Fault> all_ill_conditioned(const PlaneModel& model)
+{
+    std::vector<Fault> faults;
+    for (const PlaneLoadCase& load_case : model.load_cases)
+        faults.push_back({.kind = FaultKind::IllConditionedCase, .arguments = {load_case.id}});
+    return faults;
 }
 
 /// Numbers may be in range and their products not.
@@ -135,6 +160,7 @@ Solved solved(const PlaneStructure& structure, const std::vector<CaseLoads>& loa
     system.note_size(done.statistics);
     if (!pivots.is_complete || pivots.smallest_ratio <= no_pivot || system.has_unrestrained_unknown())
         refuse_soft_motion(structure, system);
+    if (!pivots.is_complete) throw ModelError(all_ill_conditioned(structure.model()));
     done.statistics.factor = watch.lap();
     const Eigen::MatrixXd F = system.load_vectors(loads);
     require_finite(structure.model(), F);
@@ -160,7 +186,7 @@ PlaneResults analyse(const PlaneModel& model, const AnalysisOptions& options)
     solution->solutions = std::move(done.cases);
     add_reactions(*solution);
     if (model.analysis == StressState::Axisymmetric) keep_axial_sums(*solution);
-    if (auto faults = ill_conditioned_cases(*solution); !faults.empty()) throw ModelError(std::move(faults));
+    if (auto faults = ill_conditioned_cases(*solution, LeastForce::OfBodies); !faults.empty()) throw ModelError(std::move(faults));
     solution->warnings = inaccurate_cases(*solution, LeastForce::OfBodies);
     PlaneResults results(std::move(structure), solution, done.statistics);
     require_finite_results(results, *solution);

@@ -9,6 +9,7 @@
 #include <set>
 #include <string>
 
+#include "femoop/analysis/mechanism.h"
 #include "femoop/io/any_model.h"
 #include "femoop/io/plane/plane_file.h"
 #include "femoop/io/plane/plane_verify.h"
@@ -246,6 +247,36 @@ TEST_CASE("Middle nodes of a curve lie on it, so that a round hole's area is met
     const double exact = 0.25 * std::numbers::pi, coarse = hole_of(16) - exact, fine = hole_of(32) - exact;
     CHECK(std::abs(fine) < 1e-5);
     CHECK(coarse / fine == Approx(16.0).epsilon(0.05));
+}
+
+TEST_CASE("A slender plate that is held is no mechanism: it bends as a beam, and the digits that hold are told")
+{
+    const auto strip = [](const std::string& depth) {
+        return R"({"cremona": 1, "analysis": "plane_stress", "units": {"length": "m", "force": "N"},
+            "materials": [{"id": "m", "E": 2e11, "nu": 0.3}], "points": [{"id": "A", "at": [0, 0]},
+            {"id": "B", "at": [100, 0]}, {"id": "C", "at": [100, )" +
+               depth + R"(]}, {"id": "D", "at": [0, )" + depth +
+               R"(]}], "curves": [{"id": "outline", "kind": "line", "points": ["D", "A", "B", "C", "D"]},
+            {"id": "left", "kind": "line", "points": ["D", "A"], "support": "fixed"},
+            {"id": "right", "kind": "line", "points": ["B", "C"]}],
+            "regions": [{"id": "plate", "material": "m", "thickness": 0.01}],
+            "load_cases": [{"id": "P", "curves": [{"curve": "right", "kind": "traction", "qy": 1}]}]})";
+    };
+    const Meshed held(strip("0.05"));
+    const PlaneResults results = analyse(held.model());
+    const double beam = 4.0 * 0.05 * 0.01 * 1e6 / (2e11 * 0.01 * std::pow(0.05, 3)); // 4 P L^3 / (E b h^3)
+    CHECK(results[CaseId(0)].displacement(NodeId(1U)).y() == Approx(beam).epsilon(0.005));
+    REQUIRE(results.warnings().size() == 1);
+    CHECK(results.warnings().front().kind == FaultKind::InaccurateCase);
+    const Meshed too_slender(strip("0.005"));
+    try {
+        analyse(too_slender.model());
+        FAIL("it was solved");
+    } catch (const femoop::MechanismError&) {
+        FAIL("it is held");
+    } catch (const femoop::ModelError& refusal) {
+        CHECK(refusal.faults().front().kind == FaultKind::IllConditionedCase);
+    }
 }
 
 TEST_CASE("A uniform stress is met exactly by every element in every mesh of a drawing")
