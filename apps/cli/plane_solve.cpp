@@ -1,6 +1,7 @@
 #include "apps/cli/plane_solve.h"
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <cstddef>
 #include <optional>
 
@@ -8,6 +9,7 @@
 #include "apps/cli/argument.h"
 #include "apps/cli/plane_input.h"
 #include "apps/cli/plane_places.h"
+#include "femoop/io/plane/element_trace_output.h"
 #include "femoop/io/plane/plane_output.h"
 #include "femoop/plane/analysis/plane_analysis.h"
 
@@ -43,6 +45,21 @@ std::vector<fp::ShownPoint> points_of(const fp::PlaneModel& drawn, const discret
     return points;
 }
 
+/// By its name, or by a place in it.
+fp::ElementId element_named(const std::string& text, const fp::PlaneModel& mesh, const ui::Catalogue& tr)
+{
+    const auto found = std::ranges::find(mesh.elements, text, &fp::PlaneElement::id);
+    if (found != mesh.elements.end()) return fp::ElementId(static_cast<std::size_t>(found - mesh.elements.begin()));
+    if (text.find(',') != std::string::npos) {
+        const std::vector<double> at = numbers_of("--trace", text, 2, tr);
+        const std::vector<fp::Location> places = fp::Locator(mesh).find({at[0], at[1]});
+        if (!places.empty()) return places.front().element;
+    }
+    throw UsageError(
+        tr("--trace: found {found}; wanted an element, of this mesh {first} to {last}, or a place X,Y in one",
+           {{"found", text}, {"first", mesh.elements.front().id}, {"last", mesh.elements.back().id}}));
+}
+
 } // namespace
 
 void PlaneSolve::declare(CLI::App& app, const ui::Catalogue& tr)
@@ -67,11 +84,16 @@ void PlaneSolve::require_none(const ui::Catalogue& tr) const
 ExitStatus PlaneSolve::solve(const Question& question, const femoop::AnalysisOptions& options, Console& console) const
 {
     const ui::Catalogue& tr = console.tr();
-    auto& [reading, file, case_name, is_json] = question;
+    auto& [reading, file, case_name, is_json, traced_element] = question;
     const PlaneInput input(reading);
     console.report(file, reading.faults);
     if (!reading.is_sound()) return ExitStatus::BadInput;
     const fp::PlaneModel& model = input.model();
+    if (traced_element) {
+        const fp::ElementTrace trace = fp::trace(model, element_named(*traced_element, model, tr));
+        console.print(is_json ? fp::trace_json(trace, model.units) : fp::trace_text(trace, model.units, tr));
+        return ExitStatus::Done;
+    }
     fp::PlaneSelection selection{
         .cases = cases_named(model, case_name, tr), .probes = {}, .cuts = {}, .is_full = is_full_};
     const fp::Locator locator(model);

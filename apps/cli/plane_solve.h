@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -22,6 +23,7 @@ public:
         std::string file;      ///< as messages call it
         std::string case_name; ///< of --case
         bool is_json = false;
+        std::optional<std::string> traced_element{}; ///< of --trace
     };
 
     void declare(CLI::App& app, const ui::Catalogue& tr);

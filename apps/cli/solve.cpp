@@ -156,7 +156,9 @@ void Solve::declare(CLI::App& app, const ui::Catalogue& tr)
     app.add_option(
            "--trace", traced_member_,
            tr("print how this member enters the system instead of the results: stiffness in "
-              "its own axes and in those of the nodes, transformation, fixed-end forces, places in the system matrix"))
+              "its own axes and in those of the nodes, transformation, fixed-end forces, places in the system matrix; "
+              "of a plane model an element, by its name or by a place X,Y in it: D, of each integration point N, J and "
+              "B, stiffness, nodal forces of its loads, places"))
         ->option_text("MEMBER");
     app.add_option(
            "--why", asked_number_,
@@ -410,15 +412,18 @@ ExitStatus Solve::solve_plane(femoop::plane::PlaneReading& reading, const femoop
                               Console& console) const
 {
     const ui::Catalogue& tr = console.tr();
-    const bool is_asked_otherwise = traced_member_ || asked_number_ || worked_displacement_ || csv_folder_ ||
-                                    is_described_ || is_timed_ || redundants_.are_asked() || body_.is_asked() ||
-                                    funicular_.is_asked() || solver_trace_.are_given() || units_.are_given() ||
-                                    case_ == "envelope";
+    const bool is_asked_otherwise = asked_number_ || worked_displacement_ || csv_folder_ || is_described_ ||
+                                    is_timed_ || redundants_.are_asked() || body_.is_asked() || funicular_.is_asked() ||
+                                    solver_trace_.are_given() || units_.are_given() || case_ == "envelope";
     if (is_asked_otherwise)
         throw UsageError(
-            tr("a plane model is solved with --case, --at, --cut, --full, --json and --solver; what else was "
+            tr("a plane model is solved with --case, --at, --cut, --full, --trace, --json and --solver; what else was "
                "asked for is not built yet"));
-    return plane_.solve({.reading = reading, .file = display_name(file_, tr), .case_name = case_, .is_json = is_json_},
+    return plane_.solve({.reading = reading,
+                         .file = display_name(file_, tr),
+                         .case_name = case_,
+                         .is_json = is_json_,
+                         .traced_element = traced_member_},
                         options, console);
 }
 
