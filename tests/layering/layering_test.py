@@ -84,9 +84,10 @@ CLI_ALLOWED = [*APP_ALLOWED, "apps/", OPTIONS, JSON]
 BORROWED = {
     "cross": ["apps/frame/document/"],  # structures are edited in one way only
     "frame": ["apps/cross/document/", "apps/mohr/document/"],  # it hands documents of theirs over
+    "plane": ["apps/mohr/view/"],  # Mohr's circle is drawn in one way only
 }
 # What is wrong with a structure is said in one way in every picture too.
-VIEW_BORROWED = {"cross": ["apps/frame/document/fault/"], "plane": ["apps/plane/discretize/"]}
+VIEW_BORROWED = {"cross": ["apps/frame/document/fault/"], "plane": ["apps/plane/discretize/", "apps/mohr/view/"]}
 APP_WINDOW_PART = re.compile(r"window/|panels?[/_.]|main\.cpp$")
 
 

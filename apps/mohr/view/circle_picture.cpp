@@ -134,13 +134,14 @@ void draw_faces(const Diagram& d)
     const double half_pi = 0.5 * std::numbers::pi;
     const ui::World2 x = face(s, 0.0), y = face(s, half_pi), n = face(s, s.angle);
     d.painter.line(d.at(x), d.at(y), d.theme.stroke(Role::Load));
-    draw_radius(d, n, Role::Deformed);
-    draw_pole(d, x, n);
-    draw_angle(d, x, 2.0 * std::remainder(s.angle, std::numbers::pi), 0.30, "2θ");
+    const bool has_plane = d.scene.look.plane;
+    if (has_plane) draw_radius(d, n, Role::Deformed);
+    draw_pole(d, x, has_plane ? n : y);
+    if (has_plane) draw_angle(d, x, 2.0 * std::remainder(s.angle, std::numbers::pi), 0.30, "2θ");
     if (s.principal.angle) draw_angle(d, x, 2.0 * *s.principal.angle, 0.46, "2θp");
     draw_point(d, x, Handle::FaceX, Role::Load, d.pair("X", x), 10.0);
     draw_point(d, y, Handle::FaceY, Role::Load, d.pair("Y", y), 10.0);
-    draw_point(d, n, Handle::Plane, Role::Deformed, d.pair("N", n), 9.0);
+    if (has_plane) draw_point(d, n, Handle::Plane, Role::Deformed, d.pair("N", n), 9.0);
 }
 
 /// What each gauge of a rosette measures.

@@ -12,6 +12,7 @@ namespace mohr {
 struct Look {
     femoop::mohr::ShearRule rule = femoop::mohr::ShearRule::ClockwiseUp;
     bool pole = true;        ///< and its lines
+    bool plane = true;       ///< the plane that is looked at
     bool special = true;     ///< principal and largest-shear elements beside the element
     bool space = true;       ///< circles of the third direction, in the plane
     bool envelope = true;    ///< of the criterion, and the circle at failure

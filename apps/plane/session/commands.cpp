@@ -60,6 +60,7 @@ constexpr std::array results{
     LookEntry{&Look::principal, "results.principal", translatable("Principal stresses"), {{Key::K, {}}}},
     LookEntry{&Look::trajectories, "results.trajectories", translatable("Stress trajectories"), {{Key::Y, {}}}},
     LookEntry{&Look::error, "results.error", translatable("Estimated error"), {{Key::W, {}}}},
+    LookEntry{&Look::circle, "results.circle", translatable("Mohr's circle of a probe"), {{Key::Z, {}}}},
 };
 
 using femoop::plane::PlaneComponent;
@@ -76,9 +77,16 @@ constexpr std::array field_entries{
 void add_results(CommandTable& table)
 {
     ui::standard::add_look_switches(table, translatable("Results"), results);
-    Menu(table, translatable("Results"))
-        .choices(
-            field_entries, [](auto& workspace) -> auto& { return workspace.session.look.field; });
+    Menu menu(table, translatable("Results"));
+    menu.choices(
+        field_entries, [](auto& workspace) -> auto& { return workspace.session.look.field; });
+    menu.step(
+        {"results.clear_readings", translatable("Take away all probes and cuts")},
+        [](Workspace& workspace) { workspace.session.look.readings = {}; },
+        [](const Workspace& workspace) -> ui::Reason {
+            if (!workspace.session.look.readings.are_none()) return std::nullopt;
+            return translatable("there is no probe and no cut");
+        });
 }
 
 void add_gallery(CommandTable& table)

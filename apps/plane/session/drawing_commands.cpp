@@ -31,6 +31,8 @@ constexpr std::array tool_entries{
     ToolEntry{ToolKind::Spline, "tool.spline", translatable("Draw a spline"), {{Key::S, {}}}},
     ToolEntry{ToolKind::Point, "tool.point", translatable("Place a point"), {{Key::N, {}}}},
     ToolEntry{ToolKind::Erase, "tool.erase", translatable("Erase"), {{Key::X, {}}}},
+    ToolEntry{ToolKind::Probe, "tool.probe", translatable("Probe the stresses at a place"), {{Key::Q, {}}}},
+    ToolEntry{ToolKind::Cut, "tool.cut", translatable("Cut through the body"), {{Key::U, {}}}},
 };
 
 Reason needs_selection(const Workspace& workspace)
@@ -39,9 +41,17 @@ Reason needs_selection(const Workspace& workspace)
     return translatable("nothing is selected");
 }
 
+/// With nothing selected the probe or the cut goes that the hand had hold of last.
+bool deletes_reading(const Workspace& workspace)
+{
+    return workspace.session.selection().empty() && workspace.session.look.readings.is_selected;
+}
+
 /// Faces have nothing of their own but the entry that they are of.
 void delete_selection(Workspace& workspace)
 {
+    Readings& readings = workspace.session.look.readings;
+    if (deletes_reading(workspace)) return readings.remove(*readings.last);
     const std::vector<Part> parts = workspace.session.selection();
     const std::optional<RegionId> region = workspace.session.selected_region();
     if (region) {
@@ -59,6 +69,7 @@ void delete_selection(Workspace& workspace)
 
 Reason why_not_delete(const Workspace& workspace)
 {
+    if (deletes_reading(workspace)) return std::nullopt;
     if (const Reason reason = needs_selection(workspace)) return reason;
     const auto& parts = workspace.session.selection();
     const bool has_curves = std::ranges::any_of(
@@ -162,6 +173,7 @@ void make_region_at(Workspace& workspace, const FacePlace& place)
 void click_part(Workspace& workspace, const std::optional<Part>& part, bool adds)
 {
     Session& session = workspace.session;
+    session.look.readings.is_selected = false;
     if (!part) {
         if (!adds) session.select_nothing();
         return;
@@ -174,9 +186,18 @@ void click_part(Workspace& workspace, const std::optional<Part>& part, bool adds
     if (face && !session.drawing()->faces()[*face].region) make_region_at(workspace, *place);
 }
 
+void read_at(Workspace& workspace, const FlatPoint& place)
+{
+    Readings& readings = workspace.session.look.readings;
+    workspace.session.select_nothing(); // Delete takes away what was placed last
+    if (workspace.hand.tool() == ToolKind::Probe) return readings.add_probe(place);
+    if (const auto ends = workspace.hand.cut_to(place)) readings.add_cut((*ends)[0], (*ends)[1]);
+}
+
 void type_place(Workspace& workspace, const FlatPoint& place)
 {
     Hand& hand = workspace.hand;
+    if (hand.reads()) return read_at(workspace, place);
     if (hand.curve_tool()) {
         Aim aim = hand.aim();
         aim.snap = {place, SnapKind::Free};

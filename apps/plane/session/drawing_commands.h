@@ -12,6 +12,8 @@ void add_drawing_commands(CommandTable& table);
 void click_part(Workspace& workspace, const std::optional<Part>& part, bool adds);
 /// The gap of an open outline, as it is told: not while a curve is drawn or a point dragged.
 std::optional<Gap> told_gap(const Workspace& workspace);
+/// A probe is placed, or an end of a cut. \pre the hand holds a tool that reads
+void read_at(Workspace& workspace, const FlatPoint& place);
 /// A place that was typed, as if it had been clicked.
 void type_place(Workspace& workspace, const FlatPoint& place);
 /// The face gets an entry, and is selected.

@@ -6,7 +6,8 @@ namespace plane {
 
 bool needs_results(const Look& look)
 {
-    return look.deformed || look.principal || look.trajectories || look.error || look.field;
+    return look.deformed || look.principal || look.trajectories || look.error || look.field ||
+           !look.readings.are_none();
 }
 
 bool needs_mesh(const Look& look) { return look.mesh || needs_results(look); }
@@ -30,6 +31,9 @@ PlateOptions options_of(const Look& look, std::size_t load_case)
     show(look.trajectories, PlateShow::Trajectories);
     show(look.error, PlateShow::Error);
     if (look.field) options.show.fields = {{*look.field, FieldStyle::Bands}};
+    for (const FlatPoint& at : look.readings.probes) options.probes.emplace_back(at.x, at.y);
+    for (const auto& [start, end] : look.readings.cuts) options.cuts.push_back({{start.x, start.y}, {end.x, end.y}});
+    if (look.circle) options.circle = look.readings.told_probe();
     options.load_case = femoop::CaseId(load_case);
     options.theme = look.theme;
     options.tr = look.tr;

@@ -2,6 +2,7 @@
 
 #include <optional>
 
+#include "apps/plane/tools/readings.h"
 #include "apps/plane/view/plate_picture.h"
 #include "ui/paint/theme.h"
 #include "ui/text/catalogue.h"
@@ -22,6 +23,8 @@ struct Look {
     bool trajectories = false;
     bool error = false;                                   ///< of each element, estimated
     std::optional<femoop::plane::PlaneComponent> field{}; ///< that bands show
+    Readings readings{};                                  ///< probes and cuts
+    bool circle = true; ///< Mohr's circle and all values of the last probe, in a panel
     ui::ThemeName theme = ui::ThemeName::Light;
     ui::Catalogue tr;
 };

@@ -2,6 +2,7 @@
 
 #include "apps/plane/document/fault_words.h"
 #include "apps/plane/session/session.h"
+#include "apps/plane/view/plate_words.h"
 #include "ui/text/number_format.h"
 
 namespace plane {
@@ -25,6 +26,7 @@ public:
         tell_curves();
         tell_faces();
         tell_cases();
+        tell_results();
         tell_faults();
         return text_.str();
     }
@@ -83,6 +85,12 @@ private:
                          {{"points", std::to_string(load_case.points.size())},
                           {"curves", std::to_string(load_case.curves.size())}})
                   << '\n';
+    }
+
+    void tell_results()
+    {
+        const std::string results = results_in_words(session_.input(), session_.options());
+        if (!results.empty()) text_ << '\n' << tr_("Results") << '\n' << results;
     }
 
     void tell_faults()

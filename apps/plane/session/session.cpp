@@ -147,6 +147,7 @@ void Session::restart(Document document)
     camera.reset();
     left_gap_.reset();
     load_case = 0;
+    look.readings = {};
     solve_again();
 }
 

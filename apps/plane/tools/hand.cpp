@@ -19,7 +19,9 @@ std::optional<CurveToolKind> curve_of(ToolKind tool)
     case ToolKind::Spline: return CurveToolKind::Spline;
     case ToolKind::Select:
     case ToolKind::Point:
-    case ToolKind::Erase: break;
+    case ToolKind::Erase:
+    case ToolKind::Probe:
+    case ToolKind::Cut: break;
     }
     return std::nullopt;
 }
@@ -29,6 +31,7 @@ void Hand::select(ToolKind tool)
     tool_ = tool;
     typed_.clear();
     curve_tool_.reset();
+    cut_start_.reset();
     if (const auto curve = curve_of(tool)) curve_tool_.emplace(*curve);
 }
 
@@ -37,12 +40,25 @@ std::optional<CurveDraft> Hand::click(const Aim& aim)
     return curve_tool_->add({aim.snap.place, aim.snap.point}, aim.adds);
 }
 
+std::optional<std::array<FlatPoint, 2>> Hand::cut_to(const FlatPoint& place)
+{
+    if (!cut_start_) {
+        cut_start_ = place;
+        return std::nullopt;
+    }
+    const FlatPoint start = *cut_start_;
+    if (start == place) return std::nullopt;
+    cut_start_.reset();
+    return std::array{start, place};
+}
+
 bool Hand::escape()
 {
     if (!typed_.empty()) {
         typed_.clear();
         return true;
     }
+    if (std::exchange(cut_start_, std::nullopt)) return true;
     if (curve_tool_ && curve_tool_->escape()) return true;
     if (tool_ == ToolKind::Select) return false;
     select(ToolKind::Select);
@@ -74,7 +90,7 @@ std::optional<FlatPoint> Hand::typed_place(const femoop::Units& file, const ui::
 {
     drawing::DrawingHand hand{
         .from = std::nullopt, .pointer = {aim_.snap.place.x, aim_.snap.place.y}, .file = file, .shown = shown};
-    if (const auto from = curve_tool_ ? curve_tool_->from() : std::nullopt) hand.from = {from->x, from->y};
+    if (const auto from = curve_tool_ ? curve_tool_->from() : cut_start_) hand.from = {from->x, from->y};
     const auto place = drawing::place_typed(typed_, hand);
     if (!place || !place->allFinite()) return std::nullopt;
     return FlatPoint{place->x(), place->y()};

@@ -1,11 +1,13 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "apps/plane/tools/curve_tool.h"
+#include "apps/plane/tools/readings.h"
 #include "apps/plane/tools/snap.h"
 #include "femoop/model/quantity/units.h"
 #include "ui/text/display_units.h"
@@ -24,7 +26,9 @@ enum class ToolKind : std::uint8_t {
     Bezier,
     Spline,
     Point,
-    Erase
+    Erase,
+    Probe,
+    Cut
 };
 
 /// The curve that a tool draws; nothing for others.
@@ -32,11 +36,12 @@ std::optional<CurveToolKind> curve_of(ToolKind tool);
 
 /// What the pointer points at.
 struct Aim {
-    FlatPoint pointer;         ///< its own place [length]
-    Snap snap;                 ///< the place that is meant
-    std::optional<Part> under; ///< the part under it
-    double pixel = 0.01;       ///< one logical pixel [length]
-    bool adds = false;         ///< Shift is held
+    FlatPoint pointer;                    ///< its own place [length]
+    Snap snap;                            ///< the place that is meant
+    std::optional<Part> under;            ///< the part under it
+    std::optional<ReadingPart> reading{}; ///< the probe or the end of a cut under it
+    double pixel = 0.01;                  ///< one logical pixel [length]
+    bool adds = false;                    ///< Shift is held
 };
 
 /// The hand that works in the picture: the tool it holds, the curve that is begun, and a place that is being typed.
@@ -44,9 +49,15 @@ class Hand {
 public:
     ToolKind tool() const { return tool_; }
     void select(ToolKind tool); ///< anew if it is the same: what was begun is given up
-    bool draws() const { return curve_tool_.has_value() || tool_ == ToolKind::Point; }
+    bool reads() const { return tool_ == ToolKind::Probe || tool_ == ToolKind::Cut; }
+    /// A click sets a place.
+    bool draws() const { return curve_tool_.has_value() || tool_ == ToolKind::Point || reads(); }
     const std::optional<CurveTool>& curve_tool() const { return curve_tool_; }
-    bool has_begun() const { return curve_tool_ && curve_tool_->has_begun(); }
+    bool has_begun() const { return cut_start_ || (curve_tool_ && curve_tool_->has_begun()); }
+    /// Where the cut begins that is being drawn.
+    const std::optional<FlatPoint>& cut_start() const { return cut_start_; }
+    /// The next place of a cut: both ends once they are two. \pre holds the tool of cuts
+    std::optional<std::array<FlatPoint, 2>> cut_to(const FlatPoint& place);
 
     /// A click at the place that is meant: the curve that it ends. \pre draws a curve
     std::optional<CurveDraft> click(const Aim& aim);
@@ -71,6 +82,7 @@ public:
 private:
     ToolKind tool_ = ToolKind::Select;
     std::optional<CurveTool> curve_tool_;
+    std::optional<FlatPoint> cut_start_;
     std::string typed_;
     Aim aim_;
 };

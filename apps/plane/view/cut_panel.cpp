@@ -12,7 +12,7 @@ namespace fp = femoop::plane;
 using ui::Point;
 using ui::Role;
 
-constexpr double panel_height = 210.0, narrowest_panel = 400.0, words_share = 0.34; // [px]
+constexpr double panel_height = 210.0, narrowest_panel = 380.0, words_share = 0.34; // [px]
 
 /// What stands at a place of a cut.
 struct CutValue {
@@ -102,7 +102,10 @@ public:
     CutPanel(ui::Painter& painter, const CutPicture& picture, const PlateOptions& options,
              const ui::DisplayUnits& units, const ui::Box& box)
         : painter_(painter), picture_(picture), options_(options), units_(units), theme_(options.theme), box_(box)
-    {}
+    {
+        const double narrowest = narrowest_panel * theme_.symbol_scale();
+        if (box.width() < narrowest) theme_ = theme_.scaled(std::max(0.5, box.width() / narrowest));
+    }
 
     void draw(std::size_t n)
     {

@@ -12,6 +12,7 @@
 #include "apps/plane/view/mesh_marks.h"
 #include "apps/plane/view/plate_scene.h"
 #include "apps/plane/view/probe_marks.h"
+#include "apps/plane/view/probe_panel.h"
 #include "apps/plane/view/support_marks.h"
 #include "femoop/plane/mesh/mesh_geometry.h"
 
@@ -28,6 +29,13 @@ constexpr int n_fits = 3;
 void append(std::string& line, const std::string& part)
 {
     if (!part.empty()) line += "  ·  " + part;
+}
+
+/// The place whose state has a panel of its own.
+std::optional<Vector2d> circled_probe(const PlateOptions& options)
+{
+    if (!options.circle || *options.circle >= options.probes.size()) return std::nullopt;
+    return options.probes[*options.circle];
 }
 
 /// One sheet: where its head ends, and what is drawn below.
@@ -53,6 +61,8 @@ public:
                                ? 0.0
                                : drawing::head_height(head_, theme_, fonts, sheet.width);
         room_ = {{0.0, std::min(top, 0.4 * sheet.height)}, {sheet.width, sheet.height}};
+        if (circled_probe(options)) room_.max.x -= probe_panel_width(theme_, sheet.width);
+        right_ = room_.max.x;
         if (!cuts_.empty()) room_.max.y -= std::min(cut_panel_height(theme_), 0.5 * sheet.height);
         if (fields_.empty() || !shows(PlateShow::Legend)) return;
         double width = 0.0;
@@ -89,13 +99,16 @@ public:
         }
         if (!head_.line.empty()) drawing::draw_head(painter, head_, theme_);
         draw_cut_panels(painter);
+        draw_circle_panel(painter);
         if (fields_.empty() || !shows(PlateShow::Legend)) return;
         const double share = room_.height() / static_cast<double>(fields_.size());
         for (std::size_t i = 0; i < fields_.size(); ++i) {
             const double top = room_.min.y + share * static_cast<double>(i);
-            draw_legend(painter, fields_[i], units_, theme_, {{room_.max.x, top}, {painter.size().width, top + share}});
+            draw_legend(painter, fields_[i], units_, theme_, {{room_.max.x, top}, {right_, top + share}});
         }
     }
+
+    const ui::Box& room() const { return room_; }
 
 private:
     enum class Pass : std::uint8_t { Measured, Drawn };
@@ -127,12 +140,23 @@ private:
 
     void draw_cut_panels(ui::Painter& painter) const
     {
-        const double width = painter.size().width / static_cast<double>(std::max<std::size_t>(cuts_.size(), 1));
-        for (std::size_t i = 0; i < cuts_.size(); ++i) {
-            const double left = width * static_cast<double>(i);
+        const std::size_t n = std::min(cuts_.size(), most_cuts(theme_, right_)), first = cuts_.size() - n;
+        const double width = right_ / static_cast<double>(std::max<std::size_t>(n, 1));
+        for (std::size_t i = first; i < cuts_.size(); ++i) { // the last ones, where not all have room
+            const double left = width * static_cast<double>(i - first);
             draw_cut_panel(painter, cuts_[i], i + 1, options_, units_,
                            {{left, room_.max.y + 8.0}, {left + width, painter.size().height}});
         }
+    }
+
+    void draw_circle_panel(ui::Painter& painter) const
+    {
+        const auto at = circled_probe(options_);
+        if (!at || result_ == nullptr) return;
+        const ProbePanel panel{
+            .at = *at, .n = *options_.circle + 1, .state = probe_state(*input_.results, *result_, *at)};
+        draw_probe_panel(painter, panel, options_, units_, state_.circle_frame,
+                         {{right_, room_.min.y}, {painter.size().width, painter.size().height}});
     }
 
     std::string head_line() const
@@ -229,7 +253,8 @@ private:
     ui::DisplayUnits units_;
     drawing::SheetHead head_;
     const ui::Fonts& fonts_;
-    ui::Box room_; ///< below the head
+    ui::Box room_;       ///< below the head
+    double right_ = 0.0; ///< where the panel of a probe begins, or the sheet ends
     mutable std::optional<PlateOutline> coarse_;
     const femoop::plane::PlaneModel* mesh_;
     const femoop::plane::PlaneCase* result_ = nullptr;
@@ -242,9 +267,11 @@ private:
 
 } // namespace
 
-void draw(ui::Painter& painter, const PlateInput& input, const PlateOptions& options, const PlateState& state)
+ui::Box draw(ui::Painter& painter, const PlateInput& input, const PlateOptions& options, const PlateState& state)
 {
-    PlateSheet(input, options, state, painter.size(), painter.fonts()).draw(painter);
+    const PlateSheet sheet(input, options, state, painter.size(), painter.fonts());
+    sheet.draw(painter);
+    return sheet.room();
 }
 
 ui::PlaneCamera fitted_camera(const PlateInput& input, const PlateOptions& options, ui::Size sheet,
@@ -252,6 +279,46 @@ ui::PlaneCamera fitted_camera(const PlateInput& input, const PlateOptions& optio
 {
     const PlateState at_rest;
     return PlateSheet(input, options, at_rest, sheet, fonts).fitted();
+}
+
+std::optional<mohr::Frame> circle_frame(const PlateInput& input, const PlateOptions& options)
+{
+    const auto at = circled_probe(options);
+    if (!at || input.results == nullptr || input.result == nullptr) return std::nullopt;
+    const auto state = probe_state(*input.results, *input.result, *at);
+    if (!state) return std::nullopt;
+    return mohr::frame_of(stress_point(*state, display_units(input.model, options)));
+}
+
+namespace {
+
+/// Its displacement as it is drawn; nothing where it is drawn at rest or is not in the body.
+std::optional<Vector2d> drawn_displacement(const PlateInput& input, const PlateOptions& options, const Vector2d& at)
+{
+    if (input.result == nullptr || !options.show.set.contains(PlateShow::Deformed)) return std::nullopt;
+    const auto places = input.results->locator().find(at);
+    if (places.empty()) return std::nullopt;
+    const double factor = magnification(options, input.results->model(), *input.result);
+    return Vector2d(factor * input.result->displacement(places.front()));
+}
+
+} // namespace
+
+Vector2d drawn_place(const PlateInput& input, const PlateOptions& options, const Vector2d& at)
+{
+    return at + drawn_displacement(input, options, at).value_or(Vector2d::Zero());
+}
+
+Vector2d place_at_rest(const PlateInput& input, const PlateOptions& options, const Vector2d& drawn)
+{
+    constexpr int most_steps = 30;
+    Vector2d at = drawn;
+    for (int i = 0; i < most_steps; ++i) {
+        const auto moved = drawn_displacement(input, options, at);
+        if (!moved) return at;
+        at = drawn - *moved;
+    }
+    return at;
 }
 
 ui::Color background(const PlateOptions& options) { return ui::Theme(options.theme).background(); }

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "apps/mohr/view/scene.h"
 #include "apps/plane/discretize/drawing.h"
 #include "apps/plane/view/plate_show.h"
 #include "femoop/plane/analysis/plane_results.h"
@@ -37,7 +38,9 @@ struct PlateOptions {
     std::optional<std::array<double, 2>> range{}; ///< of the colours, least first; that of the values when absent
     std::optional<double> deformation_scale{};    ///< 50 draws displacements fifty times as large
     std::vector<Eigen::Vector2d> probes{};        ///< places whose state is written beside them
-    std::vector<femoop::plane::Cut> cuts{};       ///< drawn across, with their stresses in panels of their own
+    /// Of the probes the one whose values stand in a panel beside the drawing, with Mohr's circle.
+    std::optional<std::size_t> circle{};
+    std::vector<femoop::plane::Cut> cuts{}; ///< drawn across, with their stresses in panels of their own
     ui::ThemeName theme = ui::ThemeName::Light;
     ui::Catalogue tr{};                    ///< language of the words
     std::optional<ui::UnitSystem> units{}; ///< the file's own when absent
@@ -57,6 +60,8 @@ struct PlateState {
     std::optional<ui::PlaneCamera> camera{}; ///< fits the sheet when absent
     PlateHighlight hover{}, selection{};
     double phase = 1.0; ///< share of the displacement that is drawn, -1 to 1: animation
+    /// Scales of Mohr's circle, kept while a hand drags its probe so that it is seen to grow; that fit it when absent.
+    std::optional<mohr::Frame> circle_frame{};
 };
 
 /// Draws a plane model on the painter's whole sheet, with what the options show of it: its geometry and regions, its
@@ -64,11 +69,19 @@ struct PlateState {
 /// there is left out.
 ///
 /// Signs  those of femoop: x right, y up, tension positive
-void draw(ui::Painter& painter, const PlateInput& input, const PlateOptions& options, const PlateState& state = {});
+/// \returns what head, legend and panels leave of the sheet for the body
+ui::Box draw(ui::Painter& painter, const PlateInput& input, const PlateOptions& options, const PlateState& state = {});
 
 /// The camera that shows everything: what `draw` uses when the state has none.
 ui::PlaneCamera fitted_camera(const PlateInput& input, const PlateOptions& options, ui::Size sheet,
                               const ui::Fonts& fonts);
+
+/// The scales that fit Mohr's circle of the picture; nothing where it has none.
+std::optional<mohr::Frame> circle_frame(const PlateInput& input, const PlateOptions& options);
+
+/// Where a place of the body is drawn, and the place that is drawn there: they differ where the deformed shape is shown.
+Eigen::Vector2d drawn_place(const PlateInput& input, const PlateOptions& options, const Eigen::Vector2d& at);
+Eigen::Vector2d place_at_rest(const PlateInput& input, const PlateOptions& options, const Eigen::Vector2d& drawn);
 
 /// The sheet's colour under the options' theme.
 ui::Color background(const PlateOptions& options);

@@ -13,6 +13,7 @@
 #include "apps/plane/view/path_load.h"
 #include "apps/plane/view/plate_scene.h"
 #include "apps/plane/view/probe_marks.h"
+#include "apps/plane/view/probe_values.h"
 #include "femoop/plane/mesh/mesh_quality.h"
 
 namespace plane {
@@ -44,6 +45,12 @@ public:
         if (shows(PlateShow::Supports)) write_supports();
         if (shows(PlateShow::Loads)) write_loads();
         if (shows(PlateShow::Mesh) && mesh_ != nullptr) write_mesh();
+        if (result_ != nullptr) write_results();
+        return text_;
+    }
+
+    std::string results_text()
+    {
         if (result_ != nullptr) write_results();
         return text_;
     }
@@ -238,6 +245,22 @@ private:
                   {"beamtau", stress(beam_tau)}}));
     }
 
+    /// What the panel of a probe says besides.
+    void write_elements_at(const Eigen::Vector2d& at)
+    {
+        const auto state = probe_state(*input_.results, *result_, at);
+        if (!state) return;
+        std::vector<std::string> means, jumps;
+        for (const ProbeValue& of : state->values) {
+            if (of.element) means.push_back(of.symbol + " = " + value(*of.element, of.measure));
+            if (of.jump) jumps.push_back(of.symbol + " " + value(*of.jump, of.measure));
+        }
+        line(tr_("of elements: {values}", {{"values", joined(means)}}));
+        if (!jumps.empty())
+            line(tr_("jump between {n} elements: {values}",
+                     {{"n", std::to_string(state->n_elements)}, {"values", joined(jumps)}}));
+    }
+
     void write_results()
     {
         if (shows(PlateShow::Deformed)) {
@@ -246,12 +269,14 @@ private:
         }
         for (const FieldShow& show : options_.show.fields) write_field(show);
         if (shows(PlateShow::Error)) write_error();
-        for (const Eigen::Vector2d& at : options_.probes) {
+        for (std::size_t i = 0; i < options_.probes.size(); ++i) {
+            const Eigen::Vector2d& at = options_.probes[i];
             std::vector<std::string> state = state_lines(*input_.results, *result_, at, options_, units_);
             if (state.empty()) continue;
             const std::string where = state.front();
             state.erase(state.begin());
             line(tr_("at {place}: {state}", {{"place", where}, {"state", joined(state)}}));
+            if (options_.circle == i) write_elements_at(at);
         }
         for (std::size_t i = 0; i < options_.cuts.size(); ++i) write_cut(i + 1, options_.cuts[i]);
     }
@@ -267,6 +292,11 @@ private:
 };
 
 } // namespace
+
+std::string results_in_words(const PlateInput& input, const PlateOptions& options)
+{
+    return PlateReport(input, options).results_text();
+}
 
 std::string in_words(const PlateInput& input, const PlateOptions& options)
 {

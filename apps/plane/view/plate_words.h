@@ -10,4 +10,7 @@ namespace plane {
 /// the error, states at probes, and what acts on cuts beside what beam theory says of it.
 std::string in_words(const PlateInput& input, const PlateOptions& options);
 
+/// Of it what the results are: empty where there are none.
+std::string results_in_words(const PlateInput& input, const PlateOptions& options);
+
 } // namespace plane

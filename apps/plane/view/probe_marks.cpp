@@ -1,10 +1,9 @@
 #include "apps/plane/view/probe_marks.h"
 
 #include <algorithm>
-#include <cmath>
-#include <numbers>
 
-#include "femoop/plane/result/triangulated_field.h"
+#include "apps/plane/view/field_picture.h"
+#include "apps/plane/view/probe_values.h"
 
 namespace plane {
 
@@ -16,13 +15,6 @@ using ui::Role;
 
 constexpr double box_gap = 16.0, box_border = 6.0; // [px]
 constexpr double most_hidden = 0.12;               // of the body by a box
-
-fp::PlaneStress stress_at(const fp::PlaneCase& result, const fp::PlaneModel& mesh,
-                          const std::vector<fp::Location>& places, fp::StressReading reading)
-{
-    if (reading != fp::StressReading::Element) return result.smoothed_stress(places.front());
-    return result.element_stress(places, mesh[places.front().element].region);
-}
 
 /// Where a box may stand beside a place, best first: near it, or where it would hide much of the body beside that.
 std::vector<ui::Box> choices_beside(Point at, ui::Size size, const ui::Box& body)
@@ -71,32 +63,52 @@ std::vector<std::string> state_lines(const fp::PlaneResults& results, const fp::
                                      const Eigen::Vector2d& at, const PlateOptions& options,
                                      const ui::DisplayUnits& units)
 {
-    const auto places = results.locator().find(at);
-    if (places.empty()) return {};
-    const fp::PlaneStress stress = stress_at(result, results.model(), places, options.reading);
-    const fp::PrincipalStress principal = fp::principal(stress);
-    const double size = std::max({std::abs(principal.s1), std::abs(principal.s2), std::abs(stress.sz)});
-    const auto value = [&](const char* name, double v, ui::Measure measure) {
-        if (measure == ui::Measure::Stress && std::abs(v) < 1e-9 * size) v = 0.0;
-        return std::string(name) + " = " + ui::with_minus_signs(units.text(v, measure));
-    };
-    const auto number = [&](double v) { return ui::with_minus_signs(units.number(v, ui::Measure::Length)); };
+    const auto state = probe_state(results, result, at);
+    if (!state) return {};
+    const auto number = [&](double v) { return number_of(v, ui::Measure::Length, units); };
     const char* const comma = options.numbers.mark == ui::DecimalMark::Comma ? "; " : ", ";
-    const Eigen::Vector2d u = result.displacement(places.front());
     std::vector<std::string> lines{"(" + number(at.x()) + comma + number(at.y()) + ")"};
-    lines.push_back(value("ux", u.x(), ui::Measure::Displacement));
-    lines.push_back(value("uy", u.y(), ui::Measure::Displacement));
-    lines.push_back(value("σx", stress.sx, ui::Measure::Stress));
-    lines.push_back(value("σy", stress.sy, ui::Measure::Stress));
-    if (results.model().analysis != femoop::StressState::PlaneStress)
-        lines.push_back(value("σz", stress.sz, ui::Measure::Stress));
-    lines.push_back(value("τxy", stress.txy, ui::Measure::Stress));
-    lines.push_back(value("σ1", principal.s1, ui::Measure::Stress));
-    lines.push_back(value("σ2", principal.s2, ui::Measure::Stress));
-    lines.push_back(value("θ1", principal.angle * 180.0 / std::numbers::pi, ui::Measure::Angle));
-    lines.push_back(value("σ Mises", fp::von_mises(stress), ui::Measure::Stress));
+    const bool is_of_element = options.reading == fp::StressReading::Element;
+    for (const ProbeValue& value : state->values) {
+        const double shown = is_of_element ? value.element.value_or(value.smoothed) : value.smoothed;
+        lines.push_back(value.symbol + " = " + ui::with_minus_signs(units.text(shown, value.measure)));
+    }
     return lines;
 }
+
+namespace {
+
+/// "2: σx = 12.3 MPa" of what the colours show, else of von Mises's stress; the number alone where no material is.
+std::string short_text(const PlateScene& scene, const Eigen::Vector2d& at, std::size_t n)
+{
+    const auto state = probe_state(*scene.input.results, *scene.result, at);
+    if (!state || state->values.empty()) return std::to_string(n);
+    const ProbeValue* shown = &state->values.back();
+    for (const FieldShow& field : scene.options.show.fields)
+        for (const ProbeValue& value : state->values)
+            if (value.symbol == symbol_of(field.component)) shown = &value;
+    const bool is_of_element = scene.options.reading == fp::StressReading::Element;
+    const double value = is_of_element ? shown->element.value_or(shown->smoothed) : shown->smoothed;
+    return std::to_string(n) + ": " + shown->symbol + " = " + scene.text(value, shown->measure);
+}
+
+/// The mark of a probe; hollow where no material is. Where one has a panel, with its number and one value.
+void draw_probe(const PlateScene& scene, Point at, std::size_t n, bool has_state)
+{
+    const ui::Color ink = scene.sketch.theme().stroke(Role::Edge).color;
+    const ui::Color ground = scene.sketch.theme().background();
+    scene.sketch.disc(at, scene.sketch.px(5.5), ground);
+    scene.sketch.ring(at, scene.sketch.px(5.5), scene.sketch.thin(Role::Edge));
+    if (has_state) scene.sketch.disc(at, scene.sketch.px(2.5), ink);
+    if (!scene.options.circle) return;
+    scene.sketch.caption({.text = short_text(scene, scene.options.probes[n - 1], n),
+                          .target = at,
+                          .gap = scene.sketch.px(9.0),
+                          .rank = drawing::Rank::Extreme,
+                          .weight = ui::Weight::Bold});
+}
+
+} // namespace
 
 void draw_probes(const PlateScene& scene, const ui::Box& room)
 {
@@ -107,13 +119,21 @@ void draw_probes(const PlateScene& scene, const ui::Box& room)
     const ui::LayerScope layer(painter, ui::Layer::Labels);
     std::vector<ui::Box> taken;
     const ui::Box body = body_on_sheet(scene);
-    for (const Eigen::Vector2d& at : scene.options.probes) {
+    for (std::size_t i = 0; i < scene.options.probes.size(); ++i) {
+        const Eigen::Vector2d& at = scene.options.probes[i];
         const auto lines = state_lines(*scene.input.results, *scene.result, at, scene.options, scene.units);
-        if (lines.empty()) continue;
+        if (lines.empty()) {
+            draw_probe(scene, scene.place(at), i + 1, false);
+            continue;
+        }
         Eigen::Vector2d seen = at;
         if (scene.magnification != 0.0)
             seen += scene.magnification * scene.result->displacement(scene.input.results->locator().find(at).front());
         const Point target = scene.place(seen);
+        if (scene.options.circle) { // all values of one of them stand in a panel
+            draw_probe(scene, target, i + 1, true);
+            continue;
+        }
         double width = 0.0;
         for (const std::string& line : lines) width = std::max(width, painter.measure(line, style).width);
         const ui::Size size{width + 2.0 * box_border,

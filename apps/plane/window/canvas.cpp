@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "apps/drawing/grid.h"
+#include "apps/mohr/view/stress_circle.h"
 #include "apps/plane/document/erase.h"
 #include "apps/plane/document/outlines.h"
 #include "apps/plane/document/points.h"
@@ -44,7 +45,7 @@ void Canvas::show(Workspace& workspace, ui::ImGuiSession& gui)
     if (workspace.session.camera) camera_ = *workspace.session.camera;
     follow(workspace);
     workspace.session.analyse_what_is_shown(); // the hand may have changed the document
-    paint([&](ui::Painter& painter) { paint_all(workspace, painter); });
+    paint([&](ui::Painter& painter) { room_ = paint_all(workspace, painter); });
     end(gui);
 }
 
@@ -80,7 +81,10 @@ void Canvas::fit_if_needed(const Workspace& workspace)
         fitted_for_.reset();
         return;
     }
-    const FittedFor wanted{session.opening(), sheet(), session.look.theme, session.options().show};
+    const PlateOptions options = session.options();
+    const FittedFor wanted{session.opening(),    sheet(), session.look.theme, options.show, options.circle.has_value(),
+                           !options.cuts.empty()};
+    if (fitted_for_ && fitted_for_->opening == wanted.opening && pressed_) return; // under a hand
     const bool rests = grip_ || workspace.hand.draws() || session.history().is_dragging();
     const bool is_another = !fitted_for_ || fitted_for_->opening != wanted.opening;
     if (!is_another && fitted_for_ == wanted && (rests || is_all_in_sight(session))) return;
@@ -95,6 +99,11 @@ bool Canvas::is_all_in_sight(const Session& session) const
         const ui::Point p = camera_.to_sheet({point.at[0], point.at[1]});
         return p.x >= room.min.x && p.x <= room.max.x && p.y >= room.min.y && p.y <= room.max.y;
     });
+}
+
+bool Canvas::is_beside_body() const
+{
+    return room_.width() > 0.0 && (pointer().x > room_.max.x || pointer().y > room_.max.y);
 }
 
 FlatPoint Canvas::place_at(ui::Point on_sheet) const
@@ -124,8 +133,10 @@ Aim Canvas::aim_at(const Workspace& workspace) const
     const ImGuiIO& io = ImGui::GetIO();
     Aim aim{
         .pointer = place_at(pointer()), .snap = {}, .under = {}, .pixel = 1.0 / camera_.scale(), .adds = io.KeyShift};
+    const bool holds_probe = held_reading_ && held_reading_->part.kind == ReadingPart::Kind::Probe;
+    const bool probes = held_reading_ ? holds_probe : hand.tool() == ToolKind::Probe;
     SnapOptions options{.reach = snap_reach * aim.pixel,
-                        .grid = hand.snaps_to_grid ? grid_step(camera_) : 0.0,
+                        .grid = hand.snaps_to_grid && !probes ? grid_step(camera_) : 0.0,
                         .fine = drawing::round_grid(aim.pixel),
                         .moving = grip_,
                         .to_parts = hand.snaps_to_parts,
@@ -133,7 +144,13 @@ Aim Canvas::aim_at(const Workspace& workspace) const
     if (hand.curve_tool())
         for (const DraftPlace& place : hand.curve_tool()->places()) options.draft.push_back(place.at);
     aim.snap = snap(session.model(), session.drawing(), aim.pointer, options);
-    if (!hand.draws()) aim.under = part_under(session.model(), session.drawing(), aim.pointer, pick_reach * aim.pixel);
+    if (probes && session.look.deformed) { // the body is elsewhere than its drawing
+        const Eigen::Vector2d at = place_at_rest(session.input(), session.options(), {aim.pointer.x, aim.pointer.y});
+        aim.snap = {{at.x(), at.y()}, SnapKind::Free};
+    }
+    if (!hand.curve_tool()) aim.reading = reading_under(session, aim.pointer, pick_reach * aim.pixel);
+    if (!hand.draws() && !aim.reading)
+        aim.under = part_under(session.model(), session.drawing(), aim.pointer, pick_reach * aim.pixel);
     return aim;
 }
 
@@ -147,18 +164,43 @@ void Canvas::follow(Workspace& workspace)
     const Aim aim = aim_at(workspace);
     workspace.hand.point_at(aim);
     if (has_hold_of_view() || is_moving_view()) return;
-    if (!grip_) session.hover = aim.under;
-    if (is_pressed()) press(workspace, aim);
+    if (!grip_ && !is_beside_body()) session.hover = aim.under;
+    if (is_pressed() && !is_beside_body()) press(workspace, aim);
     else if (pressed_ && is_active() && is_dragged()) drag(workspace);
     else if (pressed_ && !is_active()) release(workspace, aim);
     if (ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left) && !aim.under && !workspace.hand.draws()) fit(session);
+}
+
+std::optional<ReadingPart> Canvas::reading_under(const Session& session, const FlatPoint& at, double reach) const
+{
+    Readings drawn = session.look.readings;
+    if (session.look.deformed)
+        for (FlatPoint& probe : drawn.probes) {
+            const Eigen::Vector2d there = drawn_place(session.input(), session.options(), {probe.x, probe.y});
+            probe = {there.x(), there.y()};
+        }
+    return drawn.at(at, reach);
 }
 
 void Canvas::press(Workspace& workspace, const Aim& aim)
 {
     pressed_ = aim;
     Hand& hand = workspace.hand;
+    Readings& readings = workspace.session.look.readings;
     if (hand.curve_tool()) return workspace.draw(hand.click(aim));
+    const bool holds = aim.reading && !hand.has_begun() && (hand.reads() || hand.tool() == ToolKind::Select);
+    if (holds) {
+        held_reading_ = {*aim.reading, readings};
+        readings.select(*aim.reading);
+        return workspace.session.select_nothing();
+    }
+    if (hand.reads()) {
+        const Readings before = readings;
+        read_at(workspace, aim.snap.place);
+        if (hand.tool() == ToolKind::Probe) held_reading_ = {*readings.last, before};
+        return;
+    }
+    if (hand.tool() == ToolKind::Erase && aim.reading) return readings.remove(*aim.reading);
     if (hand.tool() == ToolKind::Point) {
         workspace.change({translatable("Place a point"), [place = DraftPlace{aim.snap.place, aim.snap.point}](
                                                              Document& document) { point_at(document, place); }});
@@ -169,8 +211,17 @@ void Canvas::press(Workspace& workspace, const Aim& aim)
     }
 }
 
+void Canvas::drag_reading(Workspace& workspace)
+{
+    const Session& session = workspace.session;
+    workspace.session.look.readings.move(held_reading_->part, aim_at(workspace).snap.place);
+    if (const auto fits = circle_frame(session.input(), session.options()))
+        circle_frame_ = circle_frame_ ? mohr::united(*circle_frame_, *fits) : *fits;
+}
+
 void Canvas::drag(Workspace& workspace)
 {
+    if (held_reading_) return drag_reading(workspace);
     if (workspace.hand.tool() != ToolKind::Select) return;
     const auto* const point = pressed_->under ? std::get_if<NodeId>(&*pressed_->under) : nullptr;
     if (!grip_ && point != nullptr) {
@@ -191,6 +242,9 @@ void Canvas::release(Workspace& workspace, const Aim& aim)
     const Aim pressed = *std::exchange(pressed_, std::nullopt);
     Hand& hand = workspace.hand;
     const bool was_dragged = is_dragged();
+    circle_frame_.reset();
+    if (std::exchange(held_reading_, std::nullopt)) return;
+    if (hand.cut_start() && was_dragged) return read_at(workspace, aim.snap.place);
     if (const auto grip = std::exchange(grip_, std::nullopt)) {
         const auto other = aim.snap.point;
         if (other && other != grip) // one on the other: they are one from now on
@@ -218,6 +272,12 @@ void Canvas::end_by_right_click(Workspace& workspace)
 
 bool Canvas::cancel(Workspace& workspace)
 {
+    if (held_reading_) {
+        workspace.session.look.readings = std::exchange(held_reading_, std::nullopt)->before;
+        circle_frame_.reset();
+        pressed_.reset();
+        return true;
+    }
     if (!workspace.session.history().is_dragging()) return false;
     grip_.reset();
     pressed_.reset();
@@ -227,24 +287,28 @@ bool Canvas::cancel(Workspace& workspace)
 
 // ---- the picture
 
-void Canvas::paint_all(const Workspace& workspace, ui::Painter& painter) const
+ui::Box Canvas::paint_all(const Workspace& workspace, ui::Painter& painter) const
 {
     const Session& session = workspace.session;
     const ui::Theme theme(session.look.theme);
     const bool is_empty = session.model().points.empty() && session.model().curves.empty();
+    ui::Box room{{0.0, 0.0}, {sheet().width, sheet().height}};
     if (is_empty && !workspace.hand.has_begun()) {
         ui::draw_invitation(painter, theme,
                             {session.tr()("L draws lines, C circles, A arcs, S splines."),
                              session.tr()("A closed outline fills; click it to say what it is made of."),
                              session.tr()("Ctrl+O opens a file, Ctrl+K finds a command.")});
     } else if (!is_empty) {
-        plane::draw(painter, session.input(), session.options(), {.camera = camera_});
-        draw_helpers(painter, session, camera_);
-        draw_highlight(painter, session, camera_);
+        room = plane::draw(painter, session.input(), session.options(),
+                           {.camera = camera_, .circle_frame = circle_frame_});
+        draw_helpers(painter, session, camera_, room);
+        draw_highlight(painter, session, camera_, room);
         draw_problems(painter, workspace, camera_);
     }
-    if (is_over() || is_active() || grip_) draw_hand(painter, workspace, camera_, grip_.has_value());
+    const bool points = is_over() && !is_beside_body();
+    if (points || is_active() || grip_) draw_hand(painter, workspace, camera_, room, grip_.has_value());
     else if (!workspace.hand.typed().empty()) draw_typed_at_foot(painter, workspace);
+    return room;
 }
 
 ui::Picture Canvas::picture_of(const Workspace& workspace) const

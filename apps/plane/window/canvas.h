@@ -31,6 +31,7 @@ public:
 
 private:
     void fit_if_needed(const Workspace& workspace);
+    bool is_beside_body() const; ///< the pointer, over a legend or a panel
     bool is_all_in_sight(const Session& session) const;
     ui::PlaneCamera usual_camera(const Session& session) const;
     FlatPoint place_at(ui::Point on_sheet) const;
@@ -40,20 +41,30 @@ private:
     void press(Workspace& workspace, const Aim& aim);
     void drag(Workspace& workspace);
     void release(Workspace& workspace, const Aim& aim);
+    void drag_reading(Workspace& workspace);
+    std::optional<ReadingPart> reading_under(const Session& session, const FlatPoint& at, double reach) const;
     void end_by_right_click(Workspace& workspace);
-    void paint_all(const Workspace& workspace, ui::Painter& painter) const;
+    ui::Box paint_all(const Workspace& workspace, ui::Painter& painter) const; ///< \returns the room of the body
 
     ui::PlaneCamera camera_;
+    ui::Box room_{}; ///< of the sheet, for the body, as it was painted last
     struct FittedFor {
         std::size_t opening;
         ui::Size sheet;
         ui::ThemeName theme;
-        PlateShown show; ///< legends and marks take room
+        PlateShown show;           ///< legends and marks take room
+        bool has_circle, has_cuts; ///< and panels
         bool operator==(const FittedFor&) const = default;
     };
     std::optional<FittedFor> fitted_for_;
     std::optional<NodeId> grip_; ///< the point that the hand drags
     std::optional<Aim> pressed_;
+    struct HeldReading {
+        ReadingPart part;
+        Readings before; ///< the drag, which Escape gives back
+    };
+    std::optional<HeldReading> held_reading_;
+    std::optional<mohr::Frame> circle_frame_; ///< grows while a probe is dragged
 };
 
 } // namespace plane

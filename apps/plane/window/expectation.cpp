@@ -1,10 +1,13 @@
 #include "apps/plane/window/expectation.h"
 
 #include <algorithm>
+#include <cmath>
+#include <cstdlib>
 #include <string>
 
 #include "apps/plane/session/drawing_commands.h"
 #include "apps/plane/session/part_commands.h"
+#include "apps/plane/view/probe_values.h"
 #include "ui/app/expectation.h"
 #include "ui/scenario/words.h"
 #include "ui/text/number_format.h"
@@ -122,6 +125,45 @@ ui::Mismatch place(const Application& application, std::string_view text)
     return ui::compared("at", found, std::string(text));
 }
 
+// "1 σx 99.7": a value of a probe, smoothed
+ui::Mismatch probed(const Application& application, std::string_view text)
+{
+    const Session& session = application.session();
+    const auto words = ui::words_of(text);
+    const PlateInput input = session.input();
+    const std::size_t n = words.empty() ? 0 : static_cast<std::size_t>(std::atoi(std::string(words[0]).c_str()));
+    const auto& probes = session.look.readings.probes;
+    if (words.size() < 2 || n < 1 || n > probes.size()) return "probed: found no such probe, wanted N SYMBOL VALUE";
+    std::string found = std::string(words[0]) + " " + std::string(words[1]) + " nothing";
+    const auto state = input.result != nullptr
+                           ? probe_state(*input.results, *input.result, {probes[n - 1].x, probes[n - 1].y})
+                           : std::nullopt;
+    if (state)
+        for (const ProbeValue& value : state->values)
+            if (value.symbol == words[1])
+                found = std::string(words[0]) + " " + value.symbol + " " + ui::number_text(value.smoothed);
+    return ui::compared("probed", found, std::string(text));
+}
+
+// "1 N 0 V -1000 M 2e5": of a cut, to two digits
+ui::Mismatch cut_forces(const Application& application, std::string_view text)
+{
+    const Session& session = application.session();
+    const PlateInput input = session.input();
+    const auto words = ui::words_of(text);
+    const std::size_t n = words.empty() ? 0 : static_cast<std::size_t>(std::atoi(std::string(words[0]).c_str()));
+    const auto cuts = session.options().cuts;
+    if (n < 1 || n > cuts.size() || input.result == nullptr) return "cut: found no such cut, wanted N N V M";
+    const auto forces = input.result->forces(cuts[n - 1]);
+    const double size = std::max({std::abs(forces.N), std::abs(forces.V), std::abs(forces.M) / cuts[n - 1].length()});
+    const auto number = [&](double v, double beside) {
+        return ui::number_text(std::abs(v) < 5e-3 * beside ? 0.0 : v, {.digits = 2});
+    };
+    const std::string found = std::to_string(n) + " N " + number(forces.N, size) + " V " + number(forces.V, size) +
+                              " M " + number(forces.M, size * cuts[n - 1].length());
+    return ui::compared("cut", found, std::string(text));
+}
+
 const ui::Facts<Application>& facts()
 {
     static const ui::Facts<Application> all(
@@ -140,10 +182,12 @@ const ui::Facts<Application>& facts()
             {"dispute", dispute},
             {"elements", mesh_size},
             {"reason", why_unsolved},
+            {"probes", [](const Application& a) { return std::to_string(a.session().look.readings.probes.size()); }},
+            {"cuts", [](const Application& a) { return std::to_string(a.session().look.readings.cuts.size()); }},
             {"tool", tool},
             {"typed", [](const Application& a) { return or_nothing(a.workspace().hand.typed()); }},
         },
-        ", at");
+        ", at, probed, cut");
     return all;
 }
 
@@ -153,6 +197,8 @@ std::optional<std::string> why_not(std::string_view expectation, const Applicati
 {
     const auto [what, rest] = ui::first_word(expectation);
     if (what == "at") return place(application, rest);
+    if (what == "probed") return probed(application, rest);
+    if (what == "cut") return cut_forces(application, rest);
     return facts().mismatch(expectation, application);
 }
 

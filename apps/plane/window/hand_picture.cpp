@@ -7,7 +7,6 @@
 
 #include "apps/drawing/grid.h"
 #include "apps/drawing/hand_marks.h"
-#include "apps/drawing/sheet/legend.h"
 #include "apps/plane/discretize/shape_curves.h"
 #include "apps/plane/document/fault_words.h"
 #include "apps/plane/document/points.h"
@@ -75,6 +74,14 @@ public:
         for (const DraftPlace& place : draft.places) painter_.disc(at(place.at), 2.5 * theme_.symbol_scale(), ink);
         if (const std::string text = measure_text(draft, workspace_.session); !text.empty())
             drawing::draw_note(painter_, theme_, meant(), text);
+    }
+
+    void cut(const FlatPoint& start)
+    {
+        const ui::Stroke dashed{
+            .color = theme_.stroke(Role::Selection).color, .width = 2.0, .dash = {12.0, 3.0, 3.0, 3.0}};
+        painter_.line(at(start), meant(), dashed);
+        painter_.disc(at(start), 3.5 * theme_.symbol_scale(), dashed.color);
     }
 
     /// The place that is meant, and where it is while a point is dragged.
@@ -187,23 +194,30 @@ double grid_step(const ui::PlaneCamera& camera)
     return drawing::round_grid(least / camera.scale());
 }
 
-void draw_hand(ui::Painter& painter, const Workspace& workspace, const ui::PlaneCamera& camera, bool is_dragging)
+void draw_hand(ui::Painter& painter, const Workspace& workspace, const ui::PlaneCamera& camera, const ui::Box& room,
+               bool is_dragging)
 {
     const Hand& hand = workspace.hand;
     const ui::Theme theme(workspace.session.look.theme);
-    if ((hand.draws() || is_dragging) && hand.snaps_to_grid)
-        drawing::draw_grid(painter, theme, camera, grid_step(camera));
-    const ui::LayerScope layer(painter, ui::Layer::Overlay);
     HandPicture picture(painter, workspace, camera);
     const auto draft = hand.preview();
-    if (draft) picture.preview(*draft);
+    {
+        const ui::ClipScope clip(painter, room);
+        if ((hand.draws() || is_dragging) && hand.snaps_to_grid && hand.tool() != ToolKind::Probe)
+            drawing::draw_grid(painter, theme, camera, grid_step(camera));
+        const ui::LayerScope layer(painter, ui::Layer::Overlay);
+        if (draft) picture.preview(*draft);
+        if (hand.cut_start()) picture.cut(*hand.cut_start());
+    }
+    const ui::LayerScope layer(painter, ui::Layer::Overlay);
     if (hand.draws() || is_dragging) picture.place(is_dragging || !draft);
     if (!hand.typed().empty()) picture.typed();
 }
 
-void draw_helpers(ui::Painter& painter, const Session& session, const ui::PlaneCamera& camera)
+void draw_helpers(ui::Painter& painter, const Session& session, const ui::PlaneCamera& camera, const ui::Box& room)
 {
     if (session.drawing() == nullptr) return;
+    const ui::ClipScope clip(painter, room);
     const ui::Theme theme(session.look.theme);
     const ui::Stroke stroke{.color = theme[Role::FaintLabel].text, .width = 1.25};
     const double r = 4.0 * theme.symbol_scale();
@@ -216,26 +230,12 @@ void draw_helpers(ui::Painter& painter, const Session& session, const ui::PlaneC
     }
 }
 
-namespace {
-
-/// What the head of the picture leaves of the sheet.
-ui::Box below_head(const ui::Painter& painter, const Session& session)
-{
-    const ui::Size sheet = painter.size();
-    if (!session.look.legend) return {{0.0, 0.0}, {sheet.width, sheet.height}};
-    const drawing::SheetHead head{.title = session.model().title, .line = status_text(session)};
-    const double top = drawing::head_height(head, ui::Theme(session.look.theme), painter.fonts(), sheet.width);
-    return {{0.0, top}, {sheet.width, sheet.height}};
-}
-
-} // namespace
-
-void draw_highlight(ui::Painter& painter, const Session& session, const ui::PlaneCamera& camera)
+void draw_highlight(ui::Painter& painter, const Session& session, const ui::PlaneCamera& camera, const ui::Box& room)
 {
     if (session.drawing() == nullptr || (session.selection().empty() && !session.hover)) return;
     constexpr double flatness = 0.15; // [px] that a line may stray from its curve
     const PlateOutline outline = outline_of(*session.drawing(), flatness / camera.scale());
-    const ui::ClipScope clip(painter, below_head(painter, session));
+    const ui::ClipScope clip(painter, room);
     HighlightPicture picture(painter, session, camera, outline);
     if (session.hover) picture.show({*session.hover}, Role::Hover, 4.0);
     picture.show(session.selection(), Role::Selection, 4.0);

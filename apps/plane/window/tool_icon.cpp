@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <numbers>
+#include <utility>
 #include <vector>
 
 namespace plane {
@@ -74,6 +75,22 @@ public:
         painter_.line(at(19, 5), at(5, 19), stroke());
     }
 
+    void probe()
+    {
+        painter_.circle(at(12, 12), 5.5 * unit_, stroke());
+        painter_.disc(at(12, 12), 1.8 * unit_, ink_);
+        for (const auto& [from, to] : {std::pair{at(12, 1), at(12, 6)}, std::pair{at(12, 18), at(12, 23)},
+                                       std::pair{at(1, 12), at(6, 12)}, std::pair{at(18, 12), at(23, 12)}})
+            painter_.line(from, to, stroke());
+    }
+    void cut()
+    {
+        painter_.polyline({at(2, 7), at(22, 7), at(22, 17), at(2, 17)}, {.color = ink_, .width = 1.2 * unit_},
+                          ui::PathEnds::Closed);
+        painter_.line(at(9, 22), at(14, 2), stroke());
+        ends({at(9, 22), at(14, 2)});
+    }
+
 private:
     Point at(double x, double y) const { return {x * unit_, y * unit_}; }
     ui::Stroke stroke() const { return {.color = ink_, .width = 2.0 * unit_}; }
@@ -123,6 +140,8 @@ void draw_tool_icon(ui::Painter& painter, ToolKind tool, const ui::Theme& theme)
     case ToolKind::Spline: return icon.spline();
     case ToolKind::Point: return icon.point();
     case ToolKind::Erase: return icon.erase();
+    case ToolKind::Probe: return icon.probe();
+    case ToolKind::Cut: return icon.cut();
     }
 }
 
