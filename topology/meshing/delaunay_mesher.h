@@ -1,24 +1,16 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <functional>
 #include <vector>
 
-#include "topology/meshing/mesh_domain.h"
+#include "topology/meshing/domain_triangulation.h"
+#include "topology/meshing/mesher.h"
 #include "topology/meshing/triangulation.h"
 
 namespace topology {
-
-/// How large triangles are wanted, and of what shape.
-struct DelaunayOptions {
-    double size = 0.0;         ///< of edges far from the boundary; what the boundary has where 0
-    double growth = 0.3;       ///< of edges by the distance from smaller ones
-    double min_angle = 30.0;   ///< [degrees] that is asked for, at most 33
-    int n_sweeps = 4;          ///< of smoothing
-    std::vector<double> sizes; ///< wanted at nodes of the domain, where above 0; empty: what their edges have
-};
 
 /// Triangles inside a domain whose boundary stays as it is: its nodes' constrained Delaunay triangulation, then a place
 /// put into each triangle that is too large or has too small an angle, at its circumcentre or nearer to its shortest
@@ -29,26 +21,18 @@ struct DelaunayOptions {
 ///           boundary that are sharper, and where its parts are long beside a short distance, they are
 /// Source    [Ruppert1995] for refinement, [Chew1989] for fixed boundaries, [Rebay1993] for places that make
 ///           equilateral triangles
-class DelaunayMesher {
+class DelaunayMesher : public Mesher {
 public:
-    enum class Step : std::uint8_t {
-        Node,     ///< a node of the boundary stands
-        Edge,     ///< an edge of the boundary is made
-        Outside,  ///< triangles outside are taken away
-        Point,    ///< a place inside was put in
-        Smoothed, ///< all places inside were moved once
-        Done
-    };
+    /// \throws CrossingEdges  \pre the domain lives as long
+    DelaunayMesher(const MeshDomain& domain, MesherOptions options);
 
-    DelaunayMesher(const MeshDomain& domain, DelaunayOptions options); ///< \throws CrossingEdges
+    Step next() override;
+    CellMesh mesh() const override { return domain_.mesh(); }
+    MeshMarks marks() const override;
 
-    Step next();                                                  ///< makes one step. \throws CrossingEdges
-    CellMesh run(const std::function<bool()>& is_cancelled = {}); ///< all steps; what there is, if it was cancelled
-    CellMesh mesh() const;
-
-    const Triangulation& triangulation() const { return triangles_; }
-    bool is_inside(Triangulation::Index triangle) const { return is_inside_[triangle]; }
-    Triangulation::Index last_point() const; ///< of a step that put one in
+    const Triangulation& triangulation() const { return domain_.triangles(); }
+    bool is_inside(Triangulation::Index triangle) const { return domain_.is_inside(triangle); }
+    Triangulation::Index last_point() const { return domain_.last_vertex(); } ///< of a step that put one in
 
 private:
     using Index = Triangulation::Index;
@@ -57,31 +41,25 @@ private:
         std::array<Index, 3> vertices{}; ///< as it was when it was found
     };
 
-    void insert_node(CellNode node);
-    void fix_edge(const CellEdge& edge);
-    void find_inside();
+    void suspect_all();
     bool insert_point();
     bool is_bad(Index triangle) const;
     void suspect(Index triangle);
     bool try_at(const FlatPoint& at, Index triangle, double least);
     bool encroaches(const FlatPoint& at, const Triangulation::Cavity& cavity) const;
     FlatPoint near_shortest_edge(Index triangle, const FlatPoint& centre) const;
-    void smooth();
-    double worst_around(Index vertex) const;
     double limit(double size) const { return options_.size > 0.0 ? std::min(options_.size, size) : size; }
 
-    const MeshDomain& domain_;
-    DelaunayOptions options_;
-    Triangulation triangles_;
-    double least_chord_;          ///< of the smallest angle asked for, in a circle of radius 1, squared
-    std::vector<CellEdge> edges_; ///< of the boundary
-    std::vector<double> sizes_;   ///< of each vertex
-    std::vector<bool> is_inside_;
+    DomainTriangulation domain_;
+    Triangulation& triangles_;
+    MesherOptions options_;
+    double least_chord_;        ///< of the smallest angle asked for, in a circle of radius 1, squared
+    std::vector<double> sizes_; ///< of each vertex
     std::vector<Suspect> suspects_;
-    std::size_t n_nodes_ = 0, n_edges_ = 0, n_looked_ = 0; ///< that are done
+    std::size_t n_looked_ = 0, n_of_domain_ = 0, most_points_ = 0; ///< n of vertices
     int n_sweeps_ = 0;
-    bool is_carved_ = false;
-    std::size_t most_points_ = 0;
+    Step last_ = Step::Done;
+    std::array<Index, 3> asking_{}; ///< the triangle that the last place was put in for
 };
 
 } // namespace topology

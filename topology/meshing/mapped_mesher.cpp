@@ -52,25 +52,64 @@ FlatPoint mapped_place(const MappedChain& bottom, const MappedChain& top, const 
     return upwards + (across - corners);
 }
 
+/// Four sides, bottom and top from left to right, left and right upwards.
+struct MappedGrid {
+    MappedChain bottom, right, top, left;
+
+    MappedGrid(const MappedSides& sides, const std::vector<FlatPoint>& nodes)
+        : bottom(sides[0], nodes),
+          right(sides[1], nodes),
+          top(reversed(sides[2]), nodes),
+          left(reversed(sides[3]), nodes)
+    {}
+
+    /// Rows from bottom to top, with new nodes inside at their places.
+    template <class Place>
+    std::vector<std::vector<CellNode>> rows(std::vector<FlatPoint>& nodes, const Place& place) const
+    {
+        std::vector<std::vector<CellNode>> rows{bottom.nodes};
+        for (std::size_t j = 1; j + 1 < right.nodes.size(); ++j) {
+            std::vector<CellNode> row{left.nodes[j]};
+            for (std::size_t i = 1; i + 1 < bottom.nodes.size(); ++i) {
+                row.push_back(static_cast<CellNode>(nodes.size()));
+                nodes.push_back(place(i, j));
+            }
+            row.push_back(right.nodes[j]);
+            rows.push_back(std::move(row));
+        }
+        rows.push_back(top.nodes);
+        return rows;
+    }
+};
+
+/// A place of a chain when it is moved, turned and scaled so that its ends come to others: z -> start + (z - z0) (end -
+/// start) / (zn - z0) in complex numbers.
+FlatPoint carried(const std::vector<FlatPoint>& chain, std::size_t i, const FlatPoint& start, const FlatPoint& end)
+{
+    const FlatVector z = chain[i] - chain.front(), from = chain.back() - chain.front(), to = end - start;
+    const double squared = dot(from, from);
+    const FlatVector turned{dot(from, to) / squared, cross(from, to) / squared};
+    return start + FlatVector{z.x * turned.x - z.y * turned.y, z.x * turned.y + z.y * turned.x};
+}
+
 } // namespace
 
 std::vector<std::vector<CellNode>> mapped_nodes(const MappedSides& sides, std::vector<FlatPoint>& nodes)
 {
-    const MappedChain bottom(sides[0], nodes), right(sides[1], nodes);
-    const MappedChain top(reversed(sides[2]), nodes), left(reversed(sides[3]), nodes);
-    const std::size_t n_rows = right.nodes.size(), n_columns = bottom.nodes.size();
-    std::vector<std::vector<CellNode>> rows{bottom.nodes};
-    for (std::size_t j = 1; j + 1 < n_rows; ++j) {
-        std::vector<CellNode> row{left.nodes[j]};
-        for (std::size_t i = 1; i + 1 < n_columns; ++i) {
-            row.push_back(static_cast<CellNode>(nodes.size()));
-            nodes.push_back(mapped_place(bottom, top, left, right, i, j));
-        }
-        row.push_back(right.nodes[j]);
-        rows.push_back(std::move(row));
-    }
-    rows.push_back(top.nodes);
-    return rows;
+    const MappedGrid grid(sides, nodes);
+    return grid.rows(nodes, [&](std::size_t i, std::size_t j) {
+        return mapped_place(grid.bottom, grid.top, grid.left, grid.right, i, j);
+    });
+}
+
+std::vector<std::vector<CellNode>> swept_nodes(const MappedSides& sides, std::vector<FlatPoint>& nodes)
+{
+    const MappedGrid grid(sides, nodes);
+    return grid.rows(nodes, [&](std::size_t i, std::size_t j) {
+        const FlatPoint &start = grid.left.places[j], &end = grid.right.places[j];
+        const double share = 0.5 * (grid.left.along[j] + grid.right.along[j]);
+        return blend(carried(grid.bottom.places, i, start, end), carried(grid.top.places, i, start, end), share);
+    });
 }
 
 std::vector<Cell> quadrilaterals(const std::vector<std::vector<CellNode>>& rows)

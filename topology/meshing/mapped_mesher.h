@@ -30,6 +30,14 @@ enum class Diagonal : std::uint8_t { Right, Left, Cross, Shortest };
 /// \pre opposite sides have equally many nodes, ends are shared  \param nodes  of the sides; new ones are added
 std::vector<std::vector<CellNode>> mapped_nodes(const MappedSides& sides, std::vector<FlatPoint>& nodes);
 
+/// The nodes of a swept mesh: rows as above. Side 0 is carried along sides 3 and 1, moved, turned and scaled so that its
+/// ends stay on them, and so is side 2, backwards; each row blends both copies by how far it is along. So a side that is
+/// bent runs on through the region, which a map flattens where the way bends.
+///
+/// Source  [StatenCanannOwen1999] for sweeps from a source along its sides to a target; here in the plane
+/// \pre as of `mapped_nodes`
+std::vector<std::vector<CellNode>> swept_nodes(const MappedSides& sides, std::vector<FlatPoint>& nodes);
+
 /// One quadrilateral between four neighbours, row by row.
 std::vector<Cell> quadrilaterals(const std::vector<std::vector<CellNode>>& rows);
 /// Two triangles in place of each, or four. \param nodes  those in the middle of four are added

@@ -22,7 +22,11 @@ struct MeshDomain {
     std::vector<std::vector<CellNode>> loops; ///< the first counter-clockwise around the others, those clockwise
     std::vector<CellEdge> segments;           ///< inside, edges of cells too
 
-    double area() const; ///< as the chords of the loops have it
+    double area() const;                 ///< as the chords of the loops have it
+    std::vector<CellEdge> edges() const; ///< of loops in their direction, then segments
+    /// The length of edges that is wanted at each node: the mean of what it has, but no more than `size` unless that is 0,
+    /// and than the node's own one of `wanted` where this is above 0. Infinite where nothing limits it.
+    std::vector<double> sizes(double size, const std::vector<double>& wanted) const;
 };
 
 /// A triangle or a quadrilateral, counter-clockwise.

@@ -42,14 +42,19 @@ double QuadMesher::quality(std::span<const FlatPoint> corners)
     return n == 3 ? least * 2.0 / std::numbers::sqrt3 : least;
 }
 
-QuadMesher::QuadMesher(const MeshDomain& domain, DelaunayOptions options)
-    : domain_(domain), options_(std::move(options))
+QuadMesher::QuadMesher(const MeshDomain& domain, MesherOptions options) : domain_(domain), options_(std::move(options))
 {
     for (const auto& [a, b] : domain.segments) fixed_.push_back(edge_key(std::min(a, b), std::max(a, b)));
     std::sort(fixed_.begin(), fixed_.end());
 }
 
 QuadMesher::Step QuadMesher::next()
+{
+    made_.clear();
+    return step();
+}
+
+QuadMesher::Step QuadMesher::step()
 {
     if (!is_triangulated_) {
         triangulate();
@@ -67,12 +72,15 @@ QuadMesher::Step QuadMesher::next()
     return Step::Done;
 }
 
-CellMesh QuadMesher::run(const std::function<bool()>& is_cancelled)
+MeshMarks QuadMesher::marks() const
 {
-    constexpr std::size_t between_looks = 256;
-    for (std::size_t i = 0; next() != Step::Done; ++i)
-        if (i % between_looks == 0 && is_cancelled && is_cancelled()) break;
-    return mesh();
+    MeshMarks marks;
+    for (const CellIndex cell : made_) {
+        if (cells_[cell].empty()) continue;
+        marks.cells.emplace_back();
+        for (const CellNode node : cells_[cell]) marks.cells.back().push_back(nodes_[node]);
+    }
+    return marks;
 }
 
 CellMesh QuadMesher::mesh() const
@@ -108,6 +116,7 @@ QuadMesher::CellIndex QuadMesher::add(const Nodes& nodes)
     const auto cell = static_cast<CellIndex>(cells_.size());
     cells_.emplace_back();
     put(cell, nodes);
+    made_.push_back(cell);
     return cell;
 }
 

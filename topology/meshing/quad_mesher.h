@@ -3,7 +3,6 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <functional>
 #include <optional>
 #include <unordered_map>
 #include <vector>
@@ -21,21 +20,13 @@ namespace topology {
 /// Accuracy  a quadrilateral that cannot be mended stays as two triangles; where that leaves a cell turned inside out, the
 ///           pairs alone are the mesh
 /// Source    pairing: [KarpSipser1981]; turning edges and taking nodes out: [Kinney1997]
-class QuadMesher {
+class QuadMesher : public Mesher {
 public:
-    enum class Step : std::uint8_t {
-        Triangles, ///< the Delaunay mesh stands
-        Pair,      ///< two triangles became a quadrilateral
-        Walk,      ///< a triangle that was left over met another
-        Mend,      ///< all cells were looked at once, and smoothed
-        Done
-    };
+    QuadMesher(const MeshDomain& domain, MesherOptions options); ///< \pre the domain lives as long
 
-    QuadMesher(const MeshDomain& domain, DelaunayOptions options);
-
-    Step next(); ///< \throws CrossingEdges
-    CellMesh run(const std::function<bool()>& is_cancelled = {});
-    CellMesh mesh() const;
+    Step next() override;
+    CellMesh mesh() const override;
+    MeshMarks marks() const override;
 
     /// The least sine of a cell's angles, negative where one is above 180 degrees; of a triangle 1 where it is
     /// equilateral.
@@ -83,8 +74,10 @@ private:
     bool is_fixed_edge(CellNode a, CellNode b) const;
     bool is_triangle(CellIndex cell) const { return cells_[cell].size() == 3; }
 
+    Step step();
+
     const MeshDomain& domain_;
-    DelaunayOptions options_;
+    MesherOptions options_;
     std::vector<FlatPoint> nodes_;
     std::vector<Nodes> cells_;            ///< empty where one is no longer there
     std::vector<FlatPoint> triangulated_; ///< nodes of the Delaunay mesh
@@ -107,6 +100,7 @@ private:
     std::vector<Reached> reached_; ///< of each cell
     std::vector<CellIndex> open_;
     std::uint32_t search_ = 0;
+    std::vector<CellIndex> made_; ///< in the last step
     bool is_triangulated_ = false, is_cut_ = false;
 };
 

@@ -139,6 +139,13 @@ void Triangulation::set_fixed(Index corner)
         triangles_[each / 3].fixed = static_cast<std::uint8_t>(triangles_[each / 3].fixed | 1U << (each % 3));
 }
 
+void Triangulation::release(Index a, Index b)
+{
+    const Index corner = *edge_between(a, b);
+    for (const Index each : {corner, twin(corner)})
+        triangles_[each / 3].fixed = static_cast<std::uint8_t>(triangles_[each / 3].fixed & ~(1U << (each % 3)));
+}
+
 std::optional<Triangulation::Index> Triangulation::triangle_left_of(Index a, Index b) const
 {
     if (const auto corner = edge_between(a, b)) return *corner / 3;

@@ -43,6 +43,8 @@ public:
     /// twice a vertex on the line.
     std::optional<std::array<Index, 2>> fix(Index a, Index b);
 
+    void release(Index a, Index b); ///< the edge is fixed no longer. \pre it is there
+
     /// The triangle of the edge from a to b that lies to its left.
     std::optional<Index> triangle_left_of(Index a, Index b) const;
 

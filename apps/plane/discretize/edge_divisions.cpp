@@ -89,7 +89,7 @@ EdgeDivisions::EdgeDivisions(const Drawing& drawing, const std::vector<FaceOutli
 void EdgeDivisions::find_mapped()
 {
     for (std::size_t i = 0; i < outlines_.size(); ++i) {
-        const bool is_asked = settings_[i].method == "mapped";
+        const bool is_asked = settings_[i].is_map();
         if (!is_asked && settings_[i].method != "auto") continue;
         MappedAttempt attempt = mapped_outline(drawing_, outlines_[i], settings_[i]);
         mapped_[i] = std::move(attempt.sides);
@@ -162,8 +162,11 @@ std::vector<EdgeDivisions::OppositeSides> EdgeDivisions::opposite_sides() const
     std::vector<OppositeSides> all;
     for (std::size_t i = 0; i < mapped_.size(); ++i) {
         if (!mapped_[i]) continue;
-        all.push_back({i, &(*mapped_[i])[0], &(*mapped_[i])[2]});
-        all.push_back({i, &(*mapped_[i])[1], &(*mapped_[i])[3]});
+        const MappedOutline& sides = *mapped_[i];
+        if (sides.size() == 3)
+            for (std::size_t k = 0; k < 3; ++k) all.push_back({i, &sides[k], &sides[(k + 1) % 3]});
+        else
+            for (const std::size_t k : {0U, 1U}) all.push_back({i, &sides[k], &sides[k + 2]});
     }
     return all;
 }
@@ -237,8 +240,27 @@ bool EdgeDivisions::settle_greatest()
                 side = each;
             }
     if (side == nullptr) return false;
+    const bool is_known_in_part = std::any_of(side->begin(), side->end(), [&](HalfEdgeId h) { return is_known(h); });
     for (const HalfEdgeId h : *side) divide_as_usual(h);
+    if (wants_even() && !is_known_in_part) make_even(*side);
     return true;
+}
+
+/// Whether a trilateral region of quadrilaterals may take the number of parts that another region settles.
+bool EdgeDivisions::wants_even() const
+{
+    return std::any_of(settings_.begin(), settings_.end(), [](const MeshSettings& settings) {
+        return settings.is_trilateral() && !settings.is_triangle();
+    });
+}
+
+void EdgeDivisions::make_even(const OutlineLoop& side)
+{
+    if (n_parts(side) % 2 == 0) return;
+    const auto longest = std::max_element(side.begin(), side.end(),
+                                          [&](HalfEdgeId a, HalfEdgeId b) { return length(a) < length(b); });
+    const EdgeId e = *drawing_.subdivision().solid().edge(*longest);
+    shares_[e.index] = usual(e, 1);
 }
 
 bool EdgeDivisions::spread()
@@ -255,12 +277,18 @@ bool EdgeDivisions::agree()
     for (const auto& [outline, a, b] : opposite_sides()) {
         if (!mapped_[outline]) continue; // its other sides have told it already
         const std::size_t n_a = n_parts(*a), n_b = n_parts(*b);
-        if (n_a == n_b) continue;
-        const bool is_auto = settings_[outline].method == "auto";
-        if (!is_auto)
-            faults_.push_back({FaultKind::MappedSidesDiffer,
-                               {entry_of("regions", drawing_.model().regions, outlines_[outline].region.index),
-                                curves_of(*a), std::to_string(n_a), curves_of(*b), std::to_string(n_b)}});
+        const MeshSettings& settings = settings_[outline];
+        const std::string entry = entry_of("regions", drawing_.model().regions, outlines_[outline].region.index);
+        const bool is_odd = settings.is_trilateral() && !settings.is_triangle() && n_a % 2 == 1;
+        if (n_a == n_b && !is_odd) continue;
+        const bool is_auto = settings.method == "auto";
+        if (n_a == n_b)
+            faults_.push_back(
+                {FaultKind::TrilateralOdd, {entry, std::string(name(settings.element)), std::to_string(n_a)}});
+        else if (!is_auto)
+            faults_.push_back(
+                {settings.is_trilateral() ? FaultKind::TrilateralSidesDiffer : FaultKind::MappedSidesDiffer,
+                 {entry, curves_of(*a), std::to_string(n_a), curves_of(*b), std::to_string(n_b)}});
         mapped_[outline].reset();
         if (is_auto) return false;
     }
@@ -290,7 +318,7 @@ double EdgeDivisions::size_at(const FlatPoint& at, double size) const
 }
 
 /// Parts of the size that is wanted where the edge runs.
-EdgeShares EdgeDivisions::usual(EdgeId e) const
+EdgeShares EdgeDivisions::usual(EdgeId e, std::size_t n_more) const
 {
     const topology::PlanarSubdivision& plane = drawing_.subdivision();
     const topology::CurvePart& part = plane.part(e);
@@ -312,7 +340,8 @@ EdgeShares EdgeDivisions::usual(EdgeId e) const
     const bool is_closed = solid.start(solid.plus(e)) == solid.end(solid.plus(e));
     const std::size_t n = std::max({least_parts(is_even ? length / size : wanted.back()),
                                     least_parts(curve.turning(part.span) / (0.25 * std::numbers::pi)),
-                                    std::size_t{is_closed ? 3U : 1U}});
+                                    std::size_t{is_closed ? 3U : 1U}}) +
+                          n_more;
     if (is_even) return geometric(n, 1.0);
     EdgeShares shares{0.0};
     for (std::size_t i = 1, at = 0; i < n; ++i) {

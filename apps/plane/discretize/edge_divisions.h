@@ -22,10 +22,11 @@ public:
 
     const EdgeShares& shares(topology::EdgeId edge) const { return *shares_[edge.index]; } ///< in its plus direction
     const std::vector<femoop::Fault>& faults() const { return faults_; }
-    /// The sides of outlines that are mapped, of each outline.
+    /// The sides of outlines that are mapped, swept or trilateral, of each outline.
     const std::vector<std::optional<MappedOutline>>& mapped() const { return mapped_; }
 
 private:
+    /// Sides that have equally many parts: opposite ones, of a trilateral outline all.
     struct OppositeSides {
         std::size_t outline = 0;
         const OutlineLoop* a = nullptr;
@@ -50,7 +51,9 @@ private:
     EdgeShares along(const OutlineLoop& side) const;    ///< the shares of a whole side. \pre known
     void set(topology::HalfEdgeId h, EdgeShares shares);
     double length(topology::HalfEdgeId h) const { return lengths_[drawing_.subdivision().solid().edge(h)->index]; }
-    EdgeShares usual(topology::EdgeId e) const;
+    EdgeShares usual(topology::EdgeId e, std::size_t n_more = 0) const;
+    bool wants_even() const;
+    void make_even(const OutlineLoop& side);
     double size_at(const topology::FlatPoint& at, double size) const;
     std::string curves_of(const OutlineLoop& side) const;
 

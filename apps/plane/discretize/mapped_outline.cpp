@@ -25,17 +25,22 @@ public:
     {
         if (outline_.loops.size() > 1 || !outline_.inner_edges.empty() || !outline_.inner_vertices.empty() ||
             meets_itself())
-            return refusal(FaultKind::MappedInside, {});
-        std::array<std::size_t, 4> corners{};
+            return refusal(FaultKind::MappedInside, {method()});
         std::string missing;
-        const std::size_t n_found = find_named(corners, missing);
-        if (n_found < corners.size() && vertices_.size() == corners.size()) return sides(four_vertices());
-        if (n_found == corners.size()) return follow(corners);
-        if (settings_.corners.empty()) return refusal(FaultKind::MappedVertices, {std::to_string(vertices_.size())});
-        return refusal(FaultKind::MappedCornerOff, {missing});
+        const Corners corners = named(missing);
+        const std::size_t n_wanted = settings_.n_corners();
+        if (corners.size() < n_wanted && vertices_.size() == n_wanted) return sides(all_vertices());
+        if (settings_.corners.empty())
+            return refusal(FaultKind::MappedVertices,
+                           {method(), std::to_string(n_wanted), std::to_string(vertices_.size())});
+        if (settings_.corners.size() != n_wanted)
+            return refusal(FaultKind::CornerCount, {std::to_string(settings_.corners.size())});
+        return corners.size() == n_wanted ? follow(corners) : refusal(FaultKind::MappedCornerOff, {missing});
     }
 
 private:
+    using Corners = std::vector<std::size_t>; ///< places in the outline
+
     MappedAttempt refusal(FaultKind kind, std::vector<std::string> details) const
     {
         details.insert(details.begin(), entry_of("regions", drawing_.model().regions, outline_.region.index));
@@ -49,33 +54,35 @@ private:
         return std::adjacent_find(sorted.begin(), sorted.end()) != sorted.end();
     }
 
-    /// How many of the named corners are vertices of the outline, and which of these.
-    std::size_t find_named(std::array<std::size_t, 4>& corners, std::string& missing) const
+    std::string method() const { return settings_.is_map() ? settings_.method : "mapped"; }
+
+    /// Those of the named corners that are vertices of the outline.
+    Corners named(std::string& missing) const
     {
-        std::size_t n = 0;
-        for (std::size_t i = 0; i < settings_.corners.size() && i < corners.size(); ++i) {
-            const auto vertex = drawing_.vertex(settings_.corners[i]);
+        Corners corners;
+        for (const femoop::NodeId corner : settings_.corners) {
+            const auto vertex = drawing_.vertex(corner);
             const auto at = vertex ? std::find(vertices_.begin(), vertices_.end(), *vertex) : vertices_.end();
-            if (at == vertices_.end()) missing = drawing_.model()[settings_.corners[i]].id;
-            else corners[n++] = static_cast<std::size_t>(at - vertices_.begin());
+            if (at == vertices_.end()) missing = drawing_.model()[corner].id;
+            else corners.push_back(static_cast<std::size_t>(at - vertices_.begin()));
         }
-        return n;
+        return corners;
     }
 
     /// Corners in the direction of the outline, whichever way they were listed; the first stays the first.
-    MappedAttempt follow(std::array<std::size_t, 4> corners) const
+    MappedAttempt follow(Corners corners) const
     {
         const auto ahead = [&](std::size_t i) {
             return (corners[i] + vertices_.size() - corners[0]) % vertices_.size();
         };
-        if (ahead(3) < ahead(1)) std::swap(corners[1], corners[3]);
-        if (!(0 < ahead(1) && ahead(1) < ahead(2) && ahead(2) < ahead(3)))
-            return refusal(FaultKind::MappedCornerOrder, {});
+        if (ahead(corners.size() - 1) < ahead(1)) std::reverse(corners.begin() + 1, corners.end());
+        for (std::size_t i = 1; i < corners.size(); ++i)
+            if (ahead(i) <= ahead(i - 1)) return refusal(FaultKind::MappedCornerOrder, {});
         return sides(corners);
     }
 
     /// From the one at the lower left.
-    std::array<std::size_t, 4> four_vertices() const
+    Corners all_vertices() const
     {
         const auto place = [&](std::size_t i) { return drawing_.subdivision().at(vertices_[i]); };
         std::size_t first = 0;
@@ -83,14 +90,16 @@ private:
             const double ahead = (place(i).x + place(i).y) - (place(first).x + place(first).y);
             if (ahead < 0.0 || (ahead == 0.0 && place(i).y < place(first).y)) first = i;
         }
-        return {first, (first + 1) % 4, (first + 2) % 4, (first + 3) % 4};
+        Corners corners;
+        for (std::size_t i = 0; i < vertices_.size(); ++i) corners.push_back((first + i) % vertices_.size());
+        return corners;
     }
 
-    MappedAttempt sides(const std::array<std::size_t, 4>& corners) const
+    MappedAttempt sides(const Corners& corners) const
     {
-        MappedOutline found;
+        MappedOutline found(corners.size());
         for (std::size_t i = 0; i < corners.size(); ++i)
-            for (std::size_t j = corners[i]; j != corners[(i + 1) % 4]; j = (j + 1) % loop_.size())
+            for (std::size_t j = corners[i]; j != corners[(i + 1) % corners.size()]; j = (j + 1) % loop_.size())
                 found[i].push_back(loop_[j]);
         return {.sides = std::move(found), .fault = {}};
     }

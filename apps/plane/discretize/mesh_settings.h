@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <string>
 #include <vector>
 
@@ -17,6 +18,10 @@ struct MeshSettings {
     topology::Diagonal diagonal = topology::Diagonal::Right;
     std::vector<femoop::NodeId> corners; ///< of a mapped region
 
+    /// The method maps a region from its corners, which it has so many of.
+    bool is_map() const { return method == "mapped" || method == "sweep" || is_trilateral(); }
+    bool is_trilateral() const { return method == "trilateral"; }
+    std::size_t n_corners() const { return is_trilateral() ? 3 : 4; }
     bool is_triangle() const { return element == femoop::ShapeKind::T3 || element == femoop::ShapeKind::T6; }
     bool is_quadratic() const { return element != femoop::ShapeKind::T3 && element != femoop::ShapeKind::Q4; }
 };

@@ -4,6 +4,7 @@
 #include <array>
 #include <chrono>
 #include <cmath>
+#include <memory>
 #include <numbers>
 #include <string>
 #include <utility>
@@ -13,7 +14,9 @@
 #include "femoop/element/continuum/continuum_formulation.h"
 #include "femoop/element/continuum/element_geometry.h"
 #include "topology/meshing/delaunay_mesher.h"
+#include "topology/meshing/front_mesher.h"
 #include "topology/meshing/quad_mesher.h"
+#include "topology/meshing/quadtree_mesher.h"
 
 namespace discretize {
 
@@ -141,6 +144,7 @@ double RegionMesher::n_expected(std::size_t outline) const
     const MeshSettings& settings = settings_[outline];
     if (const auto& sides = divisions_.mapped()[outline]) {
         const double n_quadrilaterals = n_parts((*sides)[0]) * n_parts((*sides)[1]);
+        if (settings.is_trilateral()) return (settings.is_triangle() ? 1.0 : 0.75) * n_quadrilaterals;
         if (!settings.is_triangle()) return n_quadrilaterals;
         return (settings.diagonal == topology::Diagonal::Cross ? 4.0 : 2.0) * n_quadrilaterals;
     }
@@ -154,8 +158,8 @@ double RegionMesher::n_expected(std::size_t outline) const
 std::string RegionMesher::method_of(std::size_t outline) const
 {
     const MeshSettings& settings = settings_[outline];
-    if (divisions_.mapped()[outline]) return "mapped";
     if (settings.method != "auto") return settings.method;
+    if (divisions_.mapped()[outline]) return "mapped";
     return settings.is_triangle() ? "delaunay" : "quads";
 }
 
@@ -166,12 +170,10 @@ void RegionMesher::require_possible()
         n += n_expected(i);
         const MeshSettings& settings = settings_[i];
         const RegionId region = outlines_[i].region;
-        if (divisions_.mapped()[i] || settings.method == "mapped") continue;
+        if (divisions_.mapped()[i] || settings.is_map()) continue;
         const std::string method = method_of(i);
-        const bool makes_triangles = method == "delaunay";
-        if (!makes_triangles && method != "quads")
-            errors_.push_back({FaultKind::MeshMethodNotBuilt, {entry(region), method}});
-        else if (makes_triangles != settings.is_triangle())
+        const bool makes_triangles = method != "quads";
+        if (makes_triangles != settings.is_triangle())
             errors_.push_back({FaultKind::MeshMethodOfElement,
                                {entry(region), method, std::string(name(settings.element)),
                                 makes_triangles ? "T3, T6" : "Q4, Q8, Q9"}});
@@ -255,16 +257,17 @@ void RegionMesher::mesh(std::size_t outline)
     const RegionId region = outlines_[outline].region;
     const auto start = std::chrono::steady_clock::now();
     const auto& sides = divisions_.mapped()[outline];
+    std::string method = method_of(outline);
     bool is_mapped = sides.has_value();
     if (is_mapped) {
-        const std::vector<Cell> cells = mapped_cells(*sides, settings);
-        is_mapped = settings.method == "mapped" ||
+        const std::vector<Cell> cells = cells_of_map(*sides, settings);
+        is_mapped = settings.is_map() ||
                     std::all_of(cells.begin(), cells.end(), [&](const Cell& cell) { return is_well_shaped(cell); });
         if (is_mapped) add_mapped(cells, settings, region);
+        else method = settings.is_triangle() ? "delaunay" : "quads";
     }
-    if (!is_mapped) mesh_freely(outlines_[outline], settings);
+    if (!is_mapped) mesh_freely(outlines_[outline], settings, method);
     RegionReport& report = reports_[region.index];
-    const std::string method = is_mapped ? "mapped" : settings.is_triangle() ? "delaunay" : "quads";
     if (report.method.empty()) report.method = method;
     else if (report.method.find(method) == std::string::npos) report.method += ", " + method;
     report.seconds += std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
@@ -278,43 +281,74 @@ bool RegionMesher::is_well_shaped(const Cell& cell) const
     return topology::QuadMesher::quality(corners) > least_quality;
 }
 
-/// Elements with middle nodes are mapped with these, on a grid of twice as many rows, so that they follow the sides too.
-std::vector<Cell> RegionMesher::mapped_cells(const MappedOutline& outline, const MeshSettings& settings)
+/// Nodes along a side, those in the middle of edges too where elements have them: so a map places all middle nodes.
+RegionMesher::Chain RegionMesher::side_nodes(const OutlineLoop& side, const MeshSettings& settings)
 {
-    topology::MappedSides sides;
-    for (std::size_t i = 0; i < sides.size(); ++i)
-        for (const HalfEdgeId h : outline[i]) {
-            const Chain chain = chain_along(h);
-            for (std::size_t j = sides[i].empty() ? 0 : 1; j < chain.size(); ++j) {
-                if (settings.is_quadratic() && j > 0) sides[i].push_back(middle_node(chain[j - 1], chain[j]));
-                sides[i].push_back(chain[j]);
-            }
-        }
-    std::vector<Chain> rows = topology::mapped_nodes(sides, nodes_);
-    if (settings.is_quadratic()) {
-        const std::vector<Chain> all = std::exchange(rows, {});
-        for (std::size_t j = 0; j < all.size(); ++j) {
-            if (j % 2 == 0) rows.emplace_back();
-            for (std::size_t i = 0; i < all[j].size(); ++i) {
-                if (i % 2 == 0 && j % 2 == 0) rows.back().push_back(all[j][i]);
-                if (i % 2 == 1 && j % 2 == 0) set_middle(all[j][i - 1], all[j][i + 1], all[j][i]);
-                if (i % 2 == 0 && j % 2 == 1) set_middle(all[j - 1][i], all[j + 1][i], all[j][i]);
-                if (i % 2 == 0 || j % 2 == 0) continue;
-                set_middle(all[j - 1][i - 1], all[j + 1][i + 1], all[j][i]);
-                set_middle(all[j - 1][i + 1], all[j + 1][i - 1], all[j][i]);
-            }
+    Chain nodes;
+    for (const HalfEdgeId h : side) {
+        const Chain chain = chain_along(h);
+        for (std::size_t j = nodes.empty() ? 0 : 1; j < chain.size(); ++j) {
+            if (settings.is_quadratic() && j > 0) nodes.push_back(middle_node(chain[j - 1], chain[j]));
+            nodes.push_back(chain[j]);
         }
     }
-    return topology::quadrilaterals(rows);
+    return nodes;
 }
 
-void RegionMesher::add_mapped(const std::vector<Cell>& quadrilaterals, const MeshSettings& settings, RegionId region)
+std::vector<Cell> RegionMesher::cells_of_map(const MappedOutline& outline, const MeshSettings& settings)
 {
-    if (!settings.is_triangle()) {
-        for (const Cell& cell : quadrilaterals) add_element(cell, settings, region);
-        return;
+    std::vector<Chain> sides;
+    for (const OutlineLoop& side : outline) sides.push_back(side_nodes(side, settings));
+    if (sides.size() == 4) return cells_of_four({sides[0], sides[1], sides[2], sides[3]}, settings);
+    if (settings.is_triangle()) return cells_of_three({sides[0], sides[1], sides[2]}, settings);
+    std::vector<Cell> cells;
+    for (const topology::MappedSides& part : topology::trilateral_parts({sides[0], sides[1], sides[2]}, nodes_)) {
+        const std::vector<Cell> of_part = cells_of_four(part, settings);
+        cells.insert(cells.end(), of_part.begin(), of_part.end());
     }
-    for (const Cell& cell : topology::triangles(quadrilaterals, settings.diagonal, nodes_))
+    return cells;
+}
+
+std::vector<Cell> RegionMesher::cells_of_four(const topology::MappedSides& sides, const MeshSettings& settings)
+{
+    const std::vector<Chain> rows = settings.method == "sweep" ? topology::swept_nodes(sides, nodes_)
+                                                               : topology::mapped_nodes(sides, nodes_);
+    return topology::quadrilaterals(settings.is_quadratic() ? set_middles(rows) : rows);
+}
+
+std::vector<Cell> RegionMesher::cells_of_three(const topology::TrilateralSides& sides, const MeshSettings& settings)
+{
+    const std::vector<Chain> rows = topology::trilateral_nodes(sides, nodes_);
+    return topology::trilateral_triangles(settings.is_quadratic() ? set_middles(rows) : rows);
+}
+
+/// Every other node of every other row; those between become middle nodes, of diagonals too.
+std::vector<RegionMesher::Chain> RegionMesher::set_middles(const std::vector<Chain>& rows)
+{
+    const auto set_between = [&](std::size_t j, std::size_t i, std::size_t below, std::size_t from, std::size_t above,
+                                 std::size_t to) {
+        if (from < rows[below].size() && to < rows[above].size())
+            set_middle(rows[below][from], rows[above][to], rows[j][i]);
+    };
+    std::vector<Chain> corners;
+    for (std::size_t j = 0; j < rows.size(); ++j) {
+        if (j % 2 == 0) corners.emplace_back();
+        for (std::size_t i = 0; i < rows[j].size(); ++i) {
+            if (i % 2 == 0 && j % 2 == 0) corners.back().push_back(rows[j][i]);
+            if (i % 2 == 1 && j % 2 == 0) set_between(j, i, j, i - 1, j, i + 1);
+            if (i % 2 == 0 && j % 2 == 1) set_between(j, i, j - 1, i, j + 1, i);
+            if (i % 2 == 0 || j % 2 == 0) continue;
+            set_between(j, i, j - 1, i - 1, j + 1, i + 1);
+            set_between(j, i, j - 1, i + 1, j + 1, i - 1);
+        }
+    }
+    return corners;
+}
+
+void RegionMesher::add_mapped(const std::vector<Cell>& cells, const MeshSettings& settings, RegionId region)
+{
+    const bool is_cut = settings.is_triangle() && !settings.is_trilateral();
+    for (const Cell& cell : is_cut ? topology::triangles(cells, settings.diagonal, nodes_) : cells)
         add_element(cell, settings, region);
 }
 
@@ -363,22 +397,34 @@ std::vector<double> RegionMesher::sizes_of_points(const FaceOutline& outline, st
     return sizes;
 }
 
-void RegionMesher::mesh_freely(const FaceOutline& outline, const MeshSettings& settings)
+namespace {
+
+std::unique_ptr<topology::Mesher> mesher_of(const std::string& method, const topology::MeshDomain& domain,
+                                            const topology::MesherOptions& options)
+{
+    if (method == "front") return std::make_unique<topology::FrontMesher>(domain, options);
+    if (method == "quadtree") return std::make_unique<topology::QuadtreeMesher>(domain, options);
+    if (method == "quads") return std::make_unique<topology::QuadMesher>(domain, options);
+    return std::make_unique<topology::DelaunayMesher>(domain, options);
+}
+
+} // namespace
+
+void RegionMesher::mesh_freely(const FaceOutline& outline, const MeshSettings& settings, const std::string& method)
 {
     Chain of_domain;
     const topology::MeshDomain domain = domain_of(outline, of_domain);
     topology::CellMesh mesh;
     try {
-        const topology::DelaunayOptions options{.size = settings.size,
-                                                .min_angle = settings.min_angle,
-                                                .sizes = sizes_of_points(outline, domain.nodes.size())};
-        mesh = settings.is_triangle() ? topology::DelaunayMesher(domain, options).run(is_cancelled_)
-                                      : topology::QuadMesher(domain, options).run(is_cancelled_);
+        const topology::MesherOptions options{.size = settings.size,
+                                              .min_angle = settings.min_angle,
+                                              .sizes = sizes_of_points(outline, domain.nodes.size())};
+        mesh = mesher_of(method, domain, options)->run(is_cancelled_);
     } catch (const topology::CrossingEdges& crossing) {
         report_crossing(crossing, outline, of_domain);
         return;
     }
-    if (settings.is_triangle()) report_angle(mesh, settings, outline.region);
+    if (method == "delaunay") report_angle(mesh, settings, outline.region);
     for (std::size_t i = of_domain.size(); i < mesh.nodes.size(); ++i) of_domain.push_back(add_node(mesh.nodes[i]));
     for (const Cell& cell : mesh.cells) add_element(renumbered(cell, of_domain), settings, outline.region);
 }

@@ -10,6 +10,7 @@
 #include "apps/plane/discretize/edge_divisions.h"
 #include "apps/plane/discretize/region_mesh.h"
 #include "topology/meshing/mesh_domain.h"
+#include "topology/meshing/trilateral_mesher.h"
 
 namespace discretize {
 
@@ -39,11 +40,15 @@ private:
     void require_right_way_round();
     double n_expected(std::size_t outline) const;
     void mesh(std::size_t outline);
-    std::vector<topology::Cell> mapped_cells(const MappedOutline& sides, const MeshSettings& settings);
+    Chain side_nodes(const OutlineLoop& side, const MeshSettings& settings);
+    std::vector<topology::Cell> cells_of_map(const MappedOutline& outline, const MeshSettings& settings);
+    std::vector<topology::Cell> cells_of_four(const topology::MappedSides& sides, const MeshSettings& settings);
+    std::vector<topology::Cell> cells_of_three(const topology::TrilateralSides& sides, const MeshSettings& settings);
+    std::vector<Chain> set_middles(const std::vector<Chain>& rows);
     bool is_well_shaped(const topology::Cell& cell) const;
-    void add_mapped(const std::vector<topology::Cell>& quadrilaterals, const MeshSettings& settings,
+    void add_mapped(const std::vector<topology::Cell>& cells, const MeshSettings& settings,
                     femoop::plane::RegionId region);
-    void mesh_freely(const FaceOutline& outline, const MeshSettings& settings);
+    void mesh_freely(const FaceOutline& outline, const MeshSettings& settings, const std::string& method);
     std::string method_of(std::size_t outline) const;
     topology::MeshDomain domain_of(const FaceOutline& outline, Chain& of_domain) const;
     std::vector<double> sizes_of_points(const FaceOutline& outline, std::size_t n_nodes) const;

@@ -275,21 +275,22 @@ enum class FaultKind : std::uint16_t {
     MinAngleRange,        ///< {0} place, {1} what was found
     CornerCount,          ///< {0} place, {1} how many
     NothingToMesh,
-    MeshMethodNotBuilt,  ///< {0} place, {1} method
-    MeshMethodOfElement, ///< {0} place, {1} method, {2} element
-    MappedInside,        ///< {0} place
-    MappedVertices,      ///< {0} place, {1} vertices of its outline
-    MappedCornerOff,     ///< {0} place, {1} point
-    MappedCornerOrder,   ///< {0} place
-    MappedSidesDiffer,   ///< {0} place, {1} and {3} curves of opposite sides, {2} and {4} how many parts
-    MeshOrdersDiffer,    ///< {0} place, {1} and {3} elements, {2} the other's place
-    MeshTooLarge,        ///< {0} elements, {1} most
-    MeshEdgesCross,      ///< {0} place, {1} and {2} curves
-    MeshElementTurned,   ///< {0} place, {1} place in the plane
-    MeshAngleMissed,     ///< {0} place, {1} degrees, {2} degrees asked for, {3} place in the plane
-    CheckFaceOutside,    ///< {0} place, {1} place in the plane
-    CheckFaceRank,       ///< {0} place, {1} rank, {2} faces
-    CheckFacePlace,      ///< {0} place, {1} quantity
+    MeshMethodOfElement,   ///< {0} place, {1} method, {2} element
+    MappedInside,          ///< {0} place, {1} method
+    MappedVertices,        ///< {0} place, {1} method, {2} corners that it wants, {3} vertices of its outline
+    MappedCornerOff,       ///< {0} place, {1} point
+    MappedCornerOrder,     ///< {0} place
+    MappedSidesDiffer,     ///< {0} place, {1} and {3} curves of opposite sides, {2} and {4} how many parts
+    TrilateralSidesDiffer, ///< {0} place, {1} and {3} curves of two sides, {2} and {4} how many parts
+    TrilateralOdd,         ///< {0} place, {1} element, {2} parts of each side
+    MeshOrdersDiffer,      ///< {0} place, {1} and {3} elements, {2} the other's place
+    MeshTooLarge,          ///< {0} elements, {1} most
+    MeshEdgesCross,        ///< {0} place, {1} and {2} curves
+    MeshElementTurned,     ///< {0} place, {1} place in the plane
+    MeshAngleMissed,       ///< {0} place, {1} degrees, {2} degrees asked for, {3} place in the plane
+    CheckFaceOutside,      ///< {0} place, {1} place in the plane
+    CheckFaceRank,         ///< {0} place, {1} rank, {2} faces
+    CheckFacePlace,        ///< {0} place, {1} quantity
     NoSuchPoint,
     NoSuchPointNear,
     NoSuchCurve,

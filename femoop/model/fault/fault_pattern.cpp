@@ -463,22 +463,25 @@ std::string_view pattern(FaultKind kind)
         return "{0}: this point and {1} are one place to within snap, and both are supported; put the support on one of them";
     case FaultKind::MinAngleRange:
         return "{0}: found min_angle {1}, wanted more than 0 and at most 33 degrees; give a smaller one";
-    case FaultKind::CornerCount: return "{0}: found {1} corners, wanted four points of its outline; name four";
+    case FaultKind::CornerCount:
+        return "{0}: found {1} corners, wanted four points of its outline, or three with the method trilateral; name as many";
     case FaultKind::NothingToMesh:
         return "no face of the drawing has material: no mesh can be made; add an entry to \"regions\"";
-    case FaultKind::MeshMethodNotBuilt:
-        return "{0}: the method {1} is not built yet; choose mapped or delaunay, or another element";
     case FaultKind::MeshMethodOfElement:
         return "{0}: the method {1} does not make the element {2}; choose {3}, or the method mapped";
     case FaultKind::MappedInside:
-        return "{0}: a mapped region has one outline, with nothing inside; choose the method delaunay";
+        return "{0}: the method {1} is for one outline with nothing inside; choose the method auto";
     case FaultKind::MappedVertices:
-        return "{0}: a mapped region has four corners, and the outline of this one has {1} vertices; name four of its points as \"corners\"";
+        return "{0}: the method {1} is for {2} corners, and its outline has {3} vertices; name {2} of its points as \"corners\"";
     case FaultKind::MappedCornerOff: return "{0}: the corner \"{1}\" is no vertex of its outline; name a point on it";
     case FaultKind::MappedCornerOrder:
         return "{0}: its corners do not follow one another around the outline; list them in that order";
     case FaultKind::MappedSidesDiffer:
         return "{0}: opposite sides of a mapped region have equally many parts, found {2} ({1}) and {4} ({3}); divide them alike";
+    case FaultKind::TrilateralSidesDiffer:
+        return "{0}: the three sides of a trilateral region have equally many parts, found {2} ({1}) and {4} ({3}); divide them alike";
+    case FaultKind::TrilateralOdd:
+        return "{0}: a trilateral region of {1} has an even number of parts on each side, found {2}; divide them otherwise, or choose triangles";
     case FaultKind::MeshOrdersDiffer:
         return "{0}: its elements {1} and those of {2}, {3}, share a border, where only one of them has nodes in the middle of edges; choose both with or both without them";
     case FaultKind::MeshTooLarge:

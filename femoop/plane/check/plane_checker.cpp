@@ -147,12 +147,13 @@ void PlaneChecker::check_support(const PlaneSupport& support, bool is_on_curve, 
 void PlaneChecker::check_mesh_options(const MeshOptions& mesh, const Entry& place)
 {
     constexpr double largest_min_angle = 33.0; // degrees; what Delaunay refinement reaches in practice
-    constexpr std::size_t n_corners = 4;
+    constexpr std::size_t n_corners = 4, of_trilateral = 3;
     if (mesh.size) require_positive(place, "size", *mesh.size, dimension::length);
     if (mesh.min_angle && !(*mesh.min_angle > 0.0 && *mesh.min_angle <= largest_min_angle))
         add(FaultKind::MinAngleRange, place, {shown(*mesh.min_angle, dimension::none)});
-    if (!mesh.corners.empty() && mesh.corners.size() != n_corners && !is_partial_)
-        add(FaultKind::CornerCount, place, {std::to_string(mesh.corners.size())});
+    const std::size_t n = mesh.corners.size();
+    if (n != 0 && n != n_corners && n != of_trilateral && !is_partial_)
+        add(FaultKind::CornerCount, place, {std::to_string(n)});
     for (const NodeId corner : mesh.corners) require_entry(place, "points", corner.index, model_.points.size());
 }
 

@@ -110,9 +110,9 @@ std::vector<BadMesh> bad_meshes()
              .points = R"(, {"id": "E", "at": [0, 0], "support": "pin"}, {"id": "F", "at": [0, 0], "support": "pin"})"}
              .text()},
         {FaultKind::MinAngleRange, RectangleText{.mesh = R"({"min_angle": 34})"}.text()},
-        {FaultKind::CornerCount, RectangleText{.mesh = R"({"corners": ["A", "B", "C"]})"}.text()},
+        {FaultKind::CornerCount, RectangleText{.mesh = R"({"corners": ["A", "B"]})"}.text()},
         {FaultKind::NothingToMesh, RectangleText{.left = "", .regions = "", .loads = R"("self_weight": 1)"}.text()},
-        {FaultKind::MeshMethodNotBuilt, RectangleText{.mesh = R"({"method": "front"})"}.text()},
+        {FaultKind::MeshMethodOfElement, RectangleText{.mesh = R"({"method": "front", "element": "Q4"})"}.text()},
         {FaultKind::MeshMethodOfElement, RectangleText{.mesh = R"({"method": "delaunay", "element": "Q8"})"}.text()},
         {FaultKind::MappedInside,
          RectangleText{.mesh = R"({"method": "mapped"})", .curves = circle_in(""), .regions = with_hole}.text()},
@@ -126,6 +126,15 @@ std::vector<BadMesh> bad_meshes()
          RectangleText{.mesh = R"({"method": "mapped", "corners": ["A", "C", "B", "D"]})"}.text()},
         {FaultKind::MappedSidesDiffer,
          RectangleText{.mesh = R"({"method": "mapped"})", .bottom = R"(, "divide": 3)", .top = R"(, "divide": 5)"}
+             .text()},
+        {FaultKind::TrilateralSidesDiffer,
+         RectangleText{.mesh = R"({"method": "trilateral", "corners": ["A", "B", "C"]})",
+                       .bottom = R"(, "divide": 3)",
+                       .right = R"(, "divide": 5)"}
+             .text()},
+        {FaultKind::TrilateralOdd,
+         RectangleText{.mesh = R"({"method": "trilateral", "corners": ["A", "B", "C"], "element": "Q8"})",
+                       .bottom = R"(, "divide": 3)"}
              .text()},
         {FaultKind::MeshOrdersDiffer, RectangleText{.curves = middle, .regions = two}.text()},
         {FaultKind::MeshTooLarge, RectangleText{.mesh = R"({"size": 1e-4})"}.text()},
@@ -284,33 +293,106 @@ TEST_CASE("A uniform stress is met exactly by every element in every mesh of a d
     struct Asked {
         const char* element;
         const char* method;
-        const char* diagonal;
+        const char* more = "";
     };
-    for (const Asked& asked : {Asked{"T3", "mapped", "right"},
-                               {"T3", "mapped", "left"},
-                               {"T3", "mapped", "cross"},
-                               {"T3", "mapped", "shortest"},
-                               {"T6", "mapped", "cross"},
-                               {"T3", "delaunay", "right"},
-                               {"T6", "delaunay", "right"},
-                               {"Q4", "mapped", "right"},
-                               {"Q8", "mapped", "right"},
-                               {"Q9", "mapped", "right"}}) {
+    constexpr auto three = R"(, "corners": ["A", "B", "C"])";
+    for (const Asked& asked : {Asked{"T3", "mapped", R"(, "diagonal": "right")"},
+                               {"T3", "mapped", R"(, "diagonal": "left")"},
+                               {"T3", "mapped", R"(, "diagonal": "cross")"},
+                               {"T3", "mapped", R"(, "diagonal": "shortest")"},
+                               {"T6", "mapped", R"(, "diagonal": "cross")"},
+                               {"Q4", "mapped"},
+                               {"Q8", "mapped"},
+                               {"Q9", "mapped"},
+                               {"T6", "sweep"},
+                               {"Q4", "sweep"},
+                               {"Q8", "sweep"},
+                               {"Q9", "sweep"},
+                               {"T3", "trilateral", three},
+                               {"T6", "trilateral", three},
+                               {"Q4", "trilateral", three},
+                               {"Q8", "trilateral", three},
+                               {"Q9", "trilateral", three},
+                               {"T3", "delaunay"},
+                               {"T6", "delaunay"},
+                               {"T3", "front"},
+                               {"T6", "front"},
+                               {"T3", "quadtree"},
+                               {"T6", "quadtree"},
+                               {"Q4", "quads"},
+                               {"Q8", "quads"},
+                               {"Q9", "quads"}}) {
         CAPTURE(asked.element);
         CAPTURE(asked.method);
-        CAPTURE(asked.diagonal);
         const Meshed meshed(RectangleText{.mesh = R"({"size": 0.7, "element": ")" + std::string(asked.element) +
-                                                  R"(", "method": ")" + asked.method + R"(", "diagonal": ")" +
-                                                  asked.diagonal + R"("})",
+                                                  R"(", "method": ")" + asked.method + R"(")" + asked.more + "}",
                                           .left = R"(, "support": {"fixed": ["ux"]})",
                                           .points = R"(, {"id": "E", "at": [0, 0], "support": "roller"})"}
                                 .text());
         REQUIRE(meshed.mesh.is_sound());
+        CHECK(meshed.mesh.reports()[0].method == asked.method);
         CHECK(meshed.area() == Approx(8.0).epsilon(1e-12));
         const PlaneCase result = analyse(meshed.model())[CaseId(0)];
         CHECK(result.displacement(*meshed.mesh.node(NodeId(1))).x() == Approx(3.0 / 300.0 * 4.0).epsilon(1e-10));
         CHECK(result.displacement(*meshed.mesh.node(NodeId(2))).y() == Approx(-0.2 * 3.0 / 300.0 * 2.0).epsilon(1e-10));
     }
+}
+
+TEST_CASE("A sector is meshed by every method for three sides or any, its area met as its curves are")
+{
+    // a quarter of a circle of radius 3 with its corner cut off along a circle of radius 1: four sides, or by its centre
+    // three
+    const auto quarter = [](const std::string& mesh, bool is_ring) {
+        const std::string inner =
+            R"({"id": "inner", "kind": "arc", "center": "O", "points": ["C", "D"], "turn": "cw"}, )";
+        return R"({"cremona": 1, "analysis": "plane_stress", "units": {"length": "m", "force": "N"},
+            "materials": [{"id": "m", "E": 300, "nu": 0.2}], "mesh": {"size": 0.4, )" +
+               mesh + R"(}, "points": [{"id": "O", "at": [0, 0]}, {"id": "A", "at": [3, 0]}, {"id": "B", "at": [0, 3]},
+            {"id": "C", "at": [0, 1]}, {"id": "D", "at": [1, 0]}], "curves": [)" +
+               (is_ring ? inner : "") + R"({"id": "arc", "kind": "arc", "center": "O", "points": ["A", "B"]},
+            {"id": "up", "kind": "line", "points": [")" +
+               (is_ring ? "C" : "O") + R"(", "B"]},
+            {"id": "right", "kind": "line", "points": [")" +
+               (is_ring ? "D" : "O") + R"(", "A"]}],
+            "regions": [{"id": "r", "at": [1.3, 1.3], "material": "m", "thickness": 1}]})";
+    };
+    struct Asked {
+        const char* mesh;
+        bool is_ring;
+    };
+    for (const Asked& asked : {Asked{R"("method": "sweep", "element": "Q8")", true},
+                               {R"("method": "sweep", "element": "T6")", true},
+                               {R"("method": "mapped", "element": "Q9")", true},
+                               {R"("method": "front")", true},
+                               {R"("method": "quadtree")", true},
+                               {R"("method": "quads", "element": "Q8")", true},
+                               {R"("method": "trilateral", "corners": ["O", "A", "B"], "element": "T6")", false},
+                               {R"("method": "trilateral", "corners": ["O", "A", "B"], "element": "Q8")", false},
+                               {R"("method": "front")", false},
+                               {R"("method": "quadtree")", false}}) {
+        CAPTURE(asked.mesh);
+        CAPTURE(asked.is_ring);
+        const Meshed meshed(quarter(asked.mesh, asked.is_ring));
+        REQUIRE(meshed.mesh.is_sound());
+        CHECK(meshed.area() == Approx(0.25 * std::numbers::pi * (asked.is_ring ? 8.0 : 9.0)).epsilon(1e-4));
+        CHECK(mesh_quality(meshed.model()).min_angle >= 15.0);
+    }
+}
+
+TEST_CASE(
+    "Sides of a trilateral region without divisions take those of the others, and of quadrilaterals an even number")
+{
+    const std::string asked = R"({"method": "trilateral", "corners": ["A", "B", "C"], "size": 0.4)";
+    const Meshed usual(RectangleText{.mesh = asked + R"(, "element": "T3"})"}.text());
+    CHECK(usual.n_along(0) == 15); // C to D to A, 6 long, has the most
+    CHECK(usual.n_along(1) == 15);
+    CHECK(usual.model().elements.size() == 15 * 15);
+    const Meshed even(RectangleText{.mesh = asked + R"(, "element": "Q4"})"}.text());
+    CHECK(even.n_along(0) == 16);
+    CHECK(even.model().elements.size() == 3 * 8 * 8);
+    const Meshed divided(RectangleText{.mesh = asked + R"(, "element": "T6"})", .right = R"(, "divide": 4)"}.text());
+    CHECK(divided.n_along(0) == 4);
+    CHECK(divided.n_along(2) + divided.n_along(3) == 4);
 }
 
 TEST_CASE("A line that runs through a hole and past the plate holds what it meets, and its fields run along all of it")

@@ -2,10 +2,12 @@
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
 #include "tests/topology/meshing/mesh_figures.h"
+#include "topology/meshing/row_mesher.h"
 
 using namespace topology;
 using doctest::Approx;
@@ -101,5 +103,60 @@ TEST_SUITE("mapped meshes")
         const auto first = cells[0].nodes();
         CHECK(triangles(cells, Diagonal::Right, mapped.nodes)[0] == Cell(first[0], first[1], first[2]));
         CHECK(triangles(cells, Diagonal::Left, mapped.nodes)[0] == Cell(first[0], first[1], first[3]));
+    }
+
+    TEST_CASE("A straight side that is swept makes the bilinear map's nodes")
+    {
+        Mapped mapped = quadrilateral({{{0.0, 0.0}, {7.0, 1.0}, {6.0, 5.0}, {-1.0, 3.0}}}, 5, 3), swept = mapped;
+        mapped_nodes(mapped.sides, mapped.nodes);
+        swept_nodes(swept.sides, swept.nodes);
+        REQUIRE(swept.nodes.size() == mapped.nodes.size());
+        for (std::size_t i = 0; i < swept.nodes.size(); ++i) CHECK(distance(swept.nodes[i], mapped.nodes[i]) < 1e-13);
+    }
+
+    TEST_CASE(
+        "A bent side that is swept around a quarter of a ring stays the same line on every ray, which no map does")
+    {
+        // the source at angle 0, bent by h sin(pi s) to one side, and the target, the same line on the other ray
+        constexpr double quarter = 0.5 * std::numbers::pi, h = 0.3, r = 2.0;
+        const auto bent = [&](double share, double angle) {
+            const double x = r + share, y = h * std::sin(std::numbers::pi * share);
+            return FlatPoint{x * std::cos(angle) - y * std::sin(angle), x * std::sin(angle) + y * std::cos(angle)};
+        };
+        const auto arc = [&](double radius, double angle) {
+            return FlatPoint{radius * std::cos(angle), radius * std::sin(angle)};
+        };
+        Mapped swept;
+        const CellNode a = swept.add(bent(0.0, 0.0)), b = swept.add(bent(1.0, 0.0)), c = swept.add(bent(1.0, quarter)),
+                       d = swept.add(bent(0.0, quarter));
+        swept.side(0, a, b, 4, [&](double share) { return bent(share, 0.0); });
+        swept.side(1, b, c, 6, [&](double share) { return arc(r + 1.0, share * quarter); });
+        swept.side(2, c, d, 4, [&](double share) { return bent(1.0 - share, quarter); });
+        swept.side(3, d, a, 6, [&](double share) { return arc(r, (1.0 - share) * quarter); });
+        Mapped mapped = swept;
+        const auto rows = swept_nodes(swept.sides, swept.nodes);
+        mapped_nodes(mapped.sides, mapped.nodes);
+        double farthest = 0.0;
+        for (std::size_t j = 0; j < rows.size(); ++j)
+            for (std::size_t i = 0; i < rows[j].size(); ++i) {
+                const FlatPoint wanted = bent(static_cast<double>(i) / 4.0, static_cast<double>(j) / 6.0 * quarter);
+                CHECK(distance(swept.nodes[rows[j][i]], wanted) < 1e-12);
+                farthest = std::max(farthest, distance(mapped.nodes[rows[j][i]], wanted));
+            }
+        CHECK(farthest > 0.01);
+    }
+
+    TEST_CASE("A mapped mesh is laid row by row")
+    {
+        Mapped mapped = quadrilateral({{{0.0, 0.0}, {7.0, 1.0}, {6.0, 5.0}, {-1.0, 3.0}}}, 5, 3);
+        const auto cells = quadrilaterals(mapped_nodes(mapped.sides, mapped.nodes));
+        RowMesher mesher(mapped.nodes, in_rows(cells, 5));
+        for (std::size_t n = 1; n <= 3; ++n) {
+            CHECK(mesher.next() == MeshStep::Row);
+            CHECK(mesher.mesh().cells.size() == 5 * n);
+            CHECK(mesher.marks().cells.size() == 5);
+        }
+        CHECK(mesher.next() == MeshStep::Done);
+        CHECK(mesher.mesh().cells == cells);
     }
 }

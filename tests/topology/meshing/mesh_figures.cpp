@@ -6,6 +6,9 @@
 #include <cmath>
 #include <map>
 #include <numbers>
+#include <random>
+
+#include "topology/geometry/predicates.h"
 
 using namespace topology;
 
@@ -34,6 +37,19 @@ MeshDomain square_with_hole(std::size_t n_parts, double radius)
         domain.nodes.push_back({0.5 + radius * std::cos(angle), 0.5 + radius * std::sin(angle)});
     }
     return domain;
+}
+
+MeshDomain random_star(std::mt19937& random)
+{
+    std::uniform_int_distribution<int> count(3, 60);
+    std::uniform_real_distribution<double> reach(0.05, 1.0);
+    const int n = count(random);
+    std::vector<FlatPoint> places;
+    for (int i = 0; i < n; ++i) {
+        const double angle = 2.0 * std::numbers::pi * i / n, r = reach(random);
+        places.push_back({r * std::cos(angle), r * std::sin(angle)});
+    }
+    return polygon(places);
 }
 
 double area(const CellMesh& mesh)
@@ -81,4 +97,18 @@ void check_edges(const MeshDomain& domain, const CellMesh& mesh)
     CHECK(is_matched);
     for (const auto& [edge, n] : outline) CHECK(count.contains(edge));
     for (const auto& [a, b] : domain.segments) CHECK(count.contains({a, b}));
+}
+
+void check_triangles(const MeshDomain& domain, const CellMesh& mesh)
+{
+    std::size_t n_boundary = 0;
+    for (const auto& loop : domain.loops) n_boundary += loop.size();
+    const std::size_t n_holes = domain.loops.size() - 1;
+    CHECK(mesh.cells.size() == 2 * mesh.nodes.size() - n_boundary - 2 + 2 * n_holes);
+    CHECK(area(mesh) == doctest::Approx(domain.area()).epsilon(1e-12));
+    const bool has_area = std::all_of(mesh.cells.begin(), mesh.cells.end(), [&](const Cell& cell) {
+        return orientation(mesh.nodes[cell.nodes()[0]], mesh.nodes[cell.nodes()[1]], mesh.nodes[cell.nodes()[2]]) > 0.0;
+    });
+    CHECK(has_area);
+    check_edges(domain, mesh);
 }

@@ -1,0 +1,13 @@
+#include "topology/meshing/mesher.h"
+
+namespace topology {
+
+CellMesh Mesher::run(const std::function<bool()>& is_cancelled)
+{
+    constexpr std::size_t between_looks = 256;
+    for (std::size_t i = 0; next() != Step::Done; ++i)
+        if (i % between_looks == 0 && is_cancelled && is_cancelled()) break;
+    return mesh();
+}
+
+} // namespace topology
