@@ -4,6 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include "topology/geometry/predicates.h"
+
 namespace topology {
 
 namespace {
@@ -17,12 +19,13 @@ FlatBox box_of_nodes(const MeshDomain& domain)
     return box;
 }
 
-/// The squared sine of the smallest angle of a triangle; negative where it runs clockwise.
+/// The squared sine of the smallest angle of a triangle; negative where it runs clockwise, or two
+/// corners are one place.
 double smallest_sine(const FlatPoint& a, const FlatPoint& b, const FlatPoint& c)
 {
     const double ab = dot(b - a, b - a), bc = dot(c - b, c - b), ca = dot(a - c, a - c);
-    const double area = turn(a, b, c), least = std::min({ab, bc, ca});
-    return area * std::abs(area) * least / (ab * bc * ca);
+    const double area = orientation(a, b, c), least = std::min({ab, bc, ca}); // its sign is exact
+    return least > 0.0 ? area * std::abs(area) * least / (ab * bc * ca) : -1.0;
 }
 
 /// Of a chain of edges none may lead back to where it starts, or along another one.
