@@ -4,6 +4,8 @@
 #include <cmath>
 #include <functional>
 
+#include "ui/paint/wrapped_lines.h"
+
 namespace plane {
 
 namespace {
@@ -11,6 +13,7 @@ namespace {
 namespace fp = femoop::plane;
 using ui::Point;
 using ui::Role;
+using ui::translatable;
 
 constexpr double panel_height = 210.0, narrowest_panel = 380.0, words_share = 0.34; // [px]
 
@@ -109,6 +112,7 @@ public:
 
     void draw(std::size_t n)
     {
+        if (picture_.hindrance) return write_hindrance(n);
         const double words = words_share * box_.width(), plot = 0.5 * (box_.width() - words);
         write_words(n);
         const double top = box_.min.y + 2.4 * theme_.type().small;
@@ -130,6 +134,40 @@ private:
         return "(" + number(at.x()) + comma + number(at.y()) + ")";
     }
 
+    void write_hindrance(std::size_t n)
+    {
+        ui::TextStyle title = theme_.text(Role::Label, ui::Anchor::TopLeft);
+        title.weight = ui::Weight::Bold;
+        const Point at = box_.min + Point{14.0, 4.0};
+        painter_.text(at, options_.tr("Cut {n}", {{"n", std::to_string(n)}}), title);
+        painter_.text(at + Point{0.0, 1.5 * title.size}, options_.tr(*picture_.hindrance),
+                      small_words(theme_, Role::Label, ui::Anchor::TopLeft));
+    }
+
+    /// What the stresses miss, and what equilibrium gives, as wide as the words are.
+    double write_warning(double left, double y, ui::TextStyle style)
+    {
+        const ui::Catalogue& tr = options_.tr;
+        const fp::CutForces& by = picture_.warning->balanced;
+        const double size = force_size();
+        style.color = theme_.stroke(Role::Error).color;
+        const std::string percent = ui::number_text(100.0 * picture_.warning->missed,
+                                                    {.digits = 2, .mark = options_.numbers.mark});
+        const std::string what = tr("misses equilibrium by {missed} %; digits that hold: {digits}",
+                                    {{"missed", percent}, {"digits", std::to_string(picture_.warning->digits)}});
+        const std::string right = tr("by equilibrium N = {N}, V = {V}, M = {M}",
+                                     {{"N", text(rounded(by.N, size), ui::Measure::Force)},
+                                      {"V", text(rounded(by.V, size), ui::Measure::Force)},
+                                      {"M", text(rounded(by.M, size * picture_.cut.length()), ui::Measure::Moment)}});
+        const double width = words_share * box_.width() - 18.0;
+        for (const std::string& sentence : {what, right})
+            for (const std::string& line : ui::wrapped_lines(painter_.fonts(), sentence, style, width)) {
+                painter_.text({left, y}, line, style);
+                y += 1.3 * style.size;
+            }
+        return y;
+    }
+
     void write_words(std::size_t n)
     {
         const ui::Catalogue& tr = options_.tr;
@@ -148,7 +186,8 @@ private:
         write("V = " + text(rounded(picture_.forces.V, force_size()), ui::Measure::Force), line);
         write("M = " + text(rounded(picture_.forces.M, force_size() * picture_.cut.length()), ui::Measure::Moment),
               line);
-        y += 0.5 * line.size;
+        if (picture_.warning) y = write_warning(left, y + 0.3 * line.size, line);
+        y += (picture_.warning ? 0.3 : 0.5) * line.size;
         draw_key(left, y, line);
     }
 
@@ -178,6 +217,7 @@ private:
         y += 1.4 * style.size;
         painter_.line({left, y + half}, {left + length, y + half}, of_theory());
         painter_.text({left + length + 6.0, y}, tr("beam theory"), style);
+        if (picture_.warning) return; // which took the room
         y += 1.4 * style.size;
         painter_.text({left + length + 6.0, y}, "N/A − My/I,  VQ/(It)", style);
     }
@@ -221,10 +261,17 @@ private:
 
 CutPicture cut_picture(const fp::PlaneResults& results, const fp::PlaneCase& result, const fp::Cut& cut)
 {
-    return {.cut = cut,
-            .forces = result.forces(cut),
-            .stations = result.stations(cut),
-            .theory = fp::beam_theory(results, result, cut)};
+    if (results.model().analysis == femoop::StressState::Axisymmetric)
+        return {.cut = cut, .hindrance = translatable("a body of revolution has no N, V and M on a cut")};
+    CutPicture picture{.cut = cut, .stations = result.stations(cut)};
+    if (picture.stations.empty()) {
+        picture.hindrance = translatable("the cut meets no material");
+        return picture;
+    }
+    picture.forces = result.forces(cut);
+    picture.theory = fp::beam_theory(results, result, cut);
+    picture.warning = fp::cut_warning(results, result, cut);
+    return picture;
 }
 
 void draw_cut(const PlateScene& scene, const fp::Cut& cut, std::size_t n)

@@ -1,9 +1,12 @@
 #pragma once
 
+#include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "apps/plane/view/plate_scene.h"
+#include "femoop/plane/result/cut_balance.h"
 #include "femoop/plane/result/cut_theory.h"
 
 namespace plane {
@@ -12,8 +15,11 @@ namespace plane {
 struct CutPicture {
     femoop::plane::Cut cut;
     femoop::plane::CutForces forces;
-    std::vector<femoop::plane::CutStation> stations;
+    std::vector<femoop::plane::CutStation> stations; ///< none where it meets no material
     femoop::plane::CutTheory theory;
+    std::optional<femoop::plane::CutWarning> warning{}; ///< where its stresses do not balance what lies beyond it
+    /// In English, to be translated: why it tells nothing; it meets no material, or the body is one of revolution.
+    std::optional<std::string_view> hindrance{};
 };
 CutPicture cut_picture(const femoop::plane::PlaneResults& results, const femoop::plane::PlaneCase& result,
                        const femoop::plane::Cut& cut);

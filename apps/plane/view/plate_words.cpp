@@ -214,9 +214,25 @@ private:
                   {"element", mesh_->elements[static_cast<std::size_t>(worst - errors.begin())].id}}));
     }
 
+    void write_cut_warning(const fp::CutWarning& warning, double size, const fp::Cut& cut)
+    {
+        const auto nothing = [](double v, double beside) { return std::abs(v) < 1e-9 * beside ? 0.0 : v; };
+        const fp::CutForces& by = warning.balanced;
+        const std::string percent = ui::number_text(100.0 * warning.missed,
+                                                    {.digits = 2, .mark = options_.numbers.mark});
+        line(tr_("misses equilibrium by {missed} %; digits that hold: {digits}",
+                 {{"missed", percent}, {"digits", std::to_string(warning.digits)}}));
+        line(tr_("by equilibrium N = {N}, V = {V}, M = {M}",
+                 {{"N", value(nothing(by.N, size), ui::Measure::Force)},
+                  {"V", value(nothing(by.V, size), ui::Measure::Force)},
+                  {"M", value(nothing(by.M, size * cut.length()), ui::Measure::Moment)}}));
+    }
+
     void write_cut(std::size_t n, const fp::Cut& cut)
     {
         const CutPicture picture = cut_picture(*input_.results, *result_, cut);
+        if (picture.hindrance)
+            return line(tr_("cut {n}: {reason}", {{"n", std::to_string(n)}, {"reason", tr_(*picture.hindrance)}}));
         const auto nothing = [](double v, double beside) { return std::abs(v) < 1e-9 * beside ? 0.0 : v; };
         const double size = std::max(
             {std::abs(picture.forces.N), std::abs(picture.forces.V), std::abs(picture.forces.M) / cut.length()});
@@ -227,6 +243,7 @@ private:
                   {"N", value(nothing(picture.forces.N, size), ui::Measure::Force)},
                   {"V", value(nothing(picture.forces.V, size), ui::Measure::Force)},
                   {"M", value(nothing(picture.forces.M, size * cut.length()), ui::Measure::Moment)}}));
+        if (picture.warning) write_cut_warning(*picture.warning, size, cut);
         double sigma = 0.0, tau = 0.0, beam_sigma = 0.0, beam_tau = 0.0;
         for (const fp::CutStation& station : picture.stations) {
             sigma = std::max(sigma, std::abs(station.sx));

@@ -11,6 +11,7 @@
 #include "femoop/io/plane/plane_output.h"
 #include "femoop/plane/analysis/result_reader.h"
 #include "femoop/plane/mesh/mesh_quality.h"
+#include "femoop/plane/result/cut_balance.h"
 
 namespace femoop::plane {
 
@@ -175,6 +176,10 @@ private:
             for (const Eigen::Vector2d& end : {cut.start, cut.end})
                 json_.begin_array().value(end.x()).value(end.y()).end();
             json_.end().member("N", forces.N).member("V", forces.V).member("M", forces.M);
+            if (const auto balance = cut_balance(results_, result, cut)) {
+                const CutForces by = balance->mean();
+                json_.key("balance").begin_object().member("N", by.N).member("V", by.V).member("M", by.M).end();
+            }
             json_.key("stations").begin_array(Layout::Block);
             for (const CutStation& station : result.stations(cut)) {
                 json_.begin_object().member("s", station.s);

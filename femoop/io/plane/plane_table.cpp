@@ -10,6 +10,7 @@
 #include "femoop/model/quantity/unit_signs.h"
 #include "femoop/plane/analysis/result_reader.h"
 #include "femoop/plane/mesh/mesh_quality.h"
+#include "femoop/plane/result/cut_balance.h"
 #include "femoop/result/magnitudes.h"
 #include "femoop/tabular/plain_text.h"
 #include "femoop/tabular/table.h"
@@ -61,6 +62,7 @@ public:
         text += titled(tr_("Extreme stresses of the regions (smoothed, tension positive)"), extremes(), tr_);
         text += titled(tr_("At the places asked for"), probes(selection.probes), tr_);
         text += titled(tr_("On the cuts (N positive in tension; V = dM/dx')"), cuts(selection.cuts), tr_);
+        text += cut_warnings(selection.cuts);
         text += titled(tr_("Equilibrium (moments about the origin)"), equilibrium(), tr_);
         const std::string energy = number_text(six_digits(result_.energy())),
                           error = number_text(six_digits(100.0 * result_.error_estimate()));
@@ -188,6 +190,29 @@ private:
                            without_rounding(forces.V, size), without_rounding(forces.M, size * cut.length())});
         }
         return table;
+    }
+
+    /// What is to be said of cuts whose stresses do not balance what lies beyond them.
+    std::string cut_warnings(const std::vector<Cut>& all) const
+    {
+        std::string text;
+        for (std::size_t i = 0; i < all.size(); ++i) {
+            const auto warning = cut_warning(results_, result_, all[i]);
+            if (!warning) continue;
+            const CutForces& by = warning->balanced;
+            const double size = std::abs(by.N) + std::abs(by.V) + std::abs(by.M) / all[i].length();
+            const auto value = [&](double v, double beside) {
+                return number_text(six_digits(without_rounding(v, beside)));
+            };
+            text += "  " +
+                    fill(tr_("cut {0}: the stresses of the elements miss equilibrium by {1} % (digits that hold: {2}); "
+                             "what lies beyond the cut gives N = {3}, V = {4}, M = {5}"),
+                         {std::to_string(i + 1), number_text(six_digits(100.0 * warning->missed)),
+                          std::to_string(warning->digits), value(by.N, size), value(by.V, size),
+                          value(by.M, size * all[i].length())}) +
+                    "\n";
+        }
+        return text;
     }
 
     tabular::Table equilibrium() const

@@ -329,6 +329,24 @@ Eigen::Vector3d PlaneCase::stress_on(const Cut& cut, const CutPiece& piece, doub
     return {n.dot(S * n), t.dot(S * t), t.dot(S * n)};
 }
 
+std::vector<Eigen::Vector2d> PlaneCase::node_forces(ElementId id) const
+{
+    const ContinuumElement& element = structure_->element(id);
+    ElementMatrix K;
+    element.stiffness(K);
+    ElementVector sum = K * field(id).node_displacements();
+    for (const auto& [load_case, factor] : terms_.terms)
+        for (const CaseLoads::OnElement& on : solution_->loads[load_case].elements) {
+            if (on.element != id.index) continue;
+            ElementVector f;
+            element.equivalent_forces(on.loads(), f);
+            sum -= factor * f;
+        }
+    std::vector<Eigen::Vector2d> forces;
+    for (Eigen::Index i = 0; i + 1 < sum.size(); i += 2) forces.emplace_back(sum[i], sum[i + 1]);
+    return forces;
+}
+
 CutForces PlaneCase::forces(const Cut& cut) const
 {
     static const IntegrationRule rule = gauss_line(points_of_piece);

@@ -76,6 +76,8 @@ public:
     /// recovered stresses of the whole body; their squares sum to that of the estimate.
     std::vector<double> element_errors() const;
 
+    /// Of the nodes on an element, K u less what replaces the loads on it; in the order of its points.
+    std::vector<Eigen::Vector2d> node_forces(ElementId element) const;
     CutForces forces(const Cut& cut) const;
     std::vector<CutStation> stations(const Cut& cut) const;
 
