@@ -87,14 +87,15 @@ bool needs_precision(const detail::Solution& solution)
 
 std::vector<Fault> inaccurate_cases(const detail::Solution& solution, LeastForce least)
 {
-    return worse_than(doubtful, shown(least), FaultKind::InaccurateCase, solution);
+    const FaultKind kind = least == LeastForce::OfBodies ? FaultKind::InaccurateBody : FaultKind::InaccurateCase;
+    return worse_than(doubtful, shown(least), kind, solution);
 }
 
 std::vector<Fault> ill_conditioned_cases(const detail::Solution& solution, LeastForce least)
 {
-    const auto unbalanced = worse_than(no_digit, shown(least), FaultKind::IllConditionedCase, solution);
-    if (least == LeastForce::OfBodies && !unbalanced.empty()) return unbalanced;
-    return worse_than(useless, imbalance, FaultKind::IllConditionedCase, solution);
+    if (least == LeastForce::OfMembers) return worse_than(useless, imbalance, FaultKind::IllConditionedCase, solution);
+    const auto unbalanced = worse_than(no_digit, shown(least), FaultKind::IllConditionedBody, solution);
+    return unbalanced.empty() ? worse_than(useless, imbalance, FaultKind::IllConditionedBody, solution) : unbalanced;
 }
 
 std::vector<Fault> unsolved_cases(const detail::Solution& solution)

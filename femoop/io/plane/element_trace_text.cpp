@@ -1,5 +1,7 @@
 #include "femoop/io/plane/element_trace_output.h"
 #include "femoop/io/results/matrix_table.h"
+#include "femoop/model/fault/fault.h"
+#include "femoop/model/quantity/number_text.h"
 #include "femoop/model/quantity/six_digits.h"
 #include "femoop/tabular/plain_text.h"
 

@@ -350,6 +350,8 @@ enum class FaultKind : std::uint16_t {
     // how well the analysis could solve it
     InaccurateCase,     ///< {0} case, {1} how many digits hold
     IllConditionedCase, ///< {0} case
+    InaccurateBody,     ///< the same of plates and bodies
+    IllConditionedBody,
 };
 
 } // namespace femoop

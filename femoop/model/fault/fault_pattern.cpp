@@ -79,6 +79,13 @@ std::string_view pattern(FaultKind kind)
         return "case {0} cannot be solved: the structure holds, but is too ill-conditioned for its forces to balance, "
                "even with 32 digits; use fewer members in a row, or members of more alike lengths and stiffnesses";
 
+    case FaultKind::InaccurateBody:
+        return "case {0}: loads and reactions balance to {1} digits only, and no more of any result is sure; slender "
+               "parts and elements that are very flat or of very unlike sizes bring that: make them less so";
+    case FaultKind::IllConditionedBody:
+        return "case {0} cannot be solved: the body is held, but too slender or its elements too flat for its forces to "
+               "balance in 16 digits; use elements that are less flat, or a frame in place of a slender plate";
+
     case FaultKind::FileUnreadable: return "cannot read {0}: {1}; check the name and that you may read it";
     case FaultKind::FileUnwritable: return "cannot write {0}: {1}; choose another folder or name";
     case FaultKind::FileEmpty:
@@ -591,6 +598,7 @@ Severity severity(FaultKind kind)
     case FaultKind::NearlySingular:
     case FaultKind::HugeDisplacement:
     case FaultKind::InaccurateCase:
+    case FaultKind::InaccurateBody:
     case FaultKind::IyzLeftOut:
     case FaultKind::OneWayMember:
     case FaultKind::BarLoadedBetweenNodes:

@@ -108,7 +108,7 @@ std::vector<Fault> all_ill_conditioned(const PlaneModel& model)
 {
     std::vector<Fault> faults;
     for (const PlaneLoadCase& load_case : model.load_cases)
-        faults.push_back({.kind = FaultKind::IllConditionedCase, .arguments = {load_case.id}});
+        faults.push_back({.kind = FaultKind::IllConditionedBody, .arguments = {load_case.id}});
     return faults;
 }
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
 #include <numbers>
 #include <numeric>
@@ -48,6 +49,47 @@ public:
 
 private:
     std::vector<std::size_t> root_;
+};
+
+/// Numbers that are equal where elements that follow one another are one that is moved along, to the digits that their
+/// coordinates have: mapped meshes repeat themselves. 0 around an axis, where the radius counts.
+class StiffnessRuns {
+public:
+    StiffnessRuns(std::span<const Eigen::Vector2d> positions, StressState analysis)
+        : positions_(positions), is_of_revolution_(analysis == StressState::Axisymmetric)
+    {
+        constexpr double digits = 4.0 * std::numeric_limits<double>::epsilon();
+        for (const Eigen::Vector2d& at : positions)
+            negligible_ = std::max(negligible_, digits * at.cwiseAbs().maxCoeff());
+    }
+
+    std::uint32_t next(const ContinuumFormulation& formulation, const std::vector<NodeId>& nodes)
+    {
+        if (is_of_revolution_) return 0;
+        if (run_ == 0 || &formulation != formulation_ || !is_moved_along(nodes)) {
+            ++run_;
+            formulation_ = &formulation;
+            first_ = nodes;
+        }
+        return run_;
+    }
+
+private:
+    bool is_moved_along(const std::vector<NodeId>& nodes) const
+    {
+        const Eigen::Vector2d by = at(nodes[0]) - at(first_[0]);
+        for (std::size_t i = 1; i < nodes.size(); ++i)
+            if (!((at(nodes[i]) - at(first_[i]) - by).cwiseAbs().maxCoeff() <= negligible_)) return false;
+        return true;
+    }
+    const Eigen::Vector2d& at(NodeId node) const { return positions_[node.index]; }
+
+    std::span<const Eigen::Vector2d> positions_;
+    bool is_of_revolution_;
+    double negligible_ = 0.0;
+    std::uint32_t run_ = 0;
+    const ContinuumFormulation* formulation_ = nullptr; ///< of the run's first element, with its nodes
+    std::vector<NodeId> first_;
 };
 
 } // namespace
@@ -128,6 +170,7 @@ void PlaneStructure::add_materials()
 void PlaneStructure::add_elements()
 {
     std::map<std::pair<std::uint32_t, ShapeKind>, const ContinuumFormulation*> known;
+    StiffnessRuns runs(positions_, model_.analysis);
     elements_.reserve(model_.elements.size());
     for (const PlaneElement& element : model_.elements) {
         const ContinuumFormulation*& formulation = known[{element.region.index, element.kind}];
@@ -138,7 +181,8 @@ void PlaneStructure::add_elements()
                 *materials_[element.region.index], model_.thickness(element.region), variant_of(chosen)));
             formulation = formulations_.back().get();
         }
-        elements_.push_back(make_continuum_element(*formulation, element.points, positions_));
+        const std::uint32_t run = runs.next(*formulation, element.points);
+        elements_.push_back(make_continuum_element(*formulation, element.points, positions_, run));
     }
 }
 

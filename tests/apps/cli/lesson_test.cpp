@@ -31,6 +31,10 @@ constexpr const char* the_front_walks = "courseware/02-the-front-walks.md";
 constexpr const char* influence_lines = "courseware/03-influence-lines.md";
 constexpr const char* a_truss_by_three_methods = "courseware/04-a-truss-by-three-methods.md";
 
+constexpr const char* where_beam_theory_ends = "courseware/05-where-beam-theory-ends.md";
+constexpr const char* a_hole = "courseware/06-a-hole.md";
+constexpr const char* why_q4_locks = "courseware/07-why-q4-locks.md";
+
 /// The files that a page shows as ![..](pictures/FILE).
 std::set<std::string> shown_pictures(const std::string& page)
 {
@@ -89,6 +93,13 @@ TEST_CASE("Every command of the lesson on a truss runs, prints what it shows and
     check_lesson(a_truss_by_three_methods, 12, {"cremona_diagram.png"});
 }
 
+TEST_CASE("Every command of the lessons on plates runs, prints what it shows and draws its picture")
+{
+    check_lesson(where_beam_theory_ends, 9, {"beam_cut.png"});
+    check_lesson(a_hole, 7, {"hole.png"});
+    check_lesson(why_q4_locks, 8, {"q4_bent.png"});
+}
+
 TEST_CASE("Every lesson that shows commands is run here")
 {
     std::set<std::string> with_commands;
@@ -97,7 +108,8 @@ TEST_CASE("Every lesson that shows commands is run here")
         const bool is_lesson = entry.path().extension() == ".md" && name.find_first_of("0123456789") == 0;
         if (is_lesson && has(text_of(entry.path()), "```console")) with_commands.insert("courseware/" + name);
     }
-    CHECK(with_commands == std::set<std::string>{the_front_walks, influence_lines, a_truss_by_three_methods});
+    CHECK(with_commands == std::set<std::string>{the_front_walks, influence_lines, a_truss_by_three_methods,
+                                                 where_beam_theory_ends, a_hole, why_q4_locks});
 }
 
 TEST_CASE("The table of operations of the lesson on the front is that of frames of k columns and k storeys")

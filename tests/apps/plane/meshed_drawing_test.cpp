@@ -276,7 +276,7 @@ TEST_CASE("A slender plate that is held is no mechanism: it bends as a beam, and
     const double beam = 4.0 * 0.05 * 0.01 * 1e6 / (2e11 * 0.01 * std::pow(0.05, 3)); // 4 P L^3 / (E b h^3)
     CHECK(results[CaseId(0)].displacement(NodeId(1U)).y() == Approx(beam).epsilon(0.005));
     REQUIRE(results.warnings().size() == 1);
-    CHECK(results.warnings().front().kind == FaultKind::InaccurateCase);
+    CHECK(results.warnings().front().kind == FaultKind::InaccurateBody);
     const Meshed too_slender(strip("0.005"));
     try {
         analyse(too_slender.model());
@@ -284,7 +284,7 @@ TEST_CASE("A slender plate that is held is no mechanism: it bends as a beam, and
     } catch (const femoop::MechanismError&) {
         FAIL("it is held");
     } catch (const femoop::ModelError& refusal) {
-        CHECK(refusal.faults().front().kind == FaultKind::IllConditionedCase);
+        CHECK(refusal.faults().front().kind == FaultKind::IllConditionedBody);
     }
 }
 

@@ -267,7 +267,8 @@ TEST_CASE("Every kind of fault has a file that shows it")
          {FaultKind::FileUnreadable, FaultKind::FileUnwritable, FaultKind::DanglingReference, FaultKind::NotFinite,
           FaultKind::RepeatedComponent, FaultKind::ZeroLength, FaultKind::OffsetSize, FaultKind::UpSize,
           FaultKind::CoincidentNodes, FaultKind::LoadedNodeWithoutMembers, FaultKind::MoreCrossings,
-          FaultKind::InaccurateCase, FaultKind::IllConditionedCase})
+          FaultKind::InaccurateCase, FaultKind::IllConditionedCase, FaultKind::InaccurateBody,
+          FaultKind::IllConditionedBody})
         shown.insert(kind);
     // What moment distribution cannot do is shown by its own tests.
     for (auto kind = static_cast<int>(FaultKind::CrossNeedsPlaneFrame);

@@ -8,6 +8,7 @@
 #include "femoop/analysis/mechanism.h"
 #include "femoop/io/plane/plane_file.h"
 #include "femoop/plane/analysis/plane_analysis.h"
+#include "femoop/plane/analysis/plane_structure.h"
 #include "femoop/plane/analysis/result_reader.h"
 #include "tests/femoop/plane/plane_text.h"
 
@@ -386,4 +387,29 @@ TEST_CASE("A shape that no integration point feels is refused and named")
         .elements =
             R"([{"id": "1", "kind": "Q8", "points": ["A", "B", "C", "D", "ab", "bc", "cd", "da"], "region": "web"}])"};
     CHECK(refusal(alone).find("elements in web deform so that no integration point feels it") != std::string::npos);
+}
+
+TEST_CASE("Elements that are one moved along share their stiffness, but not around an axis")
+{
+    const auto groups = [](const std::string& analysis, const std::string& thickness) {
+        const PlaneModel model =
+            examine_plane_model(
+                R"({"cremona": 1, "analysis": ")" + analysis +
+                R"(", "units": {"length": "m", "force": "N"}, "materials": [{"id": "m", "E": 1, "nu": 0.3}],
+            "points": [{"id": "A", "at": [0.1, 0]}, {"id": "B", "at": [0.4, 0]}, {"id": "C", "at": [0.7, 0]},
+                       {"id": "D", "at": [1.2, 0]}, {"id": "a", "at": [0.1, 0.3]}, {"id": "b", "at": [0.4, 0.3]},
+                       {"id": "c", "at": [0.7, 0.3]}, {"id": "d", "at": [1.2, 0.3]}],
+            "elements": [{"id": "1", "kind": "Q4", "points": ["A", "B", "b", "a"], "region": "r"},
+                         {"id": "2", "kind": "Q4", "points": ["B", "C", "c", "b"], "region": "r"},
+                         {"id": "3", "kind": "Q4", "points": ["C", "D", "d", "c"], "region": "r"}],
+            "regions": [{"id": "r", "material": "m")" +
+                thickness + R"(}], "load_cases": []})")
+                .model;
+        const PlaneStructure structure(model);
+        std::vector<std::uint32_t> found;
+        for (std::size_t e = 0; e < 3; ++e) found.push_back(structure.element(ElementId(e)).stiffness_group());
+        return found;
+    };
+    CHECK(groups("plane_stress", R"(, "thickness": 1)") == std::vector<std::uint32_t>{1, 1, 2});
+    CHECK(groups("axisymmetric", "") == std::vector<std::uint32_t>{0, 0, 0});
 }
