@@ -28,6 +28,7 @@ constexpr std::array table_entries{
     TableEntry{TableKind::Regions, "table.regions", translatable("Regions")},
     TableEntry{TableKind::Materials, "table.materials", translatable("Materials")},
     TableEntry{TableKind::Cases, "table.cases", translatable("Load cases")},
+    TableEntry{TableKind::Reactions, "table.reactions", translatable("Reactions")},
 };
 
 void add_tables(CommandTable& table)
@@ -41,7 +42,10 @@ void add_tables(CommandTable& table)
         });
     menu.choices(
         table_entries, [](const Workspace& workspace) { return workspace.table; },
-        [](Workspace& workspace, TableKind kind) { workspace.table = kind; });
+        [](Workspace& workspace, TableKind kind) {
+            workspace.table = kind;
+            if (kind == TableKind::Reactions) workspace.session.look.reactions = true; // which finds them
+        });
 }
 
 using LookEntry = ui::Choice<bool Look::*>;
@@ -60,6 +64,7 @@ constexpr std::array results{
     LookEntry{&Look::principal, "results.principal", translatable("Principal stresses"), {{Key::K, {}}}},
     LookEntry{&Look::trajectories, "results.trajectories", translatable("Stress trajectories"), {{Key::Y, {}}}},
     LookEntry{&Look::error, "results.error", translatable("Estimated error"), {{Key::W, {}}}},
+    LookEntry{&Look::reactions, "results.reactions", translatable("Reactions"), {{Key::F, ui::shift}}},
     LookEntry{&Look::circle, "results.circle", translatable("Mohr's circle of a probe"), {{Key::Z, {}}}},
 };
 

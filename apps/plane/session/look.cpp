@@ -6,7 +6,7 @@ namespace plane {
 
 bool needs_results(const Look& look)
 {
-    return look.deformed || look.principal || look.trajectories || look.error || look.field ||
+    return look.deformed || look.principal || look.trajectories || look.error || look.reactions || look.field ||
            !look.readings.are_none();
 }
 
@@ -30,6 +30,7 @@ PlateOptions options_of(const Look& look, std::size_t load_case)
     show(look.principal, PlateShow::Principal);
     show(look.trajectories, PlateShow::Trajectories);
     show(look.error, PlateShow::Error);
+    show(look.reactions, PlateShow::Reactions);
     if (look.field) options.show.fields = {{*look.field, FieldStyle::Bands}};
     for (const FlatPoint& at : look.readings.probes) options.probes.emplace_back(at.x, at.y);
     for (const auto& [start, end] : look.readings.cuts) options.cuts.push_back({{start.x, start.y}, {end.x, end.y}});

@@ -21,6 +21,7 @@ struct Look {
     bool deformed = false;
     bool principal = false; ///< crosses of principal stresses
     bool trajectories = false;
+    bool reactions = false;                               ///< of each support, as resultants
     bool error = false;                                   ///< of each element, estimated
     std::optional<femoop::plane::PlaneComponent> field{}; ///< that bands show
     Readings readings{};                                  ///< probes and cuts

@@ -13,6 +13,7 @@
 #include "apps/plane/view/plate_scene.h"
 #include "apps/plane/view/probe_marks.h"
 #include "apps/plane/view/probe_panel.h"
+#include "apps/plane/view/reaction_marks.h"
 #include "apps/plane/view/support_marks.h"
 #include "femoop/plane/mesh/mesh_geometry.h"
 
@@ -167,6 +168,8 @@ private:
             append(line, tr("displacements × {scale}", {{"scale", ui::number_text(magnification_, options_.numbers)}}));
         if (result_ != nullptr && shows(PlateShow::Principal)) append(line, principal_note(tr));
         if (result_ != nullptr && shows(PlateShow::Trajectories)) append(line, trajectories_note(tr));
+        if (result_ != nullptr && shows(PlateShow::Reactions))
+            for (const std::string& equation : equilibrium_lines(*result_, units_)) append(line, equation);
         return line;
     }
 
@@ -244,6 +247,7 @@ private:
         if (pass == Pass::Drawn) draw_probes(scene, room_);
         if (shows(PlateShow::Supports)) draw_supports(scene);
         if (shows(PlateShow::Loads)) draw_loads(scene);
+        if (shows(PlateShow::Reactions)) draw_reactions(scene);
     }
 
     const PlateInput& input_;

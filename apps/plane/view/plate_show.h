@@ -22,6 +22,7 @@ enum class PlateShow : std::uint8_t {
     Principal,    ///< crosses of principal stresses
     Trajectories, ///< lines along the principal stresses, evenly spaced
     Error,        ///< Zienkiewicz and Zhu's error of each element
+    Reactions,    ///< resultants of the supports, and equilibrium in numbers
     Values,       ///< numbers beside loads and at extremes
     Names,        ///< of points, curves and regions
     Legend        ///< title, case, units, scales; of colours

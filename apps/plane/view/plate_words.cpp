@@ -14,6 +14,7 @@
 #include "apps/plane/view/plate_scene.h"
 #include "apps/plane/view/probe_marks.h"
 #include "apps/plane/view/probe_values.h"
+#include "apps/plane/view/reaction_marks.h"
 #include "femoop/plane/mesh/mesh_quality.h"
 
 namespace plane {
@@ -262,6 +263,18 @@ private:
                   {"beamtau", stress(beam_tau)}}));
     }
 
+    void write_reactions()
+    {
+        for (const ReactionTable::Row& row : reaction_table(*result_, units_, tr_).supports) {
+            std::vector<std::string> parts;
+            if (!row.fx.empty()) parts.push_back("Rx = " + row.fx);
+            parts.push_back("Ry = " + row.fy);
+            if (!row.mz.empty()) parts.push_back("M = " + row.mz);
+            line(tr_("reaction of {support}: {values}", {{"support", row.name}, {"values", joined(parts)}}));
+        }
+        for (const std::string& equation : equilibrium_lines(*result_, units_)) line(equation);
+    }
+
     /// What the panel of a probe says besides.
     void write_elements_at(const Eigen::Vector2d& at)
     {
@@ -286,6 +299,7 @@ private:
         }
         for (const FieldShow& show : options_.show.fields) write_field(show);
         if (shows(PlateShow::Error)) write_error();
+        if (shows(PlateShow::Reactions)) write_reactions();
         for (std::size_t i = 0; i < options_.probes.size(); ++i) {
             const Eigen::Vector2d& at = options_.probes[i];
             std::vector<std::string> state = state_lines(*input_.results, *result_, at, options_, units_);

@@ -108,6 +108,12 @@ std::string why_unsolved(const Application& application)
     return why ? ui::Catalogue()(*why) : "nothing";
 }
 
+std::string table(const Application& application)
+{
+    const auto shown = application.workspace().table;
+    return shown ? std::string(std::ranges::find(tables(), *shown, &TableEntry::value)->id) : "nothing";
+}
+
 std::string tool(const Application& application)
 {
     return std::string(std::ranges::find(tools(), application.workspace().hand.tool(), &ToolEntry::value)->id);
@@ -184,6 +190,7 @@ const ui::Facts<Application>& facts()
             {"reason", why_unsolved},
             {"probes", [](const Application& a) { return std::to_string(a.session().look.readings.probes.size()); }},
             {"cuts", [](const Application& a) { return std::to_string(a.session().look.readings.cuts.size()); }},
+            {"table", table},
             {"tool", tool},
             {"typed", [](const Application& a) { return or_nothing(a.workspace().hand.typed()); }},
         },

@@ -7,6 +7,7 @@
 
 #include "apps/plane/document/regions.h"
 #include "apps/plane/session/part_commands.h"
+#include "apps/plane/view/reaction_marks.h"
 #include "ui/widgets/command_menu.h"
 #include "ui/widgets/item_label.h"
 #include "ui/widgets/panel.h"
@@ -120,6 +121,22 @@ PartTable table_of_cases(const Session& session)
     return table;
 }
 
+TableRow row_of(const ReactionTable::Row& row)
+{
+    return {ui::Message(row.name), row.name, {}, {row.fx, row.fy, row.mz}, {}};
+}
+
+PartTable table_of_reactions(const Session& session)
+{
+    PartTable table{{"Rx", "Ry", session.tr()("M about its middle, of sums about the origin")}, {}, {}};
+    const PlateInput input = session.input();
+    if (input.result == nullptr) return table;
+    const ReactionTable all = reaction_table(*input.result, session.units(), session.tr());
+    for (const ReactionTable::Row& row : all.supports) table.rows.push_back(row_of(row));
+    for (const ReactionTable::Row& row : {all.loads, all.reactions, all.sum}) table.rows.push_back(row_of(row));
+    return table;
+}
+
 PartTable table_of(const Session& session, TableKind kind)
 {
     switch (kind) {
@@ -127,9 +144,10 @@ PartTable table_of(const Session& session, TableKind kind)
     case TableKind::Curves: return table_of_curves(session);
     case TableKind::Regions: return table_of_regions(session);
     case TableKind::Materials: return table_of_materials(session);
-    case TableKind::Cases: break;
+    case TableKind::Cases: return table_of_cases(session);
+    case TableKind::Reactions: break;
     }
-    return table_of_cases(session);
+    return table_of_reactions(session);
 }
 
 /// The heading of a column of numbers, from the first row that has one.

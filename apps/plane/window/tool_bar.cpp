@@ -65,7 +65,7 @@ void show_panel(Workspace& workspace, const CommandTable& commands)
     ImGui::TextUnformatted(workspace.tr()("Results").c_str());
     ImGui::Separator();
     for (const char* id : {"results.mesh", "results.deformed", "results.principal", "results.trajectories",
-                           "results.error", "results.circle"})
+                           "results.error", "results.reactions", "results.circle"})
         switch_box(workspace, commands, id);
     const auto field = workspace.session.look.field;
     ui::command_combo(workspace, commands, "###field", fields(),
