@@ -28,15 +28,38 @@ Analysed::Analysed(std::shared_ptr<const Solution> solution, const discretize::F
     if (mesh_ && mesh_->model().n_cases() > 0) solve();
 }
 
+void Analysed::refuse(std::vector<femoop::Fault> faults)
+{
+    results_.reset();
+    cases_.clear();
+    faults_ = std::move(faults);
+}
+
+namespace {
+
+/// Whether anything moves or carries a force.
+bool has_effect(const femoop::plane::PlaneCase& result)
+{
+    const femoop::plane::PlaneModel& mesh = result.structure().model();
+    for (std::size_t i = 0; i < mesh.points.size(); ++i)
+        if (!result.displacement(femoop::NodeId(i)).isZero(0.0) || !result.reaction(femoop::NodeId(i)).isZero(0.0))
+            return true;
+    return false;
+}
+
+} // namespace
+
 void Analysed::solve()
 {
     try {
         results_ = femoop::plane::analyse(mesh_->model());
         for (std::size_t i = 0; i < results_->n_cases(); ++i) cases_.push_back((*results_)[femoop::CaseId(i)]);
+        for (const femoop::plane::PlaneCase& one : cases_) is_loaded_.push_back(has_effect(one));
+    } catch (const femoop::MechanismError& error) {
+        mechanisms_ = error.mechanisms();
+        refuse(error.faults());
     } catch (const femoop::ModelError& error) { // what is wrong, or how the body can move
-        results_.reset();
-        cases_.clear();
-        faults_ = error.faults();
+        refuse(error.faults());
     }
 }
 

@@ -8,6 +8,7 @@
 #include "apps/plane/discretize/following_mesh.h"
 #include "apps/plane/discretize/meshed_drawing.h"
 #include "apps/plane/document/solution.h"
+#include "femoop/analysis/mechanism.h"
 #include "femoop/plane/analysis/plane_results.h"
 
 namespace plane {
@@ -30,15 +31,22 @@ public:
     const femoop::plane::PlaneCase* result(std::size_t load_case) const;
     /// Why there is no mesh, or why it cannot be solved.
     const std::vector<femoop::Fault>& faults() const { return faults_; }
+    /// Where it can move without strain: how, each with its sentence among the faults. Of the mesh's points.
+    const std::vector<femoop::Mechanism>& mechanisms() const { return mechanisms_; }
+    /// A load, heat or a settlement does something to it. \pre the case has a result
+    bool is_loaded(std::size_t load_case) const { return is_loaded_[load_case]; }
     bool was_cancelled() const { return was_cancelled_; }
 
 private:
     void solve();
+    void refuse(std::vector<femoop::Fault> faults);
 
     std::shared_ptr<const Solution> solution_;
     std::optional<discretize::MeshedDrawing> mesh_;
     std::optional<femoop::plane::PlaneResults> results_;
     std::vector<femoop::plane::PlaneCase> cases_;
+    std::vector<bool> is_loaded_; ///< of each case
+    std::vector<femoop::Mechanism> mechanisms_;
     std::vector<femoop::Fault> faults_;
     bool was_cancelled_ = false, is_following_ = false;
 };

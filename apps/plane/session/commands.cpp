@@ -85,6 +85,13 @@ void add_results(CommandTable& table)
     Menu menu(table, translatable("Results"));
     menu.choices(
         field_entries, [](auto& workspace) -> auto& { return workspace.session.look.field; });
+    menu.toggle(
+        {"results.animate", translatable("Animate"), {{Key::D, ui::shift}}},
+        [](const Workspace& workspace) { return workspace.session.is_animated; },
+        [](Workspace& workspace, bool is_on) {
+            workspace.session.is_animated = is_on;
+            if (is_on) workspace.session.look.deformed = true;
+        });
     menu.step(
         {"results.clear_readings", translatable("Take away all probes and cuts")},
         [](Workspace& workspace) { workspace.session.look.readings = {}; },

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <vector>
 
 #include "apps/plane/document/erase.h"
@@ -160,6 +161,14 @@ std::optional<Gap> told_gap(const Workspace& workspace)
 {
     if (workspace.hand.has_begun() || workspace.session.history().is_dragging()) return std::nullopt;
     return workspace.session.gap();
+}
+
+bool is_out_of_reach(const PlaneModel& model, const FlatPoint& place)
+{
+    constexpr double most = 1e6, least_width = 1.0; // [m]
+    double width = least_width / femoop::metres(model.units.length);
+    for (const auto& point : model.points) width = std::max({width, std::abs(point.at[0]), std::abs(point.at[1])});
+    return std::max(std::abs(place.x), std::abs(place.y)) > most * width;
 }
 
 void make_region_at(Workspace& workspace, const FacePlace& place)

@@ -16,6 +16,8 @@ std::optional<Gap> told_gap(const Workspace& workspace);
 void read_at(Workspace& workspace, const FlatPoint& place);
 /// A place that was typed, as if it had been clicked.
 void type_place(Workspace& workspace, const FlatPoint& place);
+/// So far off that the rest of the drawing would be one place beside it.
+bool is_out_of_reach(const PlaneModel& model, const FlatPoint& place);
 /// The face gets an entry, and is selected.
 void make_region_at(Workspace& workspace, const FacePlace& place);
 

@@ -6,6 +6,7 @@
 
 #include "apps/drawing/quantity_typed.h"
 #include "apps/plane/document/attributes.h"
+#include "apps/plane/document/erase.h"
 #include "apps/plane/document/fresh_id.h"
 #include "apps/plane/document/regions.h"
 #include "ui/scenario/words.h"
@@ -167,6 +168,21 @@ void add_load_commands(CommandTable& table)
              }});
         workspace.session.load_case = workspace.session.model().load_cases.size() - 1;
     });
+    menu.step(
+        {"case.delete", translatable("Delete the load case"), {}},
+        [](Workspace& workspace) {
+            workspace.change(
+                {translatable("Delete a load case"), [load_case = workspace.session.load_case](Document& document) {
+                     Erased erased;
+                     erased.load_cases.resize(document.model.load_cases.size());
+                     erased.load_cases[load_case] = true;
+                     erase_entries(document.model, erased);
+                 }});
+        },
+        [](const Workspace& workspace) -> Reason {
+            if (workspace.session.load_case < workspace.session.model().load_cases.size()) return std::nullopt;
+            return translatable("no load case is shown");
+        });
     menu.step({"case.next", translatable("Next load case"), {{Key::PageDown, {}}}}, [](Workspace& workspace) {
         const std::size_t n = std::max<std::size_t>(workspace.session.model().n_cases(), 1);
         workspace.session.load_case = (workspace.session.load_case + 1) % n;

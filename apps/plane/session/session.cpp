@@ -4,6 +4,7 @@
 #include <chrono>
 #include <cmath>
 #include <cstdint>
+#include <numbers>
 #include <utility>
 
 #include "apps/drawing/quantity_typed.h"
@@ -197,6 +198,8 @@ PlateInput Session::input() const
     const Analysed* const found = analysed();
     if (found == nullptr || found->mesh() == nullptr) return input;
     input.mesh = found->mesh();
+    if (needs_results(look) && !found->mechanisms().empty()) input.motion = &found->mechanisms()[mechanism()].motion;
+    if (found->result(load_case) == nullptr || !found->is_loaded(load_case)) return input;
     input.results = found->results();
     input.result = found->result(load_case);
     return input;
@@ -248,22 +251,65 @@ bool Session::follow_with_mesh()
     return true;
 }
 
+/// The first of some faults, such as the motions of a body that is not held; how they all begin is said once.
+std::string Session::told(const std::vector<Fault>& faults) const
+{
+    constexpr std::size_t most = 3;
+    const std::string first = sentence(faults.front(), model(), tr());
+    const std::string beginning = first.substr(0, first.find(": ") + 2);
+    std::string all = first;
+    for (std::size_t i = 1; i < std::min(most, faults.size()); ++i) {
+        std::string next = sentence(faults[i], model(), tr());
+        if (next.starts_with(beginning)) next.erase(0, beginning.size());
+        all += "; " + next;
+    }
+    return all;
+}
+
 std::optional<Message> Session::why_no_results() const
 {
     if (!needs_mesh(look) || history_.is_dragging()) return std::nullopt;
-    const auto said = [&](const std::vector<Fault>& faults) {
-        return Message(sentence(faults.front(), model(), tr()));
-    };
+    const auto said = [&](const std::vector<Fault>& faults) { return Message(told(faults)); };
     if (!solution_->is_sound()) return said(solution_->faults());
     const Analysed* const found = analysed();
     if (found == nullptr) return std::nullopt;
     if (found->was_cancelled())
         return translatable("the mesh took too long and was given up; give a larger element size");
     if (!found->faults().empty()) return said(found->faults());
+    if (needs_results(look) && found->result(load_case) != nullptr && !found->is_loaded(load_case))
+        return Message(translatable("load case {id} has no load, so that nothing moves; give one a value"),
+                       {{"id", model().case_name(femoop::CaseId(load_case))}});
     if (needs_results(look) && found->results() == nullptr)
         return translatable("there is no load case yet; add a load to a curve or a point");
     return std::nullopt;
 }
+
+namespace {
+
+constexpr double seconds_per_swing = 2.4;
+
+} // namespace
+
+bool Session::is_swinging() const
+{
+    const Analysed* const found = needs_results(look) ? analysed() : nullptr;
+    return is_animated || (found != nullptr && !found->mechanisms().empty());
+}
+
+std::size_t Session::mechanism() const
+{
+    constexpr double swings_of_each = 2.0;
+    const auto turn = static_cast<std::size_t>(swing_ / (swings_of_each * seconds_per_swing));
+    return turn % analysed()->mechanisms().size();
+}
+
+void Session::tick(double seconds)
+{
+    ui::tick(notice, seconds);
+    swing_ = is_swinging() ? swing_ + seconds : 0.0;
+}
+
+double Session::phase() const { return std::cos(2.0 * std::numbers::pi * swing_ / seconds_per_swing); }
 
 void Session::toggle(const Part& part)
 {

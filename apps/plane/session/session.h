@@ -76,15 +76,21 @@ public:
     std::optional<Gap> gap() const;
     void leave_gap();
 
-    void tick(double seconds) { ui::tick(notice, seconds); }
-    bool is_moving() const { return notice.has_value(); }
+    void tick(double seconds);
+    bool is_moving() const { return notice.has_value() || is_swinging(); }
+    /// Share of the displacements that is drawn, -1 to 1; 1 where nothing swings.
+    double phase() const;
 
     Look look;
     std::size_t load_case = 0;               ///< that is shown
     std::optional<ui::PlaneCamera> camera{}; ///< where the view was moved by hand; else everything is shown
     std::optional<Part> hover{};
+    bool is_animated = false; ///< the deformed shape swings
 
 private:
+    std::string told(const std::vector<femoop::Fault>& faults) const;
+    bool is_swinging() const;      ///< that, or what can move without strain
+    std::size_t mechanism() const; ///< that is drawn: each for some swings
     std::optional<ui::Notice> read(const std::filesystem::path& path) override;
     std::optional<ui::Notice> read_draft(const std::filesystem::path& path) override { return read(path); }
     std::string file_text() const override;
@@ -103,6 +109,7 @@ private:
     std::shared_ptr<const Analysed> analysed_;
     std::shared_ptr<const Analysed> dragged_; ///< of before the drag that is under way
     std::shared_ptr<const discretize::FollowingMesh> following_;
+    double swing_ = 0.0;          ///< since it began, at the largest displacement [s]
     double last_seconds_ = 0.0;   ///< that an analysis took
     double follow_seconds_ = 0.0; ///< that the last one of this drag took, with the mesh that went along
     std::vector<Part> selection_;

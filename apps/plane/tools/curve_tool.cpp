@@ -120,7 +120,8 @@ std::optional<CurveDraft> CurveTool::finish()
 bool CurveTool::escape()
 {
     const bool had_begun = has_begun();
-    places_.clear();
+    if (kind_ == CurveToolKind::Line) places_.clear();
+    else if (had_begun) places_.pop_back();
     first_.reset();
     return had_begun;
 }

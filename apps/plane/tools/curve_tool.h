@@ -26,7 +26,7 @@ public:
     std::optional<CurveDraft> add(const DraftPlace& place, bool takes_long_way = false);
     /// Ends a curve of as many places as one likes; nothing where they are too few: then they stay.
     std::optional<CurveDraft> finish();
-    /// Gives up what was begun; false where nothing was.
+    /// Takes back the last place, of lines all that was begun; false where nothing was.
     bool escape();
 
     bool has_begun() const { return !places_.empty(); }

@@ -142,6 +142,35 @@ void draw_deformed(const PlateScene& scene)
                               drawing::Clearance::Soft);
 }
 
+void draw_mechanism(const PlateScene& scene)
+{
+    const PlateOutline moved = outline_of(*scene.mesh, *scene.places, side_flatness / scene.camera.scale());
+    ui::Stroke stroke = scene.sketch.stroke(Role::Error);
+    stroke.width = scene.sketch.px(2.0);
+    for (const OutlinedFace& face : moved.faces) {
+        std::vector<std::vector<ui::Point>> loops;
+        for (const PlaceLine& loop : face.loops) loops.push_back(scene.on_sheet(loop));
+        if (loops.empty() || loops.front().size() < 3) continue;
+        const ui::LayerScope layer(scene.sketch.painter(), ui::Layer::Areas);
+        scene.sketch.painter().region(loops, ui::with_opacity(stroke.color, 0.18));
+    }
+    for (const OutlinedPiece& piece : moved.pieces) scene.sketch.polyline(scene.on_sheet(piece.line), stroke);
+}
+
+PlaceLine moved_by(const fp::PlaneModel& mesh, const std::vector<femoop::NodeVector>& motion, double share)
+{
+    PlaceLine places = fp::positions(mesh);
+    Vector2d low = Vector2d::Constant(std::numeric_limits<double>::infinity()), high = -low;
+    for (const Vector2d& at : places) {
+        low = low.cwiseMin(at);
+        high = high.cwiseMax(at);
+    }
+    const double reach = share * share_of_body * (high - low).norm();
+    for (std::size_t i = 0; i < std::min(places.size(), motion.size()); ++i)
+        places[i] += reach * Vector2d(motion[i][0], motion[i][1]);
+    return places;
+}
+
 double magnification(const PlateOptions& options, const fp::PlaneModel& mesh, const fp::PlaneCase& result)
 {
     if (options.deformation_scale) return *options.deformation_scale;

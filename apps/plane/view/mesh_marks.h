@@ -9,6 +9,11 @@ void draw_mesh(const PlateScene& scene);
 /// The body where its displacements take it, over its outline at rest.
 void draw_deformed(const PlateScene& scene);
 
+/// The body where a motion without strain takes it, over its outline at rest.
+void draw_mechanism(const PlateScene& scene);
+/// Of all points of the mesh, moved by a share of a motion whose largest displacement is drawn as a tenth of the body.
+PlaceLine moved_by(const femoop::plane::PlaneModel& mesh, const std::vector<femoop::NodeVector>& motion, double share);
+
 /// The round factor by which displacements are drawn: the one asked for, else one that makes the largest about a tenth of
 /// the body.
 double magnification(const PlateOptions& options, const femoop::plane::PlaneModel& mesh,

@@ -123,6 +123,7 @@ private:
             result_ = &made_result_.emplace((*input_.results)[options_.load_case]);
         if (mesh_ == nullptr) return;
         places_ = femoop::plane::positions(*mesh_);
+        if (input_.motion != nullptr) places_ = moved_by(*mesh_, *input_.motion, state_.phase);
         if (result_ == nullptr || !shows(PlateShow::Deformed)) return;
         magnification_ = magnification(options_, *mesh_, *result_);
         places_ = displaced(*mesh_, *result_, magnification_ * state_.phase);
@@ -241,6 +242,7 @@ private:
         if (shows(PlateShow::Mesh)) draw_mesh(scene);
         if (is_moved) draw_deformed(scene);
         else if (shows(PlateShow::Geometry)) draw_geometry(scene);
+        if (input_.motion != nullptr && mesh_ != nullptr) draw_mechanism(scene);
         if (pass == Pass::Drawn && shows(PlateShow::Principal)) draw_principal(scene);
         if (pass == Pass::Drawn && shows(PlateShow::Trajectories)) draw_trajectories(scene);
         for (std::size_t i = 0; i < cuts_.size(); ++i) draw_cut(scene, cuts_[i].cut, i + 1);

@@ -28,6 +28,8 @@ struct PlateInput {
     /// That of the case that is shown, where it is kept from picture to picture: what it has recovered need not be found
     /// again. Taken from the results when null.
     const femoop::plane::PlaneCase* result = nullptr;
+    /// How the body can move without strain, of the mesh's points, the largest 1; null where it cannot.
+    const std::vector<femoop::NodeVector>* motion = nullptr;
 };
 
 /// What its reader chose of a picture.

@@ -46,6 +46,8 @@ std::vector<ui::KeyEvent> Application::take_keys(const ui::Input& input)
     std::vector<ui::KeyEvent> left;
     for (const ui::KeyEvent& event : input.keys) {
         if (!event.is_down) continue;
+        const bool takes_back = event.key == ui::Key::Z && event.modifiers.ctrl && !event.modifiers.shift;
+        if (takes_back && canvas_.cancel(workspace())) continue; // a drag is taken back as a whole
         if (!types && handle_typing(event.key)) continue;
         if (!types_place || !writes_letter(event.key) || event.modifiers.ctrl) left.push_back(event);
     }
@@ -68,6 +70,10 @@ bool Application::handle_typing(ui::Key key)
                              : translatable("wanted a place, such as 60, 20"));
         return true;
     }
+    if (is_out_of_reach(session().model(), *place)) {
+        workspace().notify(translatable("the place lies a million times as far off as the drawing is wide"));
+        return true;
+    }
     hand.forget_typed();
     type_place(workspace(), *place);
     return true;
@@ -79,13 +85,20 @@ bool Application::close_topmost() { return DocumentApp::close_topmost() || canva
 
 std::optional<ui::FootMessage> Application::foot_message() const
 {
-    if (const auto told = DocumentApp::foot_message()) return told;
-    return foot_of(workspace());
+    auto told = DocumentApp::foot_message();
+    const auto own = foot_of(workspace());
+    if (!told || !own || !session().notice) return told ? told : own;
+    // what the app asks is not hidden by a notice, whose button comes last
+    told->lines.insert(told->lines.end(), own->lines.begin(), own->lines.end());
+    told->buttons.insert(told->buttons.begin(), own->buttons.begin(), own->buttons.end());
+    return told;
 }
 
 void Application::answer(const ui::FootMessage& message, std::size_t pressed)
 {
-    if (session().notice || !workspace().offer.empty()) DocumentApp::answer(message, pressed);
+    const bool is_of_notice = session().notice && pressed + 1 == message.buttons.size();
+    const bool is_of_offer = !session().notice && !workspace().offer.empty();
+    if (is_of_notice || is_of_offer) DocumentApp::answer(message, pressed);
     else answer_foot(workspace(), commands(), pressed);
 }
 

@@ -46,6 +46,7 @@ void Canvas::show(Workspace& workspace, ui::ImGuiSession& gui)
     follow(workspace);
     workspace.session.analyse_what_is_shown(); // the hand may have changed the document
     paint([&](ui::Painter& painter) { room_ = paint_all(workspace, painter); });
+    if (!fitted_room_) fitted_room_ = room_;
     end(gui);
 }
 
@@ -87,7 +88,10 @@ void Canvas::fit_if_needed(const Workspace& workspace)
     if (fitted_for_ && fitted_for_->opening == wanted.opening && pressed_) return; // under a hand
     const bool rests = grip_ || workspace.hand.draws() || session.history().is_dragging();
     const bool is_another = !fitted_for_ || fitted_for_->opening != wanted.opening;
-    if (!is_another && fitted_for_ == wanted && (rests || is_all_in_sight(session))) return;
+    const bool has_other_room = fitted_room_ && ui::distance(fitted_room_->max, room_.max) > 1.0; // another legend
+    const bool fits = !has_other_room && is_all_in_sight(session);
+    if (!is_another && fitted_for_ == wanted && (rests || fits)) return;
+    fitted_room_.reset();
     fitted_for_ = wanted;
     camera_ = usual_camera(session);
 }
@@ -300,7 +304,7 @@ ui::Box Canvas::paint_all(const Workspace& workspace, ui::Painter& painter) cons
                              session.tr()("Ctrl+O opens a file, Ctrl+K finds a command.")});
     } else if (!is_empty) {
         room = plane::draw(painter, session.input(), session.options(),
-                           {.camera = camera_, .circle_frame = circle_frame_});
+                           {.camera = camera_, .phase = session.phase(), .circle_frame = circle_frame_});
         draw_helpers(painter, session, camera_, room);
         draw_highlight(painter, session, camera_, room);
         draw_problems(painter, workspace, camera_);

@@ -57,7 +57,8 @@ private:
         bool operator==(const FittedFor&) const = default;
     };
     std::optional<FittedFor> fitted_for_;
-    std::optional<NodeId> grip_; ///< the point that the hand drags
+    std::optional<ui::Box> fitted_room_; ///< that the picture left when it was fitted last
+    std::optional<NodeId> grip_;         ///< the point that the hand drags
     std::optional<Aim> pressed_;
     struct HeldReading {
         ReadingPart part;

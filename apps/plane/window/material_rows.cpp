@@ -2,9 +2,11 @@
 
 #include <imgui.h>
 
+#include <algorithm>
 #include <string>
 #include <vector>
 
+#include "apps/plane/document/erase.h"
 #include "apps/plane/document/fresh_id.h"
 #include "apps/plane/document/number.h"
 #include "apps/plane/window/properties_panel.h"
@@ -34,6 +36,26 @@ void add_material(Workspace& workspace, RegionId region)
                       }});
 }
 
+std::vector<bool> unused_materials(const PlaneModel& model)
+{
+    std::vector<bool> is_unused(model.materials.size(), true);
+    for (const auto& region : model.regions)
+        if (region.material.index < is_unused.size()) is_unused[region.material.index] = false;
+    return is_unused;
+}
+
+void unused_row(Workspace& workspace)
+{
+    const std::vector<bool> unused = unused_materials(workspace.session.model());
+    if (std::ranges::find(unused, true) == unused.end()) return;
+    if (ui::wrapped_button(workspace.tr()("Delete unused materials"), "delete materials"))
+        workspace.change({translatable("Delete unused materials"), [](Document& document) {
+                              Erased erased;
+                              erased.materials = unused_materials(document.model);
+                              erase_entries(document.model, erased);
+                          }});
+}
+
 } // namespace
 
 void material_rows(Workspace& workspace, ui::NumberFields& fields, RegionId region)
@@ -53,6 +75,7 @@ void material_rows(Workspace& workspace, ui::NumberFields& fields, RegionId regi
         ImGui::EndCombo();
     }
     if (ui::wrapped_button(tr("Add a material like it"), "add material")) add_material(workspace, region);
+    unused_row(workspace);
     const MaterialId now = workspace.session.model()[region].material;
     name_row(workspace, fields, now);
     const PlaneModel& renamed = workspace.session.model();

@@ -47,6 +47,7 @@ void case_rows(Workspace& workspace, const CommandTable& commands)
             session.load_case = i;
     }
     ui::command_button(workspace, commands, "case.add");
+    if (session.load_case < session.model().load_cases.size()) ui::command_button(workspace, commands, "case.delete");
 }
 
 void shown_case_rows(Workspace& workspace, ui::NumberFields& fields)

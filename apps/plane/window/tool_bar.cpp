@@ -67,6 +67,7 @@ void show_panel(Workspace& workspace, const CommandTable& commands)
     for (const char* id : {"results.mesh", "results.deformed", "results.principal", "results.trajectories",
                            "results.error", "results.reactions", "results.circle"})
         switch_box(workspace, commands, id);
+    switch_box(workspace, commands, "results.animate");
     const auto field = workspace.session.look.field;
     ui::command_combo(workspace, commands, "###field", fields(),
                       [&](const FieldEntry& entry) { return entry.value == field; });
