@@ -64,6 +64,10 @@ constexpr std::array results{
     LookEntry{&Look::principal, "results.principal", translatable("Principal stresses"), {{Key::K, {}}}},
     LookEntry{&Look::trajectories, "results.trajectories", translatable("Stress trajectories"), {{Key::Y, {}}}},
     LookEntry{&Look::error, "results.error", translatable("Estimated error"), {{Key::W, {}}}},
+    LookEntry{&Look::element_values,
+              "results.element_values",
+              translatable("Element values with jumps"),
+              {{Key::W, ui::shift}}},
     LookEntry{&Look::reactions, "results.reactions", translatable("Reactions"), {{Key::F, ui::shift}}},
     LookEntry{&Look::circle, "results.circle", translatable("Mohr's circle of a probe"), {{Key::Z, {}}}},
 };
@@ -85,6 +89,26 @@ void add_results(CommandTable& table)
     Menu menu(table, translatable("Results"));
     menu.choices(
         field_entries, [](auto& workspace) -> auto& { return workspace.session.look.field; });
+    menu.toggle(
+        {"results.keep_range", translatable("Keep the range of the bands")},
+        [](const Workspace& workspace) {
+            const Look& look = workspace.session.look;
+            return look.range && look.field == look.range->component;
+        },
+        [](Workspace& workspace, bool is_on) {
+            workspace.session.look.range = is_on ? workspace.session.range_of_bands() : std::nullopt;
+        },
+        [](const Workspace& workspace) -> ui::Reason {
+            if (workspace.session.look.field && workspace.session.input().result != nullptr) return std::nullopt;
+            return translatable("no bands are shown");
+        });
+    table.with_argument("results.range", [](Workspace& workspace, const ui::Argument& argument) -> ui::Reason {
+        const auto ends = argument.numbers(2);
+        if (!ends || !(ends->at(0) < ends->at(1))) return argument.wanted("two numbers, the smaller one first");
+        if (!workspace.session.look.field) return translatable("no bands are shown");
+        workspace.session.look.range = KeptRange{*workspace.session.look.field, ends->at(0), ends->at(1)};
+        return std::nullopt;
+    });
     menu.toggle(
         {"results.animate", translatable("Animate"), {{Key::D, ui::shift}}},
         [](const Workspace& workspace) { return workspace.session.is_animated; },

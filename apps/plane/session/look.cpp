@@ -35,6 +35,8 @@ PlateOptions options_of(const Look& look, std::size_t load_case)
     for (const FlatPoint& at : look.readings.probes) options.probes.emplace_back(at.x, at.y);
     for (const auto& [start, end] : look.readings.cuts) options.cuts.push_back({{start.x, start.y}, {end.x, end.y}});
     if (look.circle) options.circle = look.readings.told_probe();
+    if (look.element_values) options.reading = femoop::plane::StressReading::Element;
+    if (look.range && look.field == look.range->component) options.range = {look.range->low, look.range->high};
     options.load_case = femoop::CaseId(load_case);
     options.theme = look.theme;
     options.tr = look.tr;

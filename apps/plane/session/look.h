@@ -9,6 +9,12 @@
 
 namespace plane {
 
+/// The range of the colours of a component, kept while results change.
+struct KeptRange {
+    femoop::plane::PlaneComponent component = femoop::plane::PlaneComponent::Mises;
+    double low = 0.0, high = 1.0; ///< in the file's units
+};
+
 /// How a drawing is looked at.
 struct Look {
     bool regions = true;
@@ -24,6 +30,8 @@ struct Look {
     bool reactions = false;                               ///< of each support, as resultants
     bool error = false;                                   ///< of each element, estimated
     std::optional<femoop::plane::PlaneComponent> field{}; ///< that bands show
+    std::optional<KeptRange> range{};                     ///< of the bands; that of the values when absent
+    bool element_values = false;                          ///< with their jumps, in place of smoothed ones
     Readings readings{};                                  ///< probes and cuts
     bool circle = true; ///< Mohr's circle and all values of the last probe, in a panel
     ui::ThemeName theme = ui::ThemeName::Light;

@@ -10,6 +10,7 @@
 #include "apps/drawing/quantity_typed.h"
 #include "apps/plane/document/fault_words.h"
 #include "apps/plane/document/regions.h"
+#include "apps/plane/view/field_picture.h"
 #include "femoop/files/whole_file.h"
 #include "femoop/io/plane/plane_file.h"
 #include "femoop/plane/check/plane_check.h"
@@ -249,6 +250,14 @@ bool Session::follow_with_mesh()
     if (found->mesh() == nullptr) return false;
     analysed_ = std::move(found);
     return true;
+}
+
+std::optional<KeptRange> Session::range_of_bands() const
+{
+    const PlateInput now = input();
+    if (!look.field || now.result == nullptr) return std::nullopt;
+    const FieldPicture bands = field_picture({*look.field, FieldStyle::Bands}, *now.result, options(), units());
+    return KeptRange{.component = *look.field, .low = bands.levels.front(), .high = bands.levels.back()};
 }
 
 /// The first of some faults, such as the motions of a body that is not held; how they all begin is said once.

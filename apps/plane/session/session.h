@@ -57,6 +57,9 @@ public:
     /// Why what is shown has no mesh or no results; nothing where it has, or none is wanted.
     std::optional<ui::Message> why_no_results() const;
 
+    /// The range of the bands as they are now; nothing where there are none.
+    std::optional<KeptRange> range_of_bands() const;
+
     // ---- what is selected
 
     const std::vector<Part>& selection() const { return selection_; }

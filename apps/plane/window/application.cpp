@@ -108,7 +108,7 @@ void Application::show_body()
     show_panels_and_canvas_above(below, [this] { tables_.show(workspace(), commands()); });
 }
 
-void Application::show_left() { show_panel(workspace(), commands()); }
+void Application::show_left() { show_panel(workspace(), commands(), fields_); }
 
 void Application::show_right()
 {

@@ -108,6 +108,12 @@ std::string why_unsolved(const Application& application)
     return why ? ui::Catalogue()(*why) : "nothing";
 }
 
+std::string range(const Application& application)
+{
+    const auto& kept = application.session().look.range;
+    return kept ? ui::number_text(kept->low) + " " + ui::number_text(kept->high) : "nothing";
+}
+
 std::string table(const Application& application)
 {
     const auto shown = application.workspace().table;
@@ -190,6 +196,7 @@ const ui::Facts<Application>& facts()
             {"reason", why_unsolved},
             {"probes", [](const Application& a) { return std::to_string(a.session().look.readings.probes.size()); }},
             {"cuts", [](const Application& a) { return std::to_string(a.session().look.readings.cuts.size()); }},
+            {"range", range},
             {"table", table},
             {"tool", tool},
             {"typed", [](const Application& a) { return or_nothing(a.workspace().hand.typed()); }},

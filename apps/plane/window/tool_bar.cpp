@@ -4,13 +4,17 @@
 
 #include <string>
 
+#include "apps/plane/view/field_picture.h"
 #include "apps/plane/window/tool_icon.h"
 #include "ui/widgets/command_combo.h"
 #include "ui/widgets/command_menu.h"
+#include "ui/widgets/field_row.h"
 #include "ui/widgets/tooltip.h"
 #include "ui/widgets/wrapped_text.h"
 
 namespace plane {
+
+using ui::translatable;
 
 namespace {
 
@@ -44,6 +48,42 @@ void switch_box(Workspace& workspace, const CommandTable& commands, std::string_
     if (ImGui::Checkbox(label.c_str(), &is_on)) run(command, workspace);
 }
 
+/// An end of the range of the bands, typed or dragged; without one of its own it is that of the values.
+void range_row(Workspace& workspace, ui::NumberFields& number_fields, const KeptRange& range, double KeptRange::*end)
+{
+    Session& session = workspace.session;
+    const bool is_low = end == &KeptRange::low;
+    const ui::DisplayUnits units = session.units();
+    const ui::Measure measure = measure_of(range.component);
+    const double shown = units.shown(range.*end, measure);
+    const std::string text = ui::number_text(shown, units.format());
+    ui::begin_field_row(session.tr()(is_low ? translatable("Range from") : translatable("Range to")), text);
+    const auto event = number_fields.show(is_low ? "range low" : "range high",
+                                          {.text = text, .exact_text = text, .value = shown});
+    using Kind = ui::NumberFieldEvent::Kind;
+    KeptRange changed = range;
+    if (event.kind == Kind::Dragged) changed.*end = units.stored(event.value, measure);
+    else if (event.kind == Kind::Typed) {
+        const auto typed = ui::number_typed(event.text);
+        if (!typed) return number_fields.reject(event, session.tr()(translatable("a number is wanted here")));
+        changed.*end = units.stored(*typed, measure);
+    } else return;
+    if (changed.low < changed.high) session.look.range = changed;
+    else if (event.kind == Kind::Typed)
+        number_fields.reject(event,
+                             session.tr()(translatable("the range goes from the smaller number to the larger one")));
+}
+
+void range_rows(Workspace& workspace, const CommandTable& commands, ui::NumberFields& number_fields)
+{
+    if (workspace.session.input().result == nullptr) return;
+    switch_box(workspace, commands, "results.keep_range");
+    if (!commands.find("results.keep_range")->is_on(workspace)) return;
+    const KeptRange range = *workspace.session.look.range;
+    range_row(workspace, number_fields, range, &KeptRange::low);
+    range_row(workspace, number_fields, range, &KeptRange::high);
+}
+
 } // namespace
 
 void tool_bar(Workspace& workspace, const CommandTable& commands, ui::ImGuiSession& gui, const ui::Fonts& fonts)
@@ -54,7 +94,7 @@ void tool_bar(Workspace& workspace, const CommandTable& commands, ui::ImGuiSessi
     }
 }
 
-void show_panel(Workspace& workspace, const CommandTable& commands)
+void show_panel(Workspace& workspace, const CommandTable& commands, ui::NumberFields& number_fields)
 {
     ImGui::TextUnformatted(workspace.tr()("Show").c_str());
     ImGui::Separator();
@@ -71,6 +111,8 @@ void show_panel(Workspace& workspace, const CommandTable& commands)
     const auto field = workspace.session.look.field;
     ui::command_combo(workspace, commands, "###field", fields(),
                       [&](const FieldEntry& entry) { return entry.value == field; });
+    switch_box(workspace, commands, "results.element_values");
+    if (field) range_rows(workspace, commands, number_fields);
     ImGui::Spacing();
     ImGui::TextUnformatted(workspace.tr()("Draw").c_str());
     ImGui::Separator();
