@@ -89,6 +89,21 @@ void draw_principal(const PlateScene& scene)
     }
 }
 
+namespace {
+
+/// A line of the body at rest where displacements take it.
+fp::Trajectory drawn_line(const PlateScene& scene, fp::Trajectory line)
+{
+    if (scene.magnification == 0.0) return line;
+    for (Vector2d& at : line) {
+        const auto places = scene.input.results->locator().find(at);
+        if (!places.empty()) at += scene.magnification * scene.result->displacement(places.front());
+    }
+    return line;
+}
+
+} // namespace
+
 void draw_trajectories(const PlateScene& scene)
 {
     if (scene.result == nullptr) return;
@@ -96,7 +111,7 @@ void draw_trajectories(const PlateScene& scene)
     for (const auto family : {fp::PrincipalFamily::First, fp::PrincipalFamily::Second}) {
         const ui::Stroke stroke = family == fp::PrincipalFamily::First ? first_stroke(scene) : second_stroke(scene);
         for (const fp::Trajectory& line : fp::trajectories(*scene.input.results, *scene.result, family, spacing))
-            scene.sketch.polyline(scene.on_sheet(line), stroke, drawing::Clearance::None);
+            scene.sketch.polyline(scene.on_sheet(drawn_line(scene, line)), stroke, drawing::Clearance::None);
     }
 }
 

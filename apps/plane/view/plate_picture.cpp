@@ -310,19 +310,19 @@ std::optional<Vector2d> drawn_displacement(const PlateInput& input, const PlateO
 
 } // namespace
 
-Vector2d drawn_place(const PlateInput& input, const PlateOptions& options, const Vector2d& at)
+Vector2d drawn_place(const PlateInput& input, const PlateOptions& options, const Vector2d& at, double phase)
 {
-    return at + drawn_displacement(input, options, at).value_or(Vector2d::Zero());
+    return at + phase * drawn_displacement(input, options, at).value_or(Vector2d::Zero());
 }
 
-Vector2d place_at_rest(const PlateInput& input, const PlateOptions& options, const Vector2d& drawn)
+Vector2d place_at_rest(const PlateInput& input, const PlateOptions& options, const Vector2d& drawn, double phase)
 {
     constexpr int most_steps = 30;
     Vector2d at = drawn;
     for (int i = 0; i < most_steps; ++i) {
         const auto moved = drawn_displacement(input, options, at);
         if (!moved) return at;
-        at = drawn - *moved;
+        at = drawn - phase * *moved;
     }
     return at;
 }

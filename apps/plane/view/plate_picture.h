@@ -82,8 +82,11 @@ ui::PlaneCamera fitted_camera(const PlateInput& input, const PlateOptions& optio
 std::optional<mohr::Frame> circle_frame(const PlateInput& input, const PlateOptions& options);
 
 /// Where a place of the body is drawn, and the place that is drawn there: they differ where the deformed shape is shown.
-Eigen::Vector2d drawn_place(const PlateInput& input, const PlateOptions& options, const Eigen::Vector2d& at);
-Eigen::Vector2d place_at_rest(const PlateInput& input, const PlateOptions& options, const Eigen::Vector2d& drawn);
+/// \param phase  as in PlateState
+Eigen::Vector2d drawn_place(const PlateInput& input, const PlateOptions& options, const Eigen::Vector2d& at,
+                            double phase = 1.0);
+Eigen::Vector2d place_at_rest(const PlateInput& input, const PlateOptions& options, const Eigen::Vector2d& drawn,
+                              double phase = 1.0);
 
 /// The sheet's colour under the options' theme.
 ui::Color background(const PlateOptions& options);

@@ -149,7 +149,8 @@ Aim Canvas::aim_at(const Workspace& workspace) const
         for (const DraftPlace& place : hand.curve_tool()->places()) options.draft.push_back(place.at);
     aim.snap = snap(session.model(), session.drawing(), aim.pointer, options);
     if (probes && session.look.deformed) { // the body is elsewhere than its drawing
-        const Eigen::Vector2d at = place_at_rest(session.input(), session.options(), {aim.pointer.x, aim.pointer.y});
+        const Eigen::Vector2d at = place_at_rest(session.input(), session.options(), {aim.pointer.x, aim.pointer.y},
+                                                 session.phase());
         aim.snap = {{at.x(), at.y()}, SnapKind::Free};
     }
     if (!hand.curve_tool()) aim.reading = reading_under(session, aim.pointer, pick_reach * aim.pixel);
@@ -180,7 +181,8 @@ std::optional<ReadingPart> Canvas::reading_under(const Session& session, const F
     Readings drawn = session.look.readings;
     if (session.look.deformed)
         for (FlatPoint& probe : drawn.probes) {
-            const Eigen::Vector2d there = drawn_place(session.input(), session.options(), {probe.x, probe.y});
+            const Eigen::Vector2d there = drawn_place(session.input(), session.options(), {probe.x, probe.y},
+                                                      session.phase());
             probe = {there.x(), there.y()};
         }
     return drawn.at(at, reach);

@@ -194,3 +194,30 @@ TEST_CASE("What a crash has cost is recovered")
     const Workspace next = recovered(workspace, folder, ".json");
     CHECK((next.session.document() == workspace.session.document()));
 }
+
+TEST_CASE("Probes and cuts are no part of the document, and another document has none of them")
+{
+    Session session;
+    session.look.readings.add_probe({3.0, 4.0});
+    session.look.readings.add_cut({0.0, 0.0}, {0.0, 7.0});
+    CHECK_FALSE(session.is_dirty());
+    CHECK(session.options().probes.size() == 1);
+    CHECK(session.options().circle == std::size_t{0});
+    session.new_document();
+    CHECK(session.look.readings.are_none());
+}
+
+TEST_CASE("The nearest probe or end of a cut is taken hold of, and an end takes its cut along where it goes")
+{
+    using Kind = ReadingPart::Kind;
+    Readings readings;
+    readings.add_probe({3.0, 4.0});
+    readings.add_cut({0.0, 0.0}, {0.0, 7.0});
+    CHECK(readings.at({0.2, 6.7}, 1.0) == ReadingPart{Kind::CutEnd, 0});
+    CHECK_FALSE(readings.at({30.0, 40.0}, 1.0));
+    readings.move({Kind::CutEnd, 0}, {0.0, 0.0}); // onto the other end: it would be no cut
+    CHECK(readings.place({Kind::CutEnd, 0}) == FlatPoint{0.0, 7.0});
+    readings.remove({Kind::CutStart, 0});
+    CHECK(readings.cuts.empty());
+    CHECK(readings.told_probe() == std::size_t{0});
+}
