@@ -186,7 +186,8 @@ PlaneResults analyse(const PlaneModel& model, const AnalysisOptions& options)
     solution->solutions = std::move(done.cases);
     add_reactions(*solution);
     if (model.analysis == StressState::Axisymmetric) keep_axial_sums(*solution);
-    if (auto faults = ill_conditioned_cases(*solution, LeastForce::OfBodies); !faults.empty()) throw ModelError(std::move(faults));
+    if (auto faults = ill_conditioned_cases(*solution, LeastForce::OfBodies); !faults.empty())
+        throw ModelError(std::move(faults));
     solution->warnings = inaccurate_cases(*solution, LeastForce::OfBodies);
     PlaneResults results(std::move(structure), solution, done.statistics);
     require_finite_results(results, *solution);
