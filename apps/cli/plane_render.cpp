@@ -72,6 +72,11 @@ void PlaneRender::declare(CLI::App& app, const ui::Catalogue& tr)
     app.add_option("--range", range_,
                    tr("of a plane model: the least and the largest value of the colours, in the file's units"))
         ->option_text("LOW,HIGH");
+    app.add_option(
+           "--step", step_,
+           tr("of a plane model that is drawn: its mesh as it stands after so many steps of being made, and what "
+              "the last of them did"))
+        ->option_text("K");
     app.add_flag("--describe", is_described_,
                  tr("of a plane model: print what the picture shows in sentences; then -o may be left out"));
 }
@@ -95,10 +100,10 @@ void PlaneRender::look(::plane::PlateOptions& options, const Order& order, const
 
 void PlaneRender::require_none(const ui::Catalogue& tr) const
 {
-    if (!cuts_.empty() || read_ || range_ || is_described_ || places().size() > 1)
-        throw UsageError(
-            tr("--cut, --read, --range, --describe, and --at more than once, are for plane models; this is a structure "
-               "of members"));
+    if (!cuts_.empty() || read_ || range_ || step_ || is_described_ || places().size() > 1)
+        throw UsageError(tr(
+            "--cut, --read, --range, --step, --describe, and --at more than once, are for plane models; this is a structure "
+            "of members"));
 }
 
 std::vector<std::string> PlaneRender::places() const { return at_->results(); }
@@ -110,14 +115,16 @@ ExitStatus PlaneRender::draw(fp::PlaneReading& reading, const std::string& name,
     ::plane::PlateOptions options = order.look;
     look(options, order, tr);
     const bool has_questions = !places().empty() || !cuts_.empty();
-    const bool needs_mesh = options.show.needs_mesh() || has_questions;
+    const bool needs_mesh = options.show.needs_mesh() || has_questions || step_;
     const PlaneInput input(reading, needs_mesh ? PlaneInput::Depth::Mesh : PlaneInput::Depth::Drawing);
     console.report(name, reading.faults);
     if (!reading.is_sound()) return ExitStatus::BadInput;
     if (order.load_case) options.load_case = case_named(reading.model, *order.load_case, tr);
     ::plane::PlateInput shown{.model = reading.model, .drawing = input.drawing()};
     if (input.mesh() != nullptr) shown.mesh = &input.model();
-    if (!options.show.needs_results() && !has_questions) return write(shown, order, options, console);
+    const std::unique_ptr<discretize::MeshPlayer> player = player_at_step(input.drawing(), tr);
+    shown.player = player.get();
+    if (player || (!options.show.needs_results() && !has_questions)) return write(shown, order, options, console);
     require_case(reading.model, tr);
     try {
         const fp::PlaneResults results = fp::analyse(input.model());
@@ -130,6 +137,19 @@ ExitStatus PlaneRender::draw(fp::PlaneReading& reading, const std::string& name,
     } catch (const femoop::ModelError& error) {
         return report_unsolved(error, name, console);
     }
+}
+
+/// Null where no step is asked for.
+std::unique_ptr<discretize::MeshPlayer> PlaneRender::player_at_step(const discretize::Drawing* drawing,
+                                                                    const ui::Catalogue& tr) const
+{
+    if (!step_) return nullptr;
+    if (drawing == nullptr)
+        throw UsageError(tr("--step: the mesh is the file's own, and has no steps; give a drawing of curves"));
+    auto player = std::make_unique<discretize::MeshPlayer>(*drawing);
+    player->go_to(
+        static_cast<std::size_t>(whole_number("--step", *step_, {0, static_cast<long>(player->n_steps())}, tr)));
+    return player;
 }
 
 ExitStatus PlaneRender::write(const ::plane::PlateInput& input, const Order& order,

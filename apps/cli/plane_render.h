@@ -1,5 +1,6 @@
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -8,6 +9,7 @@
 #include "apps/cli/exit_status.h"
 #include "apps/cli/option_parser.h"
 #include "apps/cli/picture_file.h"
+#include "apps/plane/discretize/mesh_player.h"
 #include "apps/plane/view/plate_picture.h"
 #include "femoop/io/plane/plane_file.h"
 
@@ -38,12 +40,15 @@ private:
     ExitStatus write(const ::plane::PlateInput& input, const Order& order, const ::plane::PlateOptions& options,
                      Console& console) const;
     std::vector<std::string> places() const;
+    std::unique_ptr<discretize::MeshPlayer> player_at_step(const discretize::Drawing* drawing,
+                                                           const ui::Catalogue& tr) const;
 
     const CLI::Option* at_ = nullptr;
     void look(::plane::PlateOptions& options, const Order& order, const ui::Catalogue& tr) const;
 
     std::vector<std::string> cuts_;
     std::optional<std::string> range_, read_;
+    std::optional<std::string> step_;
     bool is_described_ = false;
 };
 

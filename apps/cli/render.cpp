@@ -193,7 +193,7 @@ ExitStatus Render::draw_plane(femoop::plane::PlaneReading& reading, Console& con
     const ui::Catalogue& tr = console.tr();
     if (view_ || mechanism_ || other_ || with_ || moving_.is_of_members() || truss_.is_asked())
         throw UsageError(tr(
-            "a plane model is drawn with --show, --case, --at, --cut, --read, --range, --describe, --magnify, --unit, --theme, --size "
+            "a plane model is drawn with --show, --case, --at, --cut, --read, --range, --step, --describe, --magnify, --unit, --theme, --size "
             "and --scale; what else was asked for is of a structure of members"));
     const bool has_file = !out_.empty() || !plane_.is_described();
     if (has_file && out_.empty()) throw UsageError(tr("no output is given; add -o OUT.png, .svg or .pdf"));

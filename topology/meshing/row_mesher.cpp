@@ -33,12 +33,13 @@ MeshMarks RowMesher::marks() const
     return marks;
 }
 
-std::vector<std::vector<Cell>> in_rows(const std::vector<Cell>& cells, std::size_t n_in_row)
+std::vector<std::vector<Cell>> in_rows(const std::vector<Cell>& cells,
+                                       const std::function<std::size_t(std::size_t row)>& n_in_row)
 {
     std::vector<std::vector<Cell>> rows;
-    for (std::size_t i = 0; i < cells.size(); ++i) {
-        if (i % n_in_row == 0) rows.emplace_back();
-        rows.back().push_back(cells[i]);
+    for (const Cell& cell : cells) {
+        if (rows.empty() || rows.back().size() == n_in_row(rows.size() - 1)) rows.emplace_back();
+        rows.back().push_back(cell);
     }
     return rows;
 }

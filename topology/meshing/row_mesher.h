@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <functional>
 #include <vector>
 
 #include "topology/meshing/mesher.h"
@@ -24,7 +25,8 @@ private:
     Step last_ = Step::Done;
 };
 
-/// Cells in rows of equally many, for those that come in one list.
-std::vector<std::vector<Cell>> in_rows(const std::vector<Cell>& cells, std::size_t n_in_row);
+/// Cells that come in one list, in rows. \param n_in_row  of each row, counted from 0; at least 1
+std::vector<std::vector<Cell>> in_rows(const std::vector<Cell>& cells,
+                                       const std::function<std::size_t(std::size_t row)>& n_in_row);
 
 } // namespace topology

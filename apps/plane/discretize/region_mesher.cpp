@@ -17,6 +17,7 @@
 #include "topology/meshing/front_mesher.h"
 #include "topology/meshing/quad_mesher.h"
 #include "topology/meshing/quadtree_mesher.h"
+#include "topology/meshing/row_mesher.h"
 
 namespace discretize {
 
@@ -78,11 +79,11 @@ std::string RegionMesher::entry(RegionId region) const
     return entry_of("regions", drawing_.model().regions, region.index);
 }
 
-void RegionMesher::run()
+bool RegionMesher::prepare()
 {
     require_possible();
     require_one_order();
-    if (!errors_.empty()) return;
+    if (!errors_.empty()) return false;
     const topology::Solid& solid = drawing_.subdivision().solid();
     for (std::size_t i = 0; i < outlines_.size(); ++i) {
         const auto use = [&](EdgeId e) {
@@ -102,6 +103,12 @@ void RegionMesher::run()
             set_middle(chain[i], chain[i + 1],
                        add_node(place_on_edge(drawing_.subdivision(), e, 0.5 * (shares[i] + shares[i + 1]))));
     }
+    return true;
+}
+
+void RegionMesher::run()
+{
+    if (!prepare()) return;
     const std::size_t n_of_curves = nodes_.size();
     for (std::size_t i = 0; i < outlines_.size() && errors_.empty(); ++i) mesh(i);
     if (!errors_.empty()) return;
@@ -347,9 +354,14 @@ std::vector<RegionMesher::Chain> RegionMesher::set_middles(const std::vector<Cha
 
 void RegionMesher::add_mapped(const std::vector<Cell>& cells, const MeshSettings& settings, RegionId region)
 {
+    for (const Cell& cell : cut_cells(cells, settings)) add_element(cell, settings, region);
+}
+
+/// Triangles in place of quadrilaterals where these are wanted.
+std::vector<Cell> RegionMesher::cut_cells(const std::vector<Cell>& cells, const MeshSettings& settings)
+{
     const bool is_cut = settings.is_triangle() && !settings.is_trilateral();
-    for (const Cell& cell : is_cut ? topology::triangles(cells, settings.diagonal, nodes_) : cells)
-        add_element(cell, settings, region);
+    return is_cut ? topology::triangles(cells, settings.diagonal, nodes_) : cells;
 }
 
 /// Numbers the outline's nodes anew. \param of_domain  gets the number of each in the mesh of all regions
@@ -416,10 +428,7 @@ void RegionMesher::mesh_freely(const FaceOutline& outline, const MeshSettings& s
     const topology::MeshDomain domain = domain_of(outline, of_domain);
     topology::CellMesh mesh;
     try {
-        const topology::MesherOptions options{.size = settings.size,
-                                              .min_angle = settings.min_angle,
-                                              .sizes = sizes_of_points(outline, domain.nodes.size())};
-        mesh = mesher_of(method, domain, options)->run(is_cancelled_);
+        mesh = mesher_of(method, domain, options_of(outline, settings, domain.nodes.size()))->run(is_cancelled_);
     } catch (const topology::CrossingEdges& crossing) {
         report_crossing(crossing, outline, of_domain);
         return;
@@ -427,6 +436,53 @@ void RegionMesher::mesh_freely(const FaceOutline& outline, const MeshSettings& s
     if (method == "delaunay") report_angle(mesh, settings, outline.region);
     for (std::size_t i = of_domain.size(); i < mesh.nodes.size(); ++i) of_domain.push_back(add_node(mesh.nodes[i]));
     for (const Cell& cell : mesh.cells) add_element(renumbered(cell, of_domain), settings, outline.region);
+}
+
+topology::MesherOptions RegionMesher::options_of(const FaceOutline& outline, const MeshSettings& settings,
+                                                 std::size_t n_nodes) const
+{
+    return {.size = settings.size, .min_angle = settings.min_angle, .sizes = sizes_of_points(outline, n_nodes)};
+}
+
+OutlineMesher RegionMesher::outline_mesher(std::size_t outline)
+{
+    MeshSettings settings = settings_[outline];
+    settings.element = settings.is_triangle() ? femoop::ShapeKind::T3 : femoop::ShapeKind::Q4;
+    OutlineMesher made{.method = method_of(outline), .region = outlines_[outline].region, .domain = {}, .mesher = {}};
+    if (const auto& sides = divisions_.mapped()[outline]) {
+        const std::size_t n_before = nodes_.size();
+        const std::vector<Cell> cells = cells_of_map(*sides, settings);
+        const bool is_mapped = settings.is_map() || std::all_of(cells.begin(), cells.end(),
+                                                                [&](const Cell& cell) { return is_well_shaped(cell); });
+        auto rows = rows_of(*sides, settings, cut_cells(cells, settings));
+        if (is_mapped) made.mesher = std::make_unique<topology::RowMesher>(nodes_, std::move(rows));
+        nodes_.resize(n_before);
+        if (is_mapped) return made;
+        made.method = settings.is_triangle() ? "delaunay" : "quads";
+    }
+    Chain of_domain;
+    made.domain = std::make_unique<topology::MeshDomain>(domain_of(outlines_[outline], of_domain));
+    made.mesher = mesher_of(made.method, *made.domain,
+                            options_of(outlines_[outline], settings, made.domain->nodes.size()));
+    return made;
+}
+
+/// Cells of a map as they were laid: along the first side, and row by row away from it.
+std::vector<std::vector<Cell>> RegionMesher::rows_of(const MappedOutline& sides, const MeshSettings& settings,
+                                                     const std::vector<Cell>& cells) const
+{
+    const auto n_parts = [&](const OutlineLoop& side) {
+        std::size_t n = 0;
+        for (const HalfEdgeId h : side) n += chain_along(h).size() - 1;
+        return n;
+    };
+    const std::size_t n = n_parts(sides[0]);
+    if (sides.size() == 4) {
+        const std::size_t n_in_row = cells.size() / n_parts(sides[1]);
+        return topology::in_rows(cells, [&](std::size_t) { return n_in_row; });
+    }
+    if (!settings.is_triangle()) return topology::in_rows(cells, [&](std::size_t) { return n / 2; });
+    return topology::in_rows(cells, [&](std::size_t row) { return 2 * (n - row) - 1; });
 }
 
 void RegionMesher::report_angle(const topology::CellMesh& mesh, const MeshSettings& settings, RegionId region)

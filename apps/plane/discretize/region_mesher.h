@@ -2,6 +2,7 @@
 
 #include <array>
 #include <functional>
+#include <memory>
 #include <optional>
 #include <string>
 #include <unordered_map>
@@ -10,9 +11,18 @@
 #include "apps/plane/discretize/edge_divisions.h"
 #include "apps/plane/discretize/region_mesh.h"
 #include "topology/meshing/mesh_domain.h"
+#include "topology/meshing/mesher.h"
 #include "topology/meshing/trilateral_mesher.h"
 
 namespace discretize {
+
+/// A mesher of one outline, with what it meshes.
+struct OutlineMesher {
+    std::string method;
+    femoop::plane::RegionId region;
+    std::unique_ptr<topology::MeshDomain> domain; ///< null where the region is mapped
+    std::unique_ptr<topology::Mesher> mesher;
+};
 
 /// Nodes along the curves, then the elements of one outline after another. Nodes on borders are shared, middle nodes on
 /// curves lie on them.
@@ -24,6 +34,11 @@ public:
 
     void run(); ///< until an error is found, or it is cancelled
 
+    /// Puts nodes along the curves, from which meshers of single outlines start. False where an error is found.
+    bool prepare();
+    /// That of an outline, with corner nodes alone. \pre prepared, or run
+    OutlineMesher outline_mesher(std::size_t outline);
+
     RegionMesh mesh() const; ///< \pre no error was found
     const std::vector<femoop::Fault>& errors() const { return errors_; }
     const std::vector<femoop::Fault>& warnings() const { return warnings_; }
@@ -34,6 +49,8 @@ private:
     topology::CellNode node_at(topology::VertexId vertex);
     topology::CellNode add_node(const topology::FlatPoint& at);
     Chain chain_along(topology::HalfEdgeId h) const;
+    std::vector<std::vector<topology::Cell>> rows_of(const MappedOutline& sides, const MeshSettings& settings,
+                                                     const std::vector<topology::Cell>& cells) const;
 
     void require_possible();
     void require_one_order();
@@ -48,6 +65,9 @@ private:
     bool is_well_shaped(const topology::Cell& cell) const;
     void add_mapped(const std::vector<topology::Cell>& cells, const MeshSettings& settings,
                     femoop::plane::RegionId region);
+    topology::MesherOptions options_of(const FaceOutline& outline, const MeshSettings& settings,
+                                       std::size_t n_nodes) const;
+    std::vector<topology::Cell> cut_cells(const std::vector<topology::Cell>& cells, const MeshSettings& settings);
     void mesh_freely(const FaceOutline& outline, const MeshSettings& settings, const std::string& method);
     std::string method_of(std::size_t outline) const;
     topology::MeshDomain domain_of(const FaceOutline& outline, Chain& of_domain) const;

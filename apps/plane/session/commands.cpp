@@ -5,6 +5,7 @@
 
 #include "apps/plane/document/gallery/gallery.h"
 #include "apps/plane/session/drawing_commands.h"
+#include "apps/plane/session/mesher_commands.h"
 #include "apps/plane/session/part_commands.h"
 #include "ui/workspace/file_commands.h"
 
@@ -180,6 +181,7 @@ CommandTable command_table()
     add_drawing_commands(table);
     add_part_commands(table);
     add_results(table);
+    add_mesher_commands(table);
     add_tables(table);
     add_gallery(table);
     add_view_commands(table);

@@ -146,6 +146,7 @@ void Session::restart(Document document)
     settled_.reset();
     selection_.clear();
     hover.reset();
+    watch.end();
     camera.reset();
     left_gap_.reset();
     load_case = 0;
@@ -196,6 +197,8 @@ ui::DisplayUnits Session::units() const
 PlateInput Session::input() const
 {
     PlateInput input{.model = solution_->model(), .drawing = drawing()};
+    input.player = player();
+    if (input.player != nullptr) return input;
     const Analysed* const found = analysed();
     if (found == nullptr || found->mesh() == nullptr) return input;
     input.mesh = found->mesh();
@@ -315,10 +318,31 @@ std::size_t Session::mechanism() const
 void Session::tick(double seconds)
 {
     ui::tick(notice, seconds);
+    watch.tick(seconds);
     swing_ = is_swinging() ? swing_ + seconds : 0.0;
 }
 
 double Session::phase() const { return std::cos(2.0 * std::numbers::pi * swing_ / seconds_per_swing); }
+
+std::optional<Message> Session::watch_mesher()
+{
+    const auto said = [&](const std::vector<Fault>& faults) {
+        return Message(sentence(faults.front(), model(), tr()));
+    };
+    if (!solution_->is_sound()) return said(solution_->faults());
+    if (drawing() == nullptr) return translatable("there is nothing to be meshed");
+    constexpr std::size_t most_elements = 20'000;
+    constexpr double longest = 5.0; // [s]
+    using Clock = std::chrono::steady_clock;
+    const Clock::time_point start = Clock::now();
+    const auto is_late = [&] { return std::chrono::duration<double>(Clock::now() - start).count() > longest; };
+    const discretize::MeshedDrawing mesh(*drawing(), is_late);
+    if (is_late() || (mesh.is_sound() && mesh.model().elements.size() > most_elements))
+        return translatable("the mesh has too many elements to be watched; give a larger element size");
+    if (!mesh.is_sound()) return said(mesh.faults());
+    watch.begin(solution_);
+    return std::nullopt;
+}
 
 void Session::toggle(const Part& part)
 {

@@ -14,6 +14,7 @@
 #include "apps/plane/document/part.h"
 #include "apps/plane/document/solution.h"
 #include "apps/plane/session/look.h"
+#include "apps/plane/session/mesher_watch.h"
 #include "ui/canvas/plane_camera.h"
 #include "ui/text/display_units.h"
 #include "ui/workbench/edited_document.h"
@@ -60,6 +61,13 @@ public:
     /// The range of the bands as they are now; nothing where there are none.
     std::optional<KeptRange> range_of_bands() const;
 
+    // ---- how the mesh comes to be
+
+    /// Shows the first step of its making. \returns why there is none to be watched
+    std::optional<ui::Message> watch_mesher();
+    /// Of the drawing as it is now; null where it is not watched.
+    const discretize::MeshPlayer* player() const { return watch.of(solution_); }
+
     // ---- what is selected
 
     const std::vector<Part>& selection() const { return selection_; }
@@ -80,11 +88,12 @@ public:
     void leave_gap();
 
     void tick(double seconds);
-    bool is_moving() const { return notice.has_value() || is_swinging(); }
+    bool is_moving() const { return notice.has_value() || is_swinging() || watch.is_playing(); }
     /// Share of the displacements that is drawn, -1 to 1; 1 where nothing swings.
     double phase() const;
 
     Look look;
+    MesherWatch watch;
     std::size_t load_case = 0;               ///< that is shown
     std::optional<ui::PlaneCamera> camera{}; ///< where the view was moved by hand; else everything is shown
     std::optional<Part> hover{};

@@ -10,6 +10,7 @@
 #include "apps/plane/view/geometry_marks.h"
 #include "apps/plane/view/load_marks.h"
 #include "apps/plane/view/mesh_marks.h"
+#include "apps/plane/view/mesher_picture.h"
 #include "apps/plane/view/plate_scene.h"
 #include "apps/plane/view/probe_marks.h"
 #include "apps/plane/view/probe_panel.h"
@@ -64,6 +65,7 @@ public:
         room_ = {{0.0, std::min(top, 0.4 * sheet.height)}, {sheet.width, sheet.height}};
         if (circled_probe(options)) room_.max.x -= probe_panel_width(theme_, sheet.width);
         right_ = room_.max.x;
+        if (input.player != nullptr) room_.max.y -= step_foot_height(theme_);
         if (!cuts_.empty()) room_.max.y -= std::min(cut_panel_height(theme_), 0.5 * sheet.height);
         if (fields_.empty() || !shows(PlateShow::Legend)) return;
         double width = 0.0;
@@ -99,6 +101,8 @@ public:
             sketch.write_captions();
         }
         if (!head_.line.empty()) drawing::draw_head(painter, head_, theme_);
+        if (input_.player != nullptr)
+            draw_step_foot(painter, step_sentence(*input_.player, options_.tr), theme_, room_);
         draw_cut_panels(painter);
         draw_circle_panel(painter);
         if (fields_.empty() || !shows(PlateShow::Legend)) return;
@@ -165,6 +169,7 @@ private:
     {
         const ui::Catalogue& tr = options_.tr;
         std::string line = state_and_case(input_.model, options_);
+        if (input_.player != nullptr) append(line, mesher_note(*input_.player, options_, input_.model));
         if (magnification_ > 0.0)
             append(line, tr("displacements × {scale}", {{"scale", ui::number_text(magnification_, options_.numbers)}}));
         if (result_ != nullptr && shows(PlateShow::Principal)) append(line, principal_note(tr));
@@ -239,7 +244,8 @@ private:
         if (pass == Pass::Drawn)
             for (const FieldPicture& field : fields_) draw_field(scene, field);
         if (pass == Pass::Drawn) draw_highlights(scene);
-        if (shows(PlateShow::Mesh)) draw_mesh(scene);
+        if (input_.player == nullptr && shows(PlateShow::Mesh)) draw_mesh(scene);
+        if (input_.player != nullptr && pass == Pass::Drawn) draw_mesher(scene); // no step moves the picture
         if (is_moved) draw_deformed(scene);
         else if (shows(PlateShow::Geometry)) draw_geometry(scene);
         if (input_.motion != nullptr && mesh_ != nullptr) draw_mechanism(scene);

@@ -17,6 +17,10 @@
 #include "ui/text/catalogue.h"
 #include "ui/text/display_units.h"
 
+namespace discretize {
+class MeshPlayer;
+}
+
 namespace plane {
 
 /// What a picture is of. All of it outlives whatever draws it.
@@ -30,6 +34,8 @@ struct PlateInput {
     const femoop::plane::PlaneCase* result = nullptr;
     /// How the body can move without strain, of the mesh's points, the largest 1; null where it cannot.
     const std::vector<femoop::NodeVector>* motion = nullptr;
+    /// Of the drawing, half way: drawn in place of its mesh and results.
+    const discretize::MeshPlayer* player = nullptr;
 };
 
 /// What its reader chose of a picture.

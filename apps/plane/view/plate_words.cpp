@@ -10,6 +10,7 @@
 #include "apps/plane/view/field_picture.h"
 #include "apps/plane/view/load_marks.h"
 #include "apps/plane/view/mesh_marks.h"
+#include "apps/plane/view/mesher_picture.h"
 #include "apps/plane/view/path_load.h"
 #include "apps/plane/view/plate_scene.h"
 #include "apps/plane/view/probe_marks.h"
@@ -45,7 +46,8 @@ public:
         if (shows(PlateShow::Geometry)) write_geometry();
         if (shows(PlateShow::Supports)) write_supports();
         if (shows(PlateShow::Loads)) write_loads();
-        if (shows(PlateShow::Mesh) && mesh_ != nullptr) write_mesh();
+        if (input_.player != nullptr) write_step();
+        else if (shows(PlateShow::Mesh) && mesh_ != nullptr) write_mesh();
         if (result_ != nullptr) write_results();
         return text_;
     }
@@ -100,6 +102,12 @@ private:
         }
         for (std::size_t r = 0; r < areas.size(); ++r) write_region(fp::RegionId(r), areas[r]);
         if (empty > 0.0) line(tr_("faces that are left empty: {area}", {{"area", area_text(empty)}}));
+    }
+
+    void write_step()
+    {
+        line(mesher_note(*input_.player, options_, input_.model));
+        if (const std::string sentence = step_sentence(*input_.player, tr_); !sentence.empty()) line(sentence);
     }
 
     void write_geometry()

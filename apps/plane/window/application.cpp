@@ -9,6 +9,7 @@
 #include "apps/plane/window/properties_panel.h"
 #include "apps/plane/window/side_panels.h"
 #include "apps/plane/window/tool_bar.h"
+#include "ui/widgets/player_bar.h"
 
 template class ui::DocumentApp<plane::Workspace>;
 
@@ -48,10 +49,18 @@ std::vector<ui::KeyEvent> Application::take_keys(const ui::Input& input)
         if (!event.is_down) continue;
         const bool takes_back = event.key == ui::Key::Z && event.modifiers.ctrl && !event.modifiers.shift;
         if (takes_back && canvas_.cancel(workspace())) continue; // a drag is taken back as a whole
-        if (!types && handle_typing(event.key)) continue;
+        if (!types && (handle_typing(event.key) || handle_presenter(event.key))) continue;
         if (!types_place || !writes_letter(event.key) || event.modifiers.ctrl) left.push_back(event);
     }
     return left;
+}
+
+// While a mesh is watched Page down takes its next step, as a presenter sends it, not the next load case.
+bool Application::handle_presenter(ui::Key key)
+{
+    if (key != ui::Key::PageDown || session().player() == nullptr) return false;
+    run(*commands().find("mesher.forward"), workspace());
+    return true;
 }
 
 // The keys that end or mend a place that is typed while drawing.
@@ -124,7 +133,23 @@ void Application::show_canvas()
 {
     const float row = ImGui::GetFrameHeight(), gap = 0.6F * ImGui::GetFontSize();
     ui::button_bar("###tools", 1.25F * row + gap, [this] { tool_bar(workspace(), commands(), gui(), fonts()); });
-    ui::picture_area(0.0F, [this] { canvas_.show(workspace(), gui()); });
+    const float bar = session().player() != nullptr ? 1.25F * row + gap : 0.0F;
+    ui::picture_area(bar, [this] { canvas_.show(workspace(), gui()); });
+    if (bar > 0.0F) ui::button_bar("###player", bar, [this] { show_player(); });
+}
+
+/// The steps of the mesh that is watched.
+void Application::show_player()
+{
+    Session& watching = workspace().session;
+    const discretize::MeshPlayer* const player = watching.player();
+    if (player == nullptr) return; // a drag has changed the drawing
+    const ui::PlayerCommands names{"mesher.first", "mesher.back", "mesher.play", "mesher.forward", "mesher.last"};
+    const ui::PlayerSteps steps{.place = player->place(), .n = player->n_steps(), .speed = watching.watch.speed};
+    const ui::PlayerChange change = ui::player_bar(workspace(), commands(), names, watching.watch.is_playing(), steps,
+                                                   ui::Theme(watching.look.theme), gui(), fonts());
+    if (change.speed) watching.watch.speed = *change.speed;
+    if (change.place && watching.player() != nullptr) watching.watch.go_to(*change.place);
 }
 
 void Application::show_status() const { ui::status_bar(status_text(session())); }

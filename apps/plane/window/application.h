@@ -40,6 +40,8 @@ private:
     void answer(const ui::FootMessage& message, std::size_t pressed) override;
 
     bool handle_typing(ui::Key key);
+    bool handle_presenter(ui::Key key);
+    void show_player();
 
     Canvas canvas_;
     ui::NumberFields fields_;

@@ -120,6 +120,13 @@ std::string table(const Application& application)
     return shown ? std::string(std::ranges::find(tables(), *shown, &TableEntry::value)->id) : "nothing";
 }
 
+// "12 of 340"
+std::string mesher_step(const Application& application)
+{
+    const discretize::MeshPlayer* const player = application.session().player();
+    return player != nullptr ? std::to_string(player->place()) + " of " + std::to_string(player->n_steps()) : "nothing";
+}
+
 std::string tool(const Application& application)
 {
     return std::string(std::ranges::find(tools(), application.workspace().hand.tool(), &ToolEntry::value)->id);
@@ -194,6 +201,7 @@ const ui::Facts<Application>& facts()
             {"dispute", dispute},
             {"elements", mesh_size},
             {"reason", why_unsolved},
+            {"step", mesher_step},
             {"probes", [](const Application& a) { return std::to_string(a.session().look.readings.probes.size()); }},
             {"cuts", [](const Application& a) { return std::to_string(a.session().look.readings.cuts.size()); }},
             {"range", range},

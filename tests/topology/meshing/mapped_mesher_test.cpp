@@ -150,7 +150,7 @@ TEST_SUITE("mapped meshes")
     {
         Mapped mapped = quadrilateral({{{0.0, 0.0}, {7.0, 1.0}, {6.0, 5.0}, {-1.0, 3.0}}}, 5, 3);
         const auto cells = quadrilaterals(mapped_nodes(mapped.sides, mapped.nodes));
-        RowMesher mesher(mapped.nodes, in_rows(cells, 5));
+        RowMesher mesher(mapped.nodes, in_rows(cells, [](std::size_t) { return 5; }));
         for (std::size_t n = 1; n <= 3; ++n) {
             CHECK(mesher.next() == MeshStep::Row);
             CHECK(mesher.mesh().cells.size() == 5 * n);
