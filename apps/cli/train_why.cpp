@@ -126,7 +126,7 @@ private:
     {
         const std::string text = tr(
             "{effect} = {value} under {loads}: where it comes from",
-            {{"effect", femoop::influence::effect_name(model_, number_.effect)},
+            {{"effect", femoop::influence::effect_name(model_, number_.effect, tr)},
              {"value", number(governing_.value, tr)},
              {"loads", number_.envelope != nullptr ? number_.envelope->id : governing_.train->id}});
         return text + "\n" + tr("Train {train} governs.", {{"train", governing_.train->id}}) + "\n";

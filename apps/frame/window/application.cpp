@@ -161,8 +161,9 @@ void Application::copy_derivation(DerivationWriter* writer)
     const femoop::derivation::Derivation* const derivation = workspace().derivation.derivation();
     if (derivation == nullptr) return;
     ImGui::SetClipboardText(writer(*derivation, session().model(), session().tr()).c_str());
-    workspace().notify({translatable("the steps of {number} were copied"),
-                        {{"number", femoop::influence::effect_name(session().model(), derivation->effect)}}});
+    workspace().notify(
+        {translatable("the steps of {number} were copied"),
+         {{"number", femoop::influence::effect_name(session().model(), derivation->effect, session().tr())}}});
 }
 
 // ---- other programs

@@ -347,7 +347,7 @@ std::string derivation_title(const Derivation& derivation, const Model& model, c
     if (!derivation.redundants.empty()) return fill(tr("Force method in {0}"), {model.case_name(derivation.load_case)});
     const std::string unit = printed_unit(influence::dimension_of(derivation.effect), model.units);
     return fill(tr("{0} = {1} in {2}: where it comes from"),
-                {influence::effect_name(model, derivation.effect), six_digits(derivation.value, tr) + " " + unit,
+                {influence::effect_name(model, derivation.effect, tr), six_digits(derivation.value, tr) + " " + unit,
                  model.case_name(derivation.load_case)});
 }
 

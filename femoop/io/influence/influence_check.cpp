@@ -107,7 +107,7 @@ std::vector<CheckOutcome> check_block(const Model& model, const Translator& tr)
     std::vector<CheckOutcome> outcomes;
     for (std::size_t i = 0; i < block->lines.size(); ++i) {
         const std::string name = fill(tr("line {0}: {1}"),
-                                      {definitions[i].id, effect_name(model, definitions[i].effect)});
+                                      {definitions[i].id, effect_name(model, definitions[i].effect, tr)});
         LineComparison comparison(block->lines[i], found.lines[i], name, tr);
         for (CheckOutcome& outcome : comparison.outcomes()) outcomes.push_back(std::move(outcome));
     }

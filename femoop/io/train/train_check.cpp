@@ -51,7 +51,7 @@ private:
     std::string what(const TrainCheck& check) const
     {
         const std::string which = check.which == ExtremeKind::Max ? "max" : "min";
-        return fill(tr_("train {0}: {1} {2}"), {block_.train.id, which, effect_name(model_, check.effect)});
+        return fill(tr_("train {0}: {1} {2}"), {block_.train.id, which, effect_name(model_, check.effect, tr_)});
     }
 
     void add(std::string what, double wanted, double found, double tolerance)

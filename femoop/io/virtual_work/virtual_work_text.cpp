@@ -298,8 +298,8 @@ std::string virtual_work_text(const VirtualWork& work, const Model& model, const
     const double size = size_of(work.work);
     const auto value = [&](double number) { return six_digits(without_rounding(number, size), tr); };
     const std::string title = fill(tr("{0} = {1} in {2}: by virtual work"),
-                                   {influence::effect_name(model, work.displacement), value(work.value) + " " + unit,
-                                    model.case_name(work.load_case)});
+                                   {influence::effect_name(model, work.displacement, tr),
+                                    value(work.value) + " " + unit, model.case_name(work.load_case)});
     return title + "\n" + std::string(tabular::shown_width(title), '=') + "\n" +
            fill(tr("Lengths in {0}, forces in {1}, rotations in rad."),
                 {std::string(name(model.units.length)), std::string(name(model.units.force))}) +

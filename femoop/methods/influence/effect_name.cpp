@@ -8,11 +8,12 @@ namespace femoop::influence {
 
 namespace {
 
-std::string place_text(const Position& at)
+std::string place_text(const Position& at, const Units& units, const Translator& tr)
 {
-    if (const auto* percent = std::get_if<Percent>(&at)) return number_text(percent->value) + "%";
+    if (const auto* percent = std::get_if<Percent>(&at)) return localized(number_text(percent->value), tr) + "%";
     const Quantity& length = std::get<Quantity>(at);
-    return length.has_text() ? std::string(length.text()) : number_text(length);
+    const bool has_unit = length.text().find_last_not_of("0123456789.+-eE") != std::string_view::npos;
+    return has_unit ? std::string(length.text()) : localized(quantity_text(length, dimension::length, units), tr);
 }
 
 } // namespace
@@ -33,10 +34,11 @@ Dimension dimension_of(const MovingEffect& effect)
     return femoop::dimension_of(asked);
 }
 
-std::string effect_name(const Model& model, const MovingEffect& effect)
+std::string effect_name(const Model& model, const MovingEffect& effect, const Translator& tr)
 {
     const std::string& part = effect.member ? model[*effect.member].id : model[*effect.node].id;
-    return component_name(model.analysis, effect) + "(" + part + (effect.at ? ", " + place_text(*effect.at) : "") + ")";
+    return component_name(model.analysis, effect) + "(" + part +
+           (effect.at ? ", " + place_text(*effect.at, model.units, tr) : "") + ")";
 }
 
 } // namespace femoop::influence

@@ -2,13 +2,14 @@
 
 #include <string>
 
+#include "femoop/model/fault/translator.h"
 #include "femoop/model/model.h"
 #include "femoop/model/quantity/dimension.h"
 
 namespace femoop::influence {
 
-/// What an effect is called where it has no id: M(BC, 50%), fy(A), ux(B), M(BC).
-std::string effect_name(const Model& model, const MovingEffect& effect);
+/// What an effect is called where it has no id: M(BC, 50%), M(BC, 2.5 m), fy(A), ux(B), M(BC).
+std::string effect_name(const Model& model, const MovingEffect& effect, const Translator& tr = english);
 
 /// Of its component alone: M, fy, ux.
 std::string component_name(AnalysisKind kind, const MovingEffect& effect);

@@ -114,6 +114,30 @@ std::string localized_numbers(std::string numbers, const Translator& tr)
     return localized(std::move(numbers), tr);
 }
 
+/// Of forces that are named by their places, "M(BC, 2.5 m)", with ids that stay: a number follows the comma.
+std::string localized_places(std::string names, const Translator& tr)
+{
+    constexpr std::string_view digits = "0123456789";
+    for (std::size_t at = names.find(", "); at != std::string::npos; at = names.find(", ", at + 2)) {
+        const std::size_t end = std::min(names.find_first_not_of(digits, at + 2), names.size());
+        if (end > at + 2 && end < names.size() && names[end] == '.') names[end] = decimal_mark(tr);
+    }
+    return names;
+}
+
+bool names_forces(FaultKind kind, std::size_t argument)
+{
+    switch (kind) {
+    case FaultKind::RedundantNoForce:
+    case FaultKind::RedundantReleased:
+    case FaultKind::RedundantInsideBar:
+    case FaultKind::RedundantTwice: return argument == 1;
+    case FaultKind::RedundantsUnstrained:
+    case FaultKind::PrimaryMoves: return argument == 0;
+    default: return false;
+    }
+}
+
 bool is_unit(FaultKind kind, std::size_t argument)
 {
     return kind == FaultKind::QuantityWrongDimension && argument == 4;
@@ -150,6 +174,7 @@ std::string message(const Fault& fault, const Translator& tr)
     for (std::size_t i = 0; i < arguments.size(); ++i) {
         if (is_word(fault.kind, i)) arguments[i] = translated_word(arguments[i], tr);
         if (is_computed(fault.kind, i)) arguments[i] = with_product_dots(localized_numbers(arguments[i], tr));
+        if (names_forces(fault.kind, i)) arguments[i] = localized_places(arguments[i], tr);
         if (is_unit(fault.kind, i)) arguments[i] = with_product_dots(arguments[i]);
     }
     // A sentence that has no translation keeps its own conjunction.

@@ -57,7 +57,7 @@ TEST_SUITE("frame session")
         CHECK(run(workspace, "view.why") == "point at a number of the picture or of a table of results first");
         workspace.pointed_number = moment(workspace.session, "BC", 3.0);
         CHECK(!run(workspace, "view.why"));
-        CHECK(explained(workspace) == "M(BC, 3)");
+        CHECK(explained(workspace) == "M(BC, 3 m)");
         CHECK(workspace.derivation.n_steps() == 11);
         CHECK(workspace.derivation.shown_step()->kind == StepKind::Member);
         CHECK(!run(workspace, "derivation.previous"));
@@ -73,12 +73,12 @@ TEST_SUITE("frame session")
     {
         Workspace workspace = workspace_with("portal.json");
         explain(workspace, moment(workspace.session, "BC", 3.0));
-        for (const char* const next : {"u(BC, 3)", "v(BC, 3)", "N(BC, 3)", "V(BC, 3)", "M(BC, 3)"}) {
+        for (const char* const next : {"u(BC, 3 m)", "v(BC, 3 m)", "N(BC, 3 m)", "V(BC, 3 m)", "M(BC, 3 m)"}) {
             CHECK(!run(workspace, "derivation.next_number"));
             CHECK(explained(workspace) == next);
         }
         CHECK(!run(workspace, "derivation.previous_number"));
-        CHECK(explained(workspace) == "V(BC, 3)");
+        CHECK(explained(workspace) == "V(BC, 3 m)");
         explain(workspace, reaction(workspace.session, "A", femoop::Dof::rz));
         CHECK(!run(workspace, "derivation.next_number"));
         CHECK(explained(workspace) == "ux(A)");
@@ -92,9 +92,9 @@ TEST_SUITE("frame session")
         extreme.at.reset();
         explain(workspace, extreme);
         CHECK(!run(workspace, "derivation.previous_number"));
-        CHECK(explained(workspace) == "V(BC, 4)");
+        CHECK(explained(workspace) == "V(BC, 4 m)");
         CHECK(!run(workspace, "derivation.next_number"));
-        CHECK(explained(workspace) == "M(BC, 4)");
+        CHECK(explained(workspace) == "M(BC, 4 m)");
     }
 
     TEST_CASE("What is explained follows an edit, and the case that is shown")
@@ -184,7 +184,7 @@ TEST_SUITE("frame session")
         session.change(
             {"Nearer", [&](Document& document) { document.model.nodes[c.index].at[0] = femoop::Quantity(6.0); }});
         workspace.derivation.follow(session);
-        CHECK(explained(workspace) == "M(BC, 6)");
+        CHECK(explained(workspace) == "M(BC, 6 m)");
         explain(workspace, reaction(session, "A", femoop::Dof::uy));
         session.change({"Free", [](Document& document) { document.model.nodes[0].support.reset(); }});
         workspace.derivation.follow(session);

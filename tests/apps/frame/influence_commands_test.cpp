@@ -39,13 +39,13 @@ TEST_SUITE("frame session")
         CHECK(run(workspace, "view.influence.next") ==
               "no influence line is shown; press I and click a section or a support");
         session.influence.ask(session.model(), drawing::Cut{MemberId(1), 40.0});
-        CHECK(asked(session) == "M(BC, 40)");
+        CHECK(asked(session) == "M(BC, 40 ft)");
         CHECK(!run(workspace, "view.influence.next"));
-        CHECK(asked(session) == "N(BC, 40)");
+        CHECK(asked(session) == "N(BC, 40 ft)");
         CHECK(!run(workspace, "view.influence.next"));
-        CHECK(asked(session) == "V(BC, 40)");
+        CHECK(asked(session) == "V(BC, 40 ft)");
         session.influence.ask(session.model(), drawing::Cut{MemberId(0), 10.0});
-        CHECK(asked(session) == "V(AB, 10)");
+        CHECK(asked(session) == "V(AB, 10 ft)");
         CHECK(!run(workspace, "view.influence.close"));
         CHECK(line(session) == nullptr);
     }
@@ -88,7 +88,7 @@ TEST_SUITE("frame session")
         Workspace workspace = workspace_with("truss.json");
         Session& session = workspace.session;
         session.influence.ask(session.model(), drawing::Cut{*session.model().find_member("CD"), 1.0});
-        CHECK(asked(session) == "N(CD, 1)");
+        CHECK(asked(session) == "N(CD, 1 m)");
         REQUIRE(line(session) != nullptr);
         CHECK(line(session)->line.ordinates.max().value == doctest::Approx(1.0)); // all of a load at C hangs on it
     }
