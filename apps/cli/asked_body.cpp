@@ -9,6 +9,7 @@
 
 #include "apps/cli/argument.h"
 #include "apps/cli/asked_effect.h"
+#include "apps/cli/asked_units.h"
 #include "femoop/io/free_body/free_body_text.h"
 #include "femoop/io/json/model_json.h"
 #include "femoop/model/quantity/number_text.h"
@@ -81,6 +82,12 @@ void AskedBody::declare(CLI::App& app, const ui::Catalogue& tr)
 void AskedBody::require_sensible(const ui::Catalogue& tr) const
 {
     if (about_ && !what_) throw needs_too("--about", "--free-body", tr);
+}
+
+void AskedBody::count_lengths_in(std::string_view unit)
+{
+    if (what_) what_ = with_unit(*what_, unit, "@");
+    if (about_) about_ = with_unit(*about_, unit);
 }
 
 Body AskedBody::body(const Model& model, const ui::Catalogue& tr) const

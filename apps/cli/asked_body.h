@@ -2,6 +2,7 @@
 
 #include <optional>
 #include <string>
+#include <string_view>
 
 #include "apps/cli/argument.h"
 #include "apps/cli/option_parser.h"
@@ -22,6 +23,8 @@ public:
     /// In words, or as JSON. \throws UsageError, ModelError where what was typed is none of the model's
     std::string output(const femoop::Model& model, const femoop::Results& results, femoop::CaseId load_case,
                        bool is_json, const ui::Catalogue& tr) const;
+    /// What was typed without a unit, before the model is counted in another one.
+    void count_lengths_in(std::string_view unit);
 
 private:
     femoop::free_body::Body body(const femoop::Model& model, const ui::Catalogue& tr) const;

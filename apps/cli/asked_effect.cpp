@@ -24,7 +24,7 @@ using femoop::Fault;
 using femoop::FaultKind;
 using femoop::Model;
 
-std::vector<std::string> member_components(femoop::AnalysisKind kind)
+std::vector<std::string> names_of_member_components(femoop::AnalysisKind kind)
 {
     std::vector<std::string> names;
     for (const femoop::MemberComponent component : femoop::all_member_components)
@@ -141,7 +141,7 @@ femoop::MovingEffect AskedEffect::effect(const Model& model, const ui::Catalogue
         if (!effect.member) throw unknown_choice(named("member"), *member_, ids_of(model.members), tr);
         effect.component = femoop::find_member_component(*component_, model.analysis);
         if (!effect.component)
-            throw unknown_choice(named("component"), *component_, member_components(model.analysis), tr);
+            throw unknown_choice(named("component"), *component_, names_of_member_components(model.analysis), tr);
         if (at_) effect.at = place(model);
         const bool is_displacement = *effect.component >= femoop::MemberComponent::u;
         effect.quantity = is_displacement ? femoop::ExpectedQuantity::Displacement

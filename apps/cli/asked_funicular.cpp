@@ -7,6 +7,7 @@
 
 #include "apps/cli/argument.h"
 #include "apps/cli/asked_effect.h"
+#include "apps/cli/asked_units.h"
 #include "femoop/io/funicular/funicular_text.h"
 #include "femoop/io/json/model_json.h"
 
@@ -37,6 +38,12 @@ void AskedFunicular::require_sensible(const ui::Catalogue& tr) const
 {
     if (closing_ && !what_) throw needs_too("--closing", "--funicular", tr);
     if (through_ && !what_) throw needs_too("--through", "--funicular", tr);
+}
+
+void AskedFunicular::count_lengths_in(std::string_view unit)
+{
+    for (auto* const words : {&closing_, &through_})
+        if (*words) *words = with_unit(**words, unit);
 }
 
 LoadedChain AskedFunicular::loaded_chain(const Model& model, femoop::CaseId load_case, const ui::Catalogue& tr) const

@@ -2,6 +2,7 @@
 
 #include <optional>
 #include <string>
+#include <string_view>
 
 #include "apps/cli/console.h"
 #include "apps/cli/option_parser.h"
@@ -21,6 +22,8 @@ public:
     /// In words, or as JSON. \throws UsageError where what was typed is none of the model's, or has no funicular
     std::string output(const femoop::Model& model, femoop::CaseId load_case, bool is_json,
                        const ui::Catalogue& tr) const;
+    /// What was typed without a unit, before the model is counted in another one.
+    void count_lengths_in(std::string_view unit);
 
 private:
     femoop::funicular::LoadedChain loaded_chain(const femoop::Model& model, femoop::CaseId load_case,

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "apps/cli/asked_effect.h"
+#include "apps/cli/asked_units.h"
 #include "femoop/io/derivation/derivation_text.h"
 #include "femoop/io/force_method/force_method_text.h"
 #include "femoop/methods/force_method/force_method.h"
@@ -30,6 +31,11 @@ void AskedRedundants::declare(CLI::App& app, const ui::Catalogue& tr)
         ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
 }
 
+void AskedRedundants::count_lengths_in(std::string_view unit)
+{
+    for (std::string& one : what_) one = with_unit(one, unit, "at=");
+}
+
 std::vector<femoop::MovingEffect> AskedRedundants::redundants(const femoop::Model& model, const ui::Catalogue& tr) const
 {
     std::vector<femoop::MovingEffect> all;
@@ -43,8 +49,10 @@ std::vector<femoop::MovingEffect> AskedRedundants::redundants(const femoop::Mode
         asked.require_sensible(tr);
         all.push_back(asked.sound_effect(model, tr));
     }
-    if (auto faults = femoop::force_method::check_redundants(model, all, option); !faults.empty())
-        throw femoop::ModelError(std::move(faults));
+    std::string refused;
+    for (const femoop::Fault& fault : femoop::force_method::check_redundants(model, all, option))
+        refused += (refused.empty() ? "" : "\n") + femoop::message(fault, tr);
+    if (!refused.empty()) throw UsageError(refused);
     return all;
 }
 

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "apps/cli/argument.h"
@@ -24,6 +25,8 @@ public:
     /// released, MechanismError where the structure can move without
     std::string output(const femoop::Model& model, const femoop::Results& results, femoop::CaseId load_case,
                        StepFormat format, const ui::Catalogue& tr) const;
+    /// What was typed without a unit, before the model is counted in another one.
+    void count_lengths_in(std::string_view unit);
 
 private:
     std::vector<femoop::MovingEffect> redundants(const femoop::Model& model, const ui::Catalogue& tr) const;

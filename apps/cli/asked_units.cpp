@@ -2,9 +2,15 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <charconv>
+#include <cmath>
 
 #include "apps/cli/argument.h"
 #include "apps/drawing/sketch/scene.h"
+#include "apps/drawing/sketch/table_units.h"
+#include "femoop/io/train/train_table.h"
+#include "femoop/methods/influence/load_components.h"
+#include "femoop/model/quantity/in_units.h"
 
 namespace cli {
 
@@ -42,6 +48,72 @@ UsageError units_of_file(std::string_view option, const ui::Catalogue& tr)
                          {{"option", option}}));
 }
 
+namespace {
+
+bool is_bare_number(std::string_view text)
+{
+    double value = 0.0;
+    const char* const end = text.data() + text.size();
+    const auto [stopped, error] = std::from_chars(text.data(), end, value);
+    return error == std::errc() && stopped == end;
+}
+
+drawing::DrawOptions in_units_of_file(const ui::UnitChoices& choices)
+{
+    drawing::DrawOptions options;
+    options.units = ui::UnitSystem::File;
+    options.unit_choices = choices;
+    return options;
+}
+
+/// What was chosen is what follows from the model's own base units.
+bool follow(const ui::UnitChoices& choices, const femoop::Model& model)
+{
+    const ui::DisplayUnits units = drawing::display_units(model, in_units_of_file(choices));
+    const auto follows = [&](const ui::QuantityUnits& quantity) {
+        return choices.of(quantity.measure).empty() || std::abs(units.unit(quantity.measure).factor - 1.0) < 1e-9;
+    };
+    return std::ranges::all_of(ui::chosen_quantities(), follows);
+}
+
+/// Pairs of base units, those first that have most in common with the present ones.
+std::vector<femoop::Units> base_units_from(const femoop::Units& present)
+{
+    std::vector<femoop::Units> all;
+    for (int length = 0; length <= static_cast<int>(femoop::LengthUnit::ft); ++length)
+        for (int force = 0; force <= static_cast<int>(femoop::ForceUnit::kgf); ++force)
+            all.push_back({static_cast<femoop::LengthUnit>(length), static_cast<femoop::ForceUnit>(force)});
+    const auto differences = [&](const femoop::Units& units) {
+        return (units.length != present.length ? 1 : 0) + (units.force != present.force ? 1 : 0);
+    };
+    std::ranges::stable_sort(all, {}, differences);
+    return all;
+}
+
+/// "moment=kN·cm, displacement=mm"
+std::string list(const ui::UnitChoices& choices)
+{
+    std::string text;
+    for (const ui::QuantityUnits& quantity : ui::chosen_quantities())
+        if (const std::string_view unit = choices.of(quantity.measure); !unit.empty())
+            text += (text.empty() ? "" : ", ") + std::string(quantity.code) + "=" + std::string(unit);
+    return text;
+}
+
+} // namespace
+
+std::string with_unit(std::string_view words, std::string_view unit, std::string_view sign)
+{
+    std::string text;
+    for (const std::string& word : comma_list(words)) {
+        const std::size_t before = sign.empty() ? 0 : word.rfind(sign);
+        const bool has_number = before != std::string::npos &&
+                                is_bare_number(std::string_view(word).substr(before + sign.size()));
+        text += (text.empty() ? "" : ",") + word + (has_number ? " " + std::string(unit) : "");
+    }
+    return text;
+}
+
 ui::UnitChoices AskedUnits::choices(const ui::Catalogue& tr) const
 {
     ui::UnitChoices choices;
@@ -52,19 +124,44 @@ ui::UnitChoices AskedUnits::choices(const ui::Catalogue& tr) const
 
 femoop::ResultUnits AskedUnits::of_results(const femoop::Model& model, const ui::Catalogue& tr) const
 {
-    drawing::DrawOptions options;
-    options.units = ui::UnitSystem::File;
-    options.unit_choices = choices(tr);
-    const ui::DisplayUnits units = drawing::display_units(model, options);
-    const auto unit = [&](ui::Measure measure) {
-        const ui::DisplayUnit found = units.unit(measure);
-        return femoop::PrintedUnit{found.name, found.factor};
-    };
-    return {.length = unit(ui::Measure::Length),
-            .displacement = unit(ui::Measure::Displacement),
-            .rotation = unit(ui::Measure::Rotation),
-            .force = unit(ui::Measure::Force),
-            .moment = unit(ui::Measure::Moment)};
+    return drawing::table_units(drawing::display_units(model, in_units_of_file(choices(tr))));
+}
+
+femoop::influence::LineUnits AskedUnits::of_line(const femoop::Model& model,
+                                                 const femoop::InfluenceLineDefinition& line,
+                                                 const ui::Catalogue& tr) const
+{
+    if (!are_given()) return femoop::influence::line_units(model, line);
+    const bool is_couple = femoop::influence::is_couple(femoop::influence::unit_load(model.analysis, line.load));
+    const ui::DisplayUnits units = drawing::display_units(model, in_units_of_file(choices(tr)));
+    const femoop::ResultUnits per_load = drawing::table_units(
+        units.per(is_couple ? ui::Measure::Moment : ui::Measure::Force));
+    return {.length = drawing::table_units(units).length,
+            .ordinate = femoop::influence::unit_of(per_load, line.effect)};
+}
+
+drawing::DrawOptions AskedUnits::of_pictures(drawing::DrawOptions options) const
+{
+    options.unit_choices = choices(options.tr);
+    return options;
+}
+
+femoop::Model AskedUnits::in_one_system(const femoop::Model& model, std::string_view option,
+                                        const ui::Catalogue& tr) const
+{
+    const ui::UnitChoices chosen = choices(tr);
+    femoop::Model counted = model;
+    counted.extra.clear();
+    for (const femoop::Units& units : base_units_from(model.units)) {
+        counted.units = units;
+        if (!follow(chosen, counted)) continue;
+        counted.units = model.units;
+        return units == model.units ? counted : femoop::in_units(counted, units);
+    }
+    throw UsageError(
+        tr("{option} counts in one unit of length and one of force, and {units} do not follow from any two; "
+           "leave one of them out",
+           {{"option", option}, {"units", list(chosen)}}));
 }
 
 } // namespace cli

@@ -11,8 +11,10 @@
 #include "apps/cli/analysis_run.h"
 #include "apps/cli/argument.h"
 #include "apps/cli/asked_effect.h"
+#include "apps/cli/asked_units.h"
 #include "apps/cli/model_input.h"
 #include "apps/cli/moving_picture.h"
+#include "apps/cli/picture.h"
 #include "femoop/io/influence/influence_block.h"
 #include "femoop/io/influence/influence_json.h"
 #include "femoop/methods/influence/influence_line.h"
@@ -47,6 +49,7 @@ private:
     std::vector<std::string> lines_;
     std::optional<std::string> path_;
     AskedEffect asked_;
+    AskedUnits units_;
     bool is_json_ = false, is_described_ = false;
 };
 
@@ -83,6 +86,7 @@ void Influence::declare(CLI::App& app, const ui::Catalogue& tr)
                    tr("how many evenly spaced places of each member have their ordinates printed (default 11); "
                       "a jump has two"))
         ->option_text("N");
+    units_.declare(app, tr);
     app.add_flag("--json", is_json_, tr("print JSON with every digit instead of tables"));
     app.add_flag("--describe", is_described_, tr("print sentences instead of tables: for a screen reader"));
 }
@@ -137,11 +141,14 @@ std::string Influence::output(const Model& model, const std::vector<InfluenceLin
     if (is_described_) {
         std::string words;
         for (std::size_t i = 0; i < found.lines.size(); ++i)
-            words += line_in_words(model, definitions[i], found.lines[i], console.tr());
+            words += line_in_words(model, definitions[i], found.lines[i],
+                                   units_.of_pictures(draw_options(console.tr())));
         return words;
     }
-    return is_json_ ? femoop::influence::lines_json(model, definitions, found.lines, n)
-                    : femoop::influence::lines_text(model, definitions, found.lines, n, console.tr());
+    if (is_json_) return femoop::influence::lines_json(model, definitions, found.lines, n);
+    std::vector<femoop::influence::LineUnits> units;
+    for (const InfluenceLineDefinition& line : definitions) units.push_back(units_.of_line(model, line, console.tr()));
+    return femoop::influence::lines_text(model, definitions, found.lines, units, n, console.tr());
 }
 
 ExitStatus Influence::run(Console& console)
@@ -150,6 +157,7 @@ ExitStatus Influence::run(Console& console)
     if (file_.empty()) throw no_file("influence", tr);
     asked_.require_sensible(tr);
     if (is_json_ && is_described_) throw ask_for_different_things("--json", "--describe", tr);
+    if (is_json_ && units_.are_given()) throw units_of_file("--json", tr);
     if (asked_.is_asked() && !lines_.empty()) throw ask_for_different_things("--line", asked_.option(), tr);
     const std::optional<Model> model = load_model(file_, console);
     if (!model) return ExitStatus::BadInput;

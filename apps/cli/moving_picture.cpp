@@ -168,10 +168,9 @@ public:
         return ExitStatus::Done;
     }
 
-    std::string words(const Standing& standing)
+    std::string words(const Standing& standing, const drawing::DrawOptions& options)
     {
         const drawing::InfluencePicture picture = line_under(standing);
-        const drawing::DrawOptions options = draw_options(console_.tr());
         console_.report(file_, analysis_.warnings());
         return influence_words(model_, options, picture) +
                train_words(model_, options, picture, standing.train, standing.worst);
@@ -234,20 +233,20 @@ ExitStatus draw_line(const Model& model, const InfluenceLineDefinition& definiti
 } // namespace
 
 std::string line_in_words(const Model& model, const InfluenceLineDefinition& definition,
-                          const femoop::influence::InfluenceLine& line, const ui::Catalogue& tr)
+                          const femoop::influence::InfluenceLine& line, const drawing::DrawOptions& options)
 {
     const drawing::InfluencePicture picture{
         .path = femoop::influence::lay_out(model, femoop::influence::members_of(model, definition.path)),
         .load = femoop::influence::unit_load(model.analysis, definition.load),
         .line = line};
-    return influence_words(model, draw_options(tr), picture);
+    return influence_words(model, options, picture);
 }
 
 std::string train_in_words(const Model& model, const femoop::Train& train, const std::optional<MovingEffect>& asked,
-                           const std::string& file, const Console& console)
+                           const drawing::DrawOptions& options, const std::string& file, const Console& console)
 {
     TrainDrawing drawing(model, train, file, console);
-    return drawing.words(drawing.standing(asked, {}));
+    return drawing.words(drawing.standing(asked, {}), options);
 }
 
 void MovingPicture::declare(CLI::App& app, const ui::Catalogue& tr)

@@ -15,13 +15,13 @@ namespace cli {
 
 /// An influence line for a reader who cannot see it: what it is of, its extremes with their places, its areas.
 std::string line_in_words(const femoop::Model& model, const femoop::InfluenceLineDefinition& definition,
-                          const femoop::influence::InfluenceLine& line, const ui::Catalogue& tr);
+                          const femoop::influence::InfluenceLine& line, const drawing::DrawOptions& options);
 
 /// A train likewise, with the line that it stands on: where it is worst for the effect, or for the one that `render`
 /// draws where none is asked for; what of it stands where, and what that comes to. \throws ModelError
 std::string train_in_words(const femoop::Model& model, const femoop::Train& train,
-                           const std::optional<femoop::MovingEffect>& asked, const std::string& file,
-                           const Console& console);
+                           const std::optional<femoop::MovingEffect>& asked, const drawing::DrawOptions& options,
+                           const std::string& file, const Console& console);
 
 /// What options of `render` ask for of loads that move: one influence line, or one train.
 class MovingPicture {

@@ -64,6 +64,8 @@ private:
     std::string description(const Model& model, const Results& results, const Selection& selection,
                             const ui::Catalogue& tr) const;
     void require_one_output(const ui::Catalogue& tr) const;
+    std::optional<std::string_view> calculation() const;
+    void count_in_chosen_units(Model& model, const ui::Catalogue& tr);
     std::string trace(const Model& model, const ui::Catalogue& tr) const;
     ExitStatus solve_plane(femoop::plane::PlaneReading& reading, const femoop::AnalysisOptions& options,
                            Console& console) const;
@@ -252,8 +254,8 @@ void Solve::require_one_output(const ui::Catalogue& tr) const
         refuse(is_given && !is_of_a_case && case_ != "all", option, "--case");
         refuse(is_given && is_of_a_case && !has_envelope && case_ == "envelope", option, "--case envelope");
         refuse(is_given && !has_csv && csv_folder_, option, "--csv");
-        if (is_given && units_.are_given()) throw units_of_file(option, tr);
     }
+    if (solver_trace_.are_given() && units_.are_given()) throw units_of_file("--trace-solver", tr);
     if (is_json_ && units_.are_given()) throw units_of_file("--json", tr);
     if (csv_folder_ && units_.are_given()) throw units_of_file("--csv", tr);
 }
@@ -427,6 +429,32 @@ ExitStatus Solve::solve_plane(femoop::plane::PlaneReading& reading, const femoop
                         options, console);
 }
 
+/// An option whose numbers are those of one calculation, or sentences on it.
+std::optional<std::string_view> Solve::calculation() const
+{
+    if (traced_member_) return "--trace";
+    if (asked_number_) return "--why";
+    if (worked_displacement_) return "--virtual-work";
+    if (redundants_.are_asked()) return "--force-method";
+    if (body_.is_asked()) return "--free-body";
+    if (funicular_.is_asked()) return "--funicular";
+    if (is_described_) return "--describe";
+    return std::nullopt;
+}
+
+void Solve::count_in_chosen_units(Model& model, const ui::Catalogue& tr)
+{
+    const auto option = calculation();
+    if (!option || !units_.are_given()) return;
+    const std::string typed(femoop::name(model.units.length));
+    for (auto* const words : {&asked_number_, &worked_displacement_})
+        if (*words) *words = with_unit(**words, typed, "at=");
+    redundants_.count_lengths_in(typed);
+    body_.count_lengths_in(typed);
+    funicular_.count_lengths_in(typed);
+    model = units_.in_one_system(model, *option, tr);
+}
+
 ExitStatus Solve::run(Console& console)
 {
     const ui::Catalogue& tr = console.tr();
@@ -444,6 +472,7 @@ ExitStatus Solve::run(Console& console)
     auto& members = std::get<femoop::ModelReading>(reading);
     console.report(display_name(file_, tr), members.faults);
     if (!members.is_sound()) return ExitStatus::BadInput;
+    count_in_chosen_units(members.model, tr);
     const Model* const model = &members.model;
     const Selection selected = selection(*model, tr);
     phases.read = watch.lap();

@@ -11,8 +11,10 @@
 #include "apps/cli/analysis_run.h"
 #include "apps/cli/argument.h"
 #include "apps/cli/asked_effect.h"
+#include "apps/cli/asked_units.h"
 #include "apps/cli/model_input.h"
 #include "apps/cli/moving_picture.h"
+#include "apps/cli/picture.h"
 #include "apps/cli/train_why.h"
 #include "femoop/io/train/train_block.h"
 #include "femoop/io/train/train_json.h"
@@ -55,6 +57,7 @@ private:
     std::string file_, stations_ = "11";
     std::vector<std::string> trains_, envelopes_;
     AskedEffect asked_;
+    AskedUnits units_;
     std::optional<std::string> why_;
     bool is_json_ = false, is_proved_ = false, is_described_ = false;
 };
@@ -92,6 +95,7 @@ void Train::declare(CLI::App& app, const ui::Catalogue& tr)
     asked_.declare(app, tr);
     app.add_option("--stations", stations_, tr("how many sections of each member are looked at (default 11)"))
         ->option_text("N");
+    units_.declare(app, tr);
     app.add_flag("--proof", is_proved_, tr("print breaks and roots, and the value at each of them"));
     app.add_option(
            "--why", why_,
@@ -187,7 +191,8 @@ void Train::describe(const Question& question, const Model& model, Console& cons
     std::optional<MovingEffect> asked;
     if (asked_.is_asked()) asked = asked_.sound_effect(model, console.tr());
     for (const femoop::Train* train : question.trains)
-        console.print(train_in_words(model, *train, asked, display_name(file_, console.tr()), console));
+        console.print(train_in_words(model, *train, asked, units_.of_pictures(draw_options(console.tr())),
+                                     display_name(file_, console.tr()), console));
 }
 
 void Train::answer(const Model& model, Console& console) const
@@ -203,7 +208,7 @@ void Train::answer(const Model& model, Console& console) const
     const std::vector<TrainResults> all = results(question, analysis);
     console.report(display_name(file_, tr), analysis.warnings());
     console.print(is_json_ ? femoop::influence::trains_json(model, all)
-                           : femoop::influence::trains_text(model, all, tr));
+                           : femoop::influence::trains_text(model, all, units_.of_results(model, tr), tr));
 }
 
 ExitStatus Train::run(Console& console)
@@ -214,9 +219,15 @@ ExitStatus Train::run(Console& console)
     if (why_ && is_proved_) throw ask_for_different_things("--why", "--proof", console.tr());
     if (why_ && asked_.is_asked()) throw ask_for_different_things("--why", asked_.option(), console.tr());
     if (is_json_ && is_described_) throw ask_for_different_things("--json", "--describe", console.tr());
+    if (is_json_ && units_.are_given()) throw units_of_file("--json", console.tr());
     if (is_proved_ && is_described_) throw ask_for_different_things("--proof", "--describe", console.tr());
-    const std::optional<Model> model = load_model(file_, console);
+    std::optional<Model> model = load_model(file_, console);
     if (!model) return ExitStatus::BadInput;
+    if (why_ && units_.are_given()) {
+        if (!model->extra.empty()) throw units_of_file("\"" + model->extra.front().key + "\"", console.tr());
+        why_ = with_unit(*why_, femoop::name(model->units.length), "at=");
+        model = units_.in_one_system(*model, "--why", console.tr());
+    }
     try {
         answer(*model, console);
     } catch (const femoop::ModelError& error) {

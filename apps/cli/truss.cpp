@@ -10,6 +10,7 @@
 
 #include "apps/cli/analysis_run.h"
 #include "apps/cli/argument.h"
+#include "apps/cli/asked_units.h"
 #include "apps/cli/model_input.h"
 #include "femoop/io/truss/truss_json.h"
 #include "femoop/io/truss/truss_sentence.h"
@@ -40,6 +41,7 @@ private:
 
     std::string file_;
     std::optional<std::string> case_, method_, cut_;
+    AskedUnits units_;
     bool is_json_ = false, is_latex_ = false;
 };
 
@@ -71,6 +73,7 @@ void Truss::declare(CLI::App& app, const ui::Catalogue& tr)
                    tr("the bars that a section cuts, separated by commas: each is found by itself if the "
                       "others meet in one point or are parallel"))
         ->option_text("BARS");
+    units_.declare(app, tr);
     app.add_flag("--json", is_json_, tr("print JSON instead of text"));
     app.add_flag("--latex", is_latex_, tr("print the body of a LaTeX document instead of text"));
 }
@@ -78,6 +81,7 @@ void Truss::declare(CLI::App& app, const ui::Catalogue& tr)
 void Truss::require_sensible(const ui::Catalogue& tr) const
 {
     if (file_.empty()) throw no_file("truss", tr);
+    if (is_json_ && units_.are_given()) throw units_of_file("--json", tr);
     if (is_json_ && is_latex_) throw print_different_things("--json", "--latex", tr);
     constexpr std::array<std::string_view, 4> methods{"zero-force", "joints", "sections", "cremona"};
     if (method_ && std::ranges::find(methods, *method_) == methods.end())
@@ -114,8 +118,9 @@ std::variant<std::string, Refusal> Truss::output(const Model& model, const femoo
 ExitStatus Truss::run(Console& console)
 {
     require_sensible(console.tr());
-    const std::optional<Model> model = load_model(file_, console);
+    std::optional<Model> model = load_model(file_, console);
     if (!model) return ExitStatus::BadInput;
+    if (units_.are_given()) model = units_.in_one_system(*model, "cremona truss", console.tr());
     const std::string file = display_name(file_, console.tr());
     auto solved = solve_model(*model, file, {}, console);
     if (const auto* status = std::get_if<ExitStatus>(&solved)) return *status;

@@ -5,6 +5,8 @@
 #include <iterator>
 
 #include "apps/drawing/results/solved_case.h"
+#include "apps/drawing/sketch/scene.h"
+#include "apps/drawing/sketch/table_units.h"
 #include "femoop/geometry/member_geometry.h"
 #include "femoop/io/train/train_csv.h"
 #include "femoop/io/train/train_table.h"
@@ -217,7 +219,9 @@ std::string AskedEnvelope::words(const drawing::DrawOptions& options) const
         for (const femoop::influence::MemberEnvelope& member : members(component))
             results.extremes.push_back(member.extreme);
     return title(*found_.model, options) + "\n\n" +
-           femoop::influence::trains_text(*found_.model, {results}, options.tr);
+           femoop::influence::trains_text(*found_.model, {results},
+                                          drawing::table_units(drawing::display_units(*found_.model, options)),
+                                          options.tr);
 }
 
 std::string AskedEnvelope::csv() const

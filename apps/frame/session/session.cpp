@@ -6,6 +6,7 @@
 
 #include "apps/drawing/results/envelope_cases.h"
 #include "apps/drawing/results/locked_scale.h"
+#include "apps/drawing/sketch/table_units.h"
 #include "apps/frame/document/companion/companion_file.h"
 #include "apps/frame/document/coordinate_limit.h"
 #include "apps/frame/document/dropped_references.h"
@@ -475,7 +476,7 @@ std::string comparison_text(const Session& session, const DrawOptions& shown)
            "\n" +
            femoop::differences_sentences({&session.model(), (*results)[shown.load_case]},
                                          {&reference.model, reference.results[*counterpart]},
-                                         femoop::result_units(session.model().units), tr);
+                                         drawing::table_units(session.units()), tr);
 }
 
 /// Of trains, or why there is none.

@@ -3,6 +3,7 @@
 #include <span>
 #include <string>
 
+#include "femoop/io/results/result_units.h"
 #include "femoop/methods/influence/influence_line.h"
 #include "femoop/model/fault/translator.h"
 #include "femoop/model/model.h"
@@ -21,8 +22,17 @@ std::string lines_json(const Model& model, std::span<const InfluenceLineDefiniti
 /// "quantity", "node" or "member", "component", "at" (a length), "side": of an open object.
 void write_effect(JsonWriter& json, const Model& model, const MovingEffect& effect);
 
-/// The same as tables for a person.
+/// The units that tables of a line have.
+struct LineUnits {
+    PrintedUnit length;   ///< of places
+    PrintedUnit ordinate; ///< of the effect per force, or per moment of a couple
+};
+/// The file's.
+LineUnits line_units(const Model& model, const InfluenceLineDefinition& line);
+
+/// The same as tables for a person. \param units  parallel to lines
 std::string lines_text(const Model& model, std::span<const InfluenceLineDefinition> definitions,
-                       std::span<const InfluenceLine> lines, std::size_t n_stations, const Translator& tr);
+                       std::span<const InfluenceLine> lines, std::span<const LineUnits> units, std::size_t n_stations,
+                       const Translator& tr);
 
 } // namespace femoop::influence

@@ -3,6 +3,7 @@
 
 #include "femoop/io/influence/influence_json.h"
 #include "femoop/methods/influence/effect_name.h"
+#include "femoop/methods/influence/load_components.h"
 #include "femoop/model/quantity/dimension.h"
 #include "femoop/model/quantity/number_text.h"
 #include "femoop/model/quantity/six_digits.h"
@@ -16,22 +17,19 @@ namespace {
 
 constexpr std::size_t indent = 2;
 
-/// Of an ordinate: the effect's per force, or per moment of a couple.
 Dimension ordinate_dimension(AnalysisKind kind, const InfluenceLineDefinition& line)
 {
-    const NodeVector load = unit_load(kind, line.load);
-    const bool is_couple = load[0] == 0.0 && load[1] == 0.0 && load[2] == 0.0;
     Dimension d = dimension_of(line.effect);
     d.force = static_cast<std::int8_t>(d.force - 1);
-    if (is_couple) d.length = static_cast<std::int8_t>(d.length - 1);
+    if (is_couple(unit_load(kind, line.load))) d.length = static_cast<std::int8_t>(d.length - 1);
     return d;
 }
 
-std::string places_text(const LineExtreme& extreme, const Translator& tr)
+std::string places_text(const LineExtreme& extreme, const PrintedUnit& length, const Translator& tr)
 {
     std::string text;
     for (std::size_t i = 0; i < extreme.positions.size(); ++i) {
-        text += six_digits(extreme.positions[i], tr);
+        text += six_digits(extreme.positions[i] * length.factor, tr);
         if (i + 1 < extreme.positions.size()) text += extreme.is_level_after[i] ? " .. " : ", ";
     }
     return text;
@@ -41,8 +39,11 @@ std::string places_text(const LineExtreme& extreme, const Translator& tr)
 struct LineTables {
     const Model& model;
     const InfluenceLine& line;
-    std::string length_unit, unit;
+    const LineUnits& units;
     const Translator& tr;
+
+    double place(double s) const { return s * units.length.factor; }
+    double ordinate(double value) const { return value * units.ordinate.factor; }
 
     std::string text(const tabular::Table& table) const
     {
@@ -52,12 +53,13 @@ struct LineTables {
     tabular::Table pieces() const
     {
         tabular::Table table(
-            {tr("member"), {tr("from"), length_unit}, {tr("to"), length_unit}, "1", "t", "t^2", "t^3"});
+            {tr("member"), {tr("from"), units.length.name}, {tr("to"), units.length.name}, "1", "t", "t^2", "t^3"});
         for (const LineStretch& stretch : line.stretches) {
-            std::vector<tabular::Cell> row{model[stretch.member].id, stretch.from, stretch.to};
+            std::vector<tabular::Cell> row{model[stretch.member].id, place(stretch.from), place(stretch.to)};
             const std::vector<double>& c = line.ordinates.pieces[stretch.first_piece].coefficients;
-            for (std::size_t i = 0; i < 4; ++i) {
-                if (!stretch.is_series) row.emplace_back(i < c.size() ? six_digits(c[i], tr) : "0");
+            double unit = units.ordinate.factor; // of the coefficient of t^i
+            for (std::size_t i = 0; i < 4; ++i, unit /= units.length.factor) {
+                if (!stretch.is_series) row.emplace_back(i < c.size() ? six_digits(c[i] * unit, tr) : "0");
                 else row.emplace_back(i == 0 ? tr("closed form, a power series") : "");
             }
             table.add_row(std::move(row));
@@ -67,19 +69,20 @@ struct LineTables {
 
     tabular::Table ordinates(std::size_t n) const
     {
-        tabular::Table table({{"s", length_unit}, {"η", unit}});
+        tabular::Table table({{"s", units.length.name}, {"η", units.ordinate.name}});
         const double size = line.ordinates.largest();
         for (const LineStation& station : stations(line, n))
-            table.add_row({station.s, without_rounding(station.value, size)});
+            table.add_row({place(station.s), ordinate(without_rounding(station.value, size))});
         return table;
     }
 
     tabular::Table summary() const
     {
         const double size = line.ordinates.largest();
-        tabular::Table table({"", {"η", unit}, {"s", length_unit}});
+        tabular::Table table({"", {"η", units.ordinate.name}, {"s", units.length.name}});
         const auto add = [&](const std::string& what, const LineExtreme& extreme) {
-            table.add_row({what, six_digits(without_rounding(extreme.value, size), tr), places_text(extreme, tr)});
+            table.add_row({what, six_digits(ordinate(without_rounding(extreme.value, size)), tr),
+                           places_text(extreme, units.length, tr)});
         };
         add(tr("max"), line.ordinates.max());
         add(tr("min"), line.ordinates.min());
@@ -89,9 +92,10 @@ struct LineTables {
     std::string areas() const
     {
         const LineAreas areas = line.ordinates.areas();
+        const double unit = units.ordinate.factor * units.length.factor;
         return "  " +
                fill(tr("areas: {0} positive, {1} negative"),
-                    {six_digits(areas.positive, tr), six_digits(areas.negative, tr)}) +
+                    {six_digits(areas.positive * unit, tr), six_digits(areas.negative * unit, tr)}) +
                "\n";
     }
 };
@@ -105,21 +109,23 @@ std::string path_text(const Model& model, const LoadPathReference& path)
 
 } // namespace
 
+LineUnits line_units(const Model& model, const InfluenceLineDefinition& line)
+{
+    return {.length = {unit_text(dimension::length, model.units)},
+            .ordinate = {printed_unit(ordinate_dimension(model.analysis, line), model.units)}};
+}
+
 std::string lines_text(const Model& model, std::span<const InfluenceLineDefinition> definitions,
-                       std::span<const InfluenceLine> lines, std::size_t n_stations, const Translator& tr)
+                       std::span<const InfluenceLine> lines, std::span<const LineUnits> units, std::size_t n_stations,
+                       const Translator& tr)
 {
     std::string text;
     for (std::size_t i = 0; i < lines.size(); ++i) {
         const InfluenceLineDefinition& definition = definitions[i];
-        const Dimension d = ordinate_dimension(model.analysis, definition);
-        const LineTables tables{.model = model,
-                                .line = lines[i],
-                                .length_unit = unit_text(dimension::length, model.units),
-                                .unit = printed_unit(d, model.units),
-                                .tr = tr};
+        const LineTables tables{.model = model, .line = lines[i], .units = units[i], .tr = tr};
         text += text.empty() ? "" : "\n";
         text += fill(tr("Influence line {0}: {1}, unit load along {2}"),
-                     {definition.id, effect_name(model, definition.effect), path_text(model, definition.path)}) +
+                     {definition.id, effect_name(model, definition.effect, tr), path_text(model, definition.path)}) +
                 "\n\n" + tables.text(tables.summary()) + tables.areas() + "\n" + tr("Pieces, t = s - from") + "\n" +
                 tables.text(tables.pieces()) + "\n" + tr("Ordinates") + "\n" +
                 tables.text(tables.ordinates(n_stations));

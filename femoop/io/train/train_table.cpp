@@ -24,7 +24,9 @@ constexpr std::size_t table_indent = 2;
 
 class TrainReport {
 public:
-    TrainReport(const Model& model, const Translator& tr) : model_(model), tr_(tr) {}
+    TrainReport(const Model& model, const ResultUnits& units, const Translator& tr)
+        : model_(model), units_(units), tr_(tr)
+    {}
 
     std::string text(const TrainResults& results) const
     {
@@ -41,8 +43,11 @@ private:
 
     std::string component(const MovingEffect& effect) const { return component_name(model_.analysis, effect); }
     bool is_of_member(const MovingEffect& effect) const { return effect.member.has_value(); }
-    std::string unit(const MovingEffect& effect) const { return printed_unit(dimension_of(effect), model_.units); }
-    std::string length_unit() const { return unit_text(dimension::length, model_.units); }
+    std::string unit(const MovingEffect& effect) const { return unit_of(units_, effect).name; }
+    double shown(double value, const MovingEffect& effect) const { return value * unit_of(units_, effect).factor; }
+    std::string length_unit() const { return units_.length.name; }
+    double length(double value) const { return value * units_.length.factor; }
+    std::string length_text(double value) const { return number(length(value)); }
 
     template <class Entry> std::vector<MovingEffect> components(const std::vector<Entry>& entries) const
     {
@@ -65,13 +70,13 @@ private:
         if (!placing.position) return tr_("away");
         constexpr std::size_t most_named = 12;
         const std::vector<double>& spacings = placing.spacings;
-        std::string text = number(*placing.position);
+        std::string text = length_text(*placing.position);
         double s = *placing.position;
         for (std::size_t i = 0; i < spacings.size(); ++i) {
             s += placing.reversed ? spacings[i] : -spacings[i];
-            if (spacings.size() < most_named) text += "; " + number(s);
+            if (spacings.size() < most_named) text += "; " + length_text(s);
         }
-        if (spacings.size() >= most_named) text += "; ...; " + number(s);
+        if (spacings.size() >= most_named) text += "; ...; " + length_text(s);
         return text + (placing.reversed ? " <" : " >");
     }
 
@@ -84,8 +89,8 @@ private:
     std::vector<tabular::Cell> place_cells(const MovingEffect& effect) const
     {
         if (!effect.member) return {model_[*effect.node].id};
-        const double length = geometry_of(model_, model_[*effect.member]).length;
-        return {model_[*effect.member].id, effect.at ? tabular::Cell(along(*effect.at, length)) : tabular::Cell()};
+        const double L = geometry_of(model_, model_[*effect.member]).length;
+        return {model_[*effect.member].id, effect.at ? tabular::Cell(length(along(*effect.at, L))) : tabular::Cell()};
     }
 
     std::string effect_table(const TrainResults& results, const MovingEffect& of) const
@@ -104,17 +109,24 @@ private:
         for (const TrainEffect& effect : results.effects) {
             if (!is_alike(effect.effect, of)) continue;
             std::vector<tabular::Cell> row = place_cells(effect.effect);
-            add(row, effect.max, size, *effect.max_train, results.is_envelope);
-            add(row, effect.min, size, *effect.min_train, results.is_envelope);
+            const double unit = unit_of(units_, of).factor;
+            add(row, effect.max, {size, unit}, *effect.max_train, results.is_envelope);
+            add(row, effect.min, {size, unit}, *effect.min_train, results.is_envelope);
             table.add_row(std::move(row));
         }
         return "\n" + component(of) + "\n" + tabular::plain_text(table, {table_indent, decimal_mark(tr_)});
     }
 
-    void add(std::vector<tabular::Cell>& row, const Placing& placing, double size, const Train& train,
+    /// How a value is written: beside what it may be rounding, and times what.
+    struct Written {
+        double size, unit;
+        double operator()(double value) const { return without_rounding(value, size) * unit; }
+    };
+
+    void add(std::vector<tabular::Cell>& row, const Placing& placing, const Written& written, const Train& train,
              bool names_train) const
     {
-        row.emplace_back(without_rounding(placing.value, size));
+        row.emplace_back(written(placing.value));
         row.emplace_back(axle_places(placing, train));
         if (names_train) row.emplace_back(train.id);
     }
@@ -140,19 +152,20 @@ private:
             if (!is_alike(extreme.effect, of)) continue;
             std::vector<tabular::Cell> row{model_[*extreme.effect.member].id};
             const double size = std::max(std::abs(extreme.max.placing.value), std::abs(extreme.min.placing.value));
-            add(row, extreme.max, size, *extreme.max_train, results.is_envelope);
-            add(row, extreme.min, size, *extreme.min_train, results.is_envelope);
+            const double unit = unit_of(units_, of).factor;
+            add(row, extreme.max, {size, unit}, *extreme.max_train, results.is_envelope);
+            add(row, extreme.min, {size, unit}, *extreme.min_train, results.is_envelope);
             table.add_row(std::move(row));
         }
         return "\n" + component(of) + "\n" + tabular::plain_text(table, {table_indent, decimal_mark(tr_)});
     }
 
-    void add(std::vector<tabular::Cell>& row, const WorstSection& worst, double size, const Train& train,
+    void add(std::vector<tabular::Cell>& row, const WorstSection& worst, const Written& written, const Train& train,
              bool names_train) const
     {
         std::string sections;
-        for (const double x : worst.sections) sections += (sections.empty() ? "" : "; ") + number(x);
-        row.emplace_back(without_rounding(worst.placing.value, size));
+        for (const double x : worst.sections) sections += (sections.empty() ? "" : "; ") + length_text(x);
+        row.emplace_back(written(worst.placing.value));
         row.emplace_back(sections);
         row.emplace_back(axle_places(worst.placing, train));
         if (names_train) row.emplace_back(train.id);
@@ -171,7 +184,8 @@ private:
         if (!placing.spacings.empty()) parts.push_back(fill(tr_("spacings {0}"), {list(placing.spacings)}));
         if (train.uniform) parts.push_back(uniform(placing));
         for (const auto& place : placing.concentrated)
-            parts.push_back(place ? fill(tr_("single force at s = {0}"), {number(*place)}) : tr_("single force away"));
+            parts.push_back(place ? fill(tr_("single force at s = {0}"), {length_text(*place)})
+                                  : tr_("single force away"));
         std::string text;
         for (const std::string& part : parts) text += (text.empty() ? "" : "; ") + part;
         return "  " + which + ": " + text + "\n";
@@ -181,13 +195,13 @@ private:
     {
         if (!placing.position) return tr_("no axle on the path");
         return fill(placing.reversed ? tr_("leading axle at s = {0}, reversed") : tr_("leading axle at s = {0}"),
-                    {number(*placing.position)});
+                    {length_text(*placing.position)});
     }
 
     std::string list(const std::vector<double>& numbers) const
     {
         std::string text;
-        for (const double one : numbers) text += (text.empty() ? "" : "; ") + number(one);
+        for (const double one : numbers) text += (text.empty() ? "" : "; ") + length_text(one);
         return text;
     }
 
@@ -196,7 +210,8 @@ private:
         if (placing.uniform.empty()) return tr_("uniform load nowhere");
         std::string text;
         for (const Stretch& stretch : placing.uniform)
-            text += (text.empty() ? "" : "; ") + fill(tr_("{0} to {1}"), {number(stretch.from), number(stretch.to)});
+            text += (text.empty() ? "" : "; ") +
+                    fill(tr_("{0} to {1}"), {length_text(stretch.from), length_text(stretch.to)});
         return fill(tr_("uniform load on {0}"), {text});
     }
 
@@ -212,13 +227,14 @@ private:
                               {tr_("candidate")},
                               {component(effect), unit(effect)}});
         for (const SearchProof::Entry& entry : proof.entries)
-            table.add_row({entry.candidate.x, entry.reversed ? tr_("reversed") : tr_("forwards"),
-                           name(entry.candidate.kind), entry.candidate.value});
-        std::string text = "\n" + fill(tr_("{0} {1}: candidates"), {which, effect_name(model_, effect)}) + "\n";
+            table.add_row({length(entry.candidate.x), entry.reversed ? tr_("reversed") : tr_("forwards"),
+                           name(entry.candidate.kind), shown(entry.candidate.value, effect)});
+        std::string text = "\n" + fill(tr_("{0} {1}: candidates"), {which, effect_name(model_, effect, tr_)}) + "\n";
         if (!proof.entries.empty()) text += tabular::plain_text(table, {table_indent, decimal_mark(tr_)});
-        if (proof.uniform != 0.0) text += "  + " + fill(tr_("{0} of the uniform load"), {number(proof.uniform)}) + "\n";
+        if (proof.uniform != 0.0)
+            text += "  + " + fill(tr_("{0} of the uniform load"), {number(shown(proof.uniform, effect))}) + "\n";
         if (proof.concentrated != 0.0)
-            text += "  + " + fill(tr_("{0} of the single forces"), {number(proof.concentrated)}) + "\n";
+            text += "  + " + fill(tr_("{0} of the single forces"), {number(shown(proof.concentrated, effect))}) + "\n";
         return text;
     }
 
@@ -229,15 +245,25 @@ private:
     }
 
     const Model& model_;
+    const ResultUnits& units_;
     const Translator& tr_;
 };
 
 } // namespace
 
-std::string trains_text(const Model& model, const std::vector<TrainResults>& results, const Translator& tr)
+const PrintedUnit& unit_of(const ResultUnits& units, const MovingEffect& effect)
+{
+    if (effect.component) return units.of(*effect.component);
+    return effect.quantity == ExpectedQuantity::Reaction ? units.of_force(*effect.dof)
+                                                         : units.of_displacement(*effect.dof);
+}
+
+std::string trains_text(const Model& model, const std::vector<TrainResults>& results, const ResultUnits& units,
+                        const Translator& tr)
 {
     std::string text;
-    for (const TrainResults& one : results) text += (text.empty() ? "" : "\n") + TrainReport(model, tr).text(one);
+    for (const TrainResults& one : results)
+        text += (text.empty() ? "" : "\n") + TrainReport(model, units, tr).text(one);
     return text;
 }
 

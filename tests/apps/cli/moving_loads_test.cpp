@@ -75,4 +75,33 @@ TEST_CASE("Where a value is nothing but rounding beside the others, the table ha
     CHECK(!has(moved.out, "e-"));
 }
 
+TEST_CASE("Trains and influence lines are printed in chosen units, quantity by quantity, JSON in those of the file")
+{
+    constexpr const char* beam =
+        R"({"cremona": 1, "analysis": "frame2d", "units": {"length": "m", "force": "kN"},
+            "materials": [{"id": "m", "E": 2e8}], "sections": [{"id": "s", "A": 0.01, "Iz": 1e-4}],
+            "nodes": [{"id": "A", "at": [0, 0], "support": "pin"}, {"id": "B", "at": [8, 0], "support": "roller"}],
+            "members": [{"id": "AB", "nodes": ["A", "B"], "material": "m", "section": "s"}],
+            "paths": [{"id": "deck", "members": ["AB"]}], "trains": [{"id": "T", "path": "deck", "axles": [7]}]})";
+    const auto asked = [&](const char* command, const std::vector<std::string>& words) {
+        std::vector<std::string> all{command, "-", "--member", "AB", "--at", "3", "--component", "M"};
+        all.insert(all.end(), words.begin(), words.end());
+        return cremona(all, beam);
+    };
+    const Run train = asked("train", {"--unit", "moment=kN*cm,length=mm"});
+    CHECK(has(train.out, "max [kN·cm]"));
+    CHECK(has(train.out, "1312.5")); // P a b / (a + b)
+    CHECK(has(train.out, "leading axle at s = 3000"));
+    const Run line = asked("influence", {"--unit", "moment=kN*cm"});
+    CHECK(has(line.out, "η [kN·cm/kN]"));
+    CHECK(has(line.out, "max  187.5"));
+    CHECK(has(line.out, "areas: 750 "));
+    CHECK(has(asked("influence", {"--unit", "length=cm", "--describe"}).out, "at s = 300 cm"));
+    const Run why = cremona({"train", "-", "--why", "member=AB,at=3,component=M", "--unit", "force=N"}, beam);
+    CHECK(has(why.out, "M(AB, 3 m) = 13125 N·m under T"));
+    for (const char* const command : {"train", "influence"})
+        CHECK(has(asked(command, {"--unit", "length=cm", "--json"}).err, "--json counts in the units of the file"));
+    CHECK(has(cremona({"truss", "examples/truss.json", "--unit", "force=N"}).out, "N(AD) = −36055.5"));
+}
+
 TEST_SUITE_END();

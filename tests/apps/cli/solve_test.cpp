@@ -77,6 +77,8 @@ TEST_CASE("--unit, given again or with commas, chooses the units of tables quant
     CHECK(has(run.out, "-12.8")); // mm
     CHECK(has(cremona({"solve", "-", "--unit", "force=tf", "--case", "envelope"}, cantilever()).out, "fy [tf]"));
     CHECK(cremona({"solve", "-", "--unit", "moment=kN*cm", "--json"}, cantilever()).status == 2);
+    CHECK(has(cremona({"solve", "-", "--unit", "moment=kN*cm", "--trace-solver"}, cantilever()).err,
+              "--trace-solver counts in the units of the file"));
     CHECK(has(cremona({"solve", "-", "--unit", "moment=kN*m2"}, cantilever()).err, "choose from: N·mm"));
 }
 
@@ -325,7 +327,7 @@ TEST_CASE("--force-method finds the prop's 3 q L / 8 with the program's redundan
                               propped_cantilever());
     REQUIRE(hinge.status == 0);
     CHECK(has(hinge.out, "Método das forças em G"));
-    CHECK(has(hinge.out, "X1 = M(AB, 0)"));
+    CHECK(has(hinge.out, "X1 = M(AB, 0 m)"));
 }
 
 TEST_CASE("--force-method refuses what cannot be released, and says how the structure moves without it")
@@ -350,6 +352,34 @@ TEST_CASE("--force-method refuses what cannot be released, and says how the stru
     CHECK(has(refused({"node=B,component=fy", "node=B,component=fy"}).err, "fy(B) is named twice"));
     CHECK(has(refused({"automatic", "node=B,component=fy"}).err, "automatic chooses every redundant"));
     CHECK(has(refused({"all"}).err, "--force-method: \"all\" asks for nothing"));
+    const std::string section = "member=AB,at=2.5,component=M";
+    CHECK(has(refused({section, section}).err, "M(AB, 2.5 m) is named twice"));
+    CHECK(has(cremona({"solve", "-", "--force-method", section, "--force-method", section, "--lang", "pt"},
+                      propped_cantilever())
+                  .err,
+              "M(AB, 2,5 m)"));
+}
+
+TEST_CASE(
+    "A calculation counts in the units from which those follow that --unit chooses, and lengths are typed in the file's")
+{
+    const auto asked = [](std::initializer_list<std::string> words) {
+        std::vector<std::string> all{"solve", "-"};
+        all.insert(all.end(), words);
+        return cremona(all, propped_cantilever());
+    };
+    const Run why = asked({"--why", "member=AB,at=2.5,component=M", "--unit", "moment=kN*cm"});
+    // -q L^2 / 8 + 5/8 q L x - q x^2 / 2 with q = 6 kN/m, L = 8 m, x = 2.5 m
+    CHECK(has(why.out, "M(AB, 2.5 m) = 825 kN·cm in G"));
+    CHECK(has(why.out, "Lengths in cm, forces in kN"));
+    CHECK(has(asked({"--free-body", "cut=AB@2.5,beside=A", "--about", "8,0", "--unit", "length=mm,force=N"}).out,
+              "Moments about (8000, 0) mm"));
+    CHECK(has(asked({"--force-method", "automatic", "--unit", "force=N"}).out, "18000"));
+    CHECK(has(asked({"--virtual-work", "member=AB,at=50%,component=v", "--unit", "displacement=mm"}).out, " mm in G"));
+    CHECK(has(asked({"--describe", "--unit", "force=tf"}).out, " tf "));
+    const Run torn = asked({"--why", "node=B,component=fy", "--unit", "moment=kN*cm,displacement=mm"});
+    CHECK(torn.status == 2);
+    CHECK(has(torn.err, "--why counts in one unit of length and one of force, and displacement=mm, moment=kN·cm do"));
 }
 
 TEST_CASE("--trace-solver tells the four orders with their costs, the chosen one, the fronts and the pattern of L")
