@@ -171,6 +171,25 @@ std::vector<TrainResults> Train::results(const Question& question, TrainAnalysis
     return all;
 }
 
+/// \throws UsageError where the worst sections would be looked for too long
+void require_searchable(const Question& question, const Model& model, const ui::Catalogue& tr)
+{
+    double size = 0.0;
+    const auto add = [&](const femoop::Train& train) {
+        size += static_cast<double>(question.extremes.size()) * femoop::influence::search_size(model, train);
+        if (!(size > femoop::influence::most_search_size)) return;
+        throw UsageError(tr(
+            "{train}: {count} spacings vary; with {members} members on its path the worst sections would be looked for "
+            "too long. Ask for one section by --member, --at and --component, or let fewer spacings vary",
+            {{"train", train.id},
+             {"count", std::to_string(train.spacing_ranges.size())},
+             {"members", std::to_string(femoop::influence::members_of(model, train.path).size())}}));
+    };
+    for (const femoop::Train* train : question.trains) add(*train);
+    for (const MovingEnvelope* envelope : question.envelopes)
+        for (const femoop::TrainId id : envelope->trains) add(model.moving_loads.trains[id.index]);
+}
+
 void Train::explain(const Question& question, const Model& model, Console& console) const
 {
     const ui::Catalogue& tr = console.tr();
@@ -204,6 +223,7 @@ void Train::answer(const Model& model, Console& console) const
     if (why_) return explain(question, model, console);
     if (is_described_) return describe(question, model, console);
     choose_effects(question, model, tr);
+    require_searchable(question, model, tr);
     TrainAnalysis analysis(model);
     const std::vector<TrainResults> all = results(question, analysis);
     console.report(display_name(file_, tr), analysis.warnings());

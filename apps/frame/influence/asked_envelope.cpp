@@ -3,10 +3,12 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <utility>
 
 #include "apps/drawing/results/solved_case.h"
 #include "apps/drawing/sketch/scene.h"
 #include "apps/drawing/sketch/table_units.h"
+#include "apps/frame/document/fault/sentence.h"
 #include "femoop/geometry/member_geometry.h"
 #include "femoop/io/train/train_csv.h"
 #include "femoop/io/train/train_table.h"
@@ -24,6 +26,9 @@ using femoop::Train;
 using femoop::influence::TrainEffect;
 
 namespace {
+
+constexpr double all_time = 1e300, time_of_frame = 1e5; // [pieces gone through], some 4e5 a second
+constexpr double longest_search = 4e5;                  // of one component of one member, which is not parted
 
 MovingEffect of_member(MemberId member, MemberComponent component)
 {
@@ -99,8 +104,10 @@ const drawing::EnvelopePicture* AskedEnvelope::picture(const Model& model, std::
         found_.members.clear();
         found_.reactions.reset();
         found_.faults.clear();
+        found_.too_long.reset();
+        found_.is_looking = false;
     }
-    if (!found_.faults.empty()) return nullptr;
+    if (!found_.faults.empty() || found_.too_long) return nullptr;
     const Look look{options.show, options.tr.language(), options.numbers};
     if (found_.look == look) return &found_.picture;
     try {
@@ -108,6 +115,8 @@ const drawing::EnvelopePicture* AskedEnvelope::picture(const Model& model, std::
         if (!found_.analysis) found_.analysis = std::make_shared<femoop::influence::TrainAnalysis>(*found_.model);
         found_.envelope = envelope(*found_.model);
         found_.brought = brought_by_trains();
+        found_.is_looking = !look_at_members();
+        if (found_.is_looking || found_.too_long) return nullptr;
         draw(options);
         found_.look = look;
     } catch (const femoop::ModelError& error) {
@@ -115,6 +124,68 @@ const drawing::EnvelopePicture* AskedEnvelope::picture(const Model& model, std::
         return nullptr;
     }
     return &found_.picture;
+}
+
+const drawing::EnvelopePicture* AskedEnvelope::whole_picture(const Model& model, std::uint64_t generation,
+                                                             const drawing::DrawOptions& options) const
+{
+    const double left = std::exchange(time_, all_time);
+    const auto* const found = picture(model, generation, options);
+    time_ = left;
+    return found;
+}
+
+void AskedEnvelope::give_time() const { time_ = time_of_frame; }
+
+std::vector<std::string> AskedEnvelope::why_none(const ui::Catalogue& tr) const
+{
+    std::vector<std::string> all;
+    for (const femoop::Fault& fault : found_.faults) all.push_back(sentence(fault, tr));
+    if (found_.too_long) {
+        const Train& train = found_.model->moving_loads.trains[found_.too_long->index];
+        all.push_back(
+            tr("{train}: {count} spacings vary; the worst of all sections would be looked for too long. Let fewer "
+               "of them vary, or ask for the influence line of one section",
+               {{"train", train.id}, {"count", std::to_string(train.spacing_ranges.size())}}));
+    }
+    if (found_.is_looking) {
+        std::size_t done = 0;
+        for (const auto& [component, members] : found_.members) done += members.size();
+        const std::size_t n = found_.model->members.size() *
+                              femoop::section_force_components(found_.model->analysis).size();
+        all.push_back(tr("Looking for the worst sections: {percent}%", {{"percent", std::to_string(100 * done / n)}}));
+    }
+    return all;
+}
+
+/// Of one component of one member under all trains.
+double AskedEnvelope::size_of_search() const
+{
+    double size = 0.0;
+    for (const femoop::TrainId id : found_.envelope.trains) {
+        const double one = femoop::influence::search_size(*found_.model, found_.model->moving_loads.trains[id.index]);
+        if (one > longest_search) found_.too_long = id;
+        size += one;
+    }
+    return size;
+}
+
+/// As far as the time of this frame goes, at least one. \returns whether all are known
+bool AskedEnvelope::look_at_members() const
+{
+    constexpr std::size_t n_sections = 41; // of each member: between two of them a line is near enough to the band
+    const double size = size_of_search();
+    if (found_.too_long) return true;
+    for (const MemberComponent component : femoop::section_force_components(found_.model->analysis)) {
+        Members& known = found_.members[component];
+        while (known.size() < found_.model->members.size()) {
+            if (time_ <= 0.0) return false;
+            known.push_back(found_.analysis->along_member(found_.envelope, of_member(MemberId(known.size()), component),
+                                                          n_sections));
+            time_ -= size;
+        }
+    }
+    return true;
 }
 
 void AskedEnvelope::draw(const drawing::DrawOptions& options) const
@@ -138,13 +209,7 @@ void AskedEnvelope::draw(const drawing::DrawOptions& options) const
 
 const AskedEnvelope::Members& AskedEnvelope::members(MemberComponent component) const
 {
-    constexpr std::size_t n_sections = 41; // of each member: between two of them a line is near enough to the band
-    const auto known = found_.members.find(component);
-    if (known != found_.members.end()) return known->second;
-    Members all;
-    for (std::size_t i = 0; i < found_.model->members.size(); ++i)
-        all.push_back(found_.analysis->along_member(found_.envelope, of_member(MemberId(i), component), n_sections));
-    return found_.members[component] = std::move(all);
+    return found_.members.at(component);
 }
 
 const std::vector<TrainEffect>& AskedEnvelope::reactions() const

@@ -44,11 +44,17 @@ public:
     /// "Envelope of G + 1.35 × (HS20, lane)". \pre the model has trains
     std::string title(const femoop::Model& model, const drawing::DrawOptions& options) const;
 
-    /// As the options show it: components and reactions. Null where there is none, as `faults` says.
+    /// As the options show it: components and reactions. Null where there is none, or none yet, as `why_none` says.
     /// \param generation  grows whenever the model changes  \pre the model has trains
     const drawing::EnvelopePicture* picture(const femoop::Model& model, std::uint64_t generation,
                                             const drawing::DrawOptions& options) const;
-    const std::vector<femoop::Fault>& faults() const { return found_.faults; }
+    /// The same, however long it takes.
+    const drawing::EnvelopePicture* whole_picture(const femoop::Model& model, std::uint64_t generation,
+                                                  const drawing::DrawOptions& options) const;
+    /// Once a frame: long searches go on by so much that the hand is not held up. Before the first time nothing waits.
+    void give_time() const;
+    bool is_looking() const { return found_.is_looking; } ///< the search goes on with the next frame
+    std::vector<std::string> why_none(const ui::Catalogue& tr) const;
 
     /// Of each member. \pre there was a picture
     const std::vector<femoop::influence::MemberEnvelope>& members(femoop::MemberComponent component) const;
@@ -83,7 +89,11 @@ private:
         std::optional<Look> look; ///< of the picture, once it is drawn
         drawing::EnvelopePicture picture;
         std::vector<femoop::Fault> faults;
+        std::optional<femoop::TrainId> too_long; ///< a train whose search would hold up the hand
+        bool is_looking = false;
     };
+    bool look_at_members() const;
+    double size_of_search() const;
     void draw(const drawing::DrawOptions& options) const;
     const std::vector<femoop::influence::TrainEffect>& reactions() const;
     drawing::Bound bound(double value, double noise, const femoop::Train& train) const;
@@ -94,6 +104,7 @@ private:
     bool is_on_ = false;
     Choice choice_;
     mutable Found found_;
+    mutable double time_ = 1e300; ///< that is left in this frame [pieces gone through]
 };
 
 } // namespace frame

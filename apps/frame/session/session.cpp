@@ -484,9 +484,9 @@ std::string train_envelope_text(const Session& session)
 {
     const DrawOptions shown = session.results_view();
     const AskedEnvelope& envelope = session.train_envelope;
-    if (envelope.picture(session.model(), session.generation(), shown) != nullptr) return envelope.words(shown);
+    if (envelope.whole_picture(session.model(), session.generation(), shown) != nullptr) return envelope.words(shown);
     std::string reasons;
-    for (const femoop::Fault& fault : envelope.faults()) reasons += sentence(fault, shown.tr) + "\n";
+    for (const std::string& reason : envelope.why_none(shown.tr)) reasons += reason + "\n";
     return reasons;
 }
 

@@ -31,6 +31,7 @@ void Workspace::tick(double seconds)
     swing_ = is_swinging(*this) ? swing_ + seconds : full_swing;
     session.draw_state.phase = std::sin(2.0 * std::numbers::pi * swing_ / seconds_per_swing);
     if (bottom.shows(BottomContent::Solver)) solver.advance(seconds);
+    session.train_envelope.give_time();
     ui::tick(session.notice, seconds);
 }
 
@@ -38,7 +39,8 @@ bool Workspace::is_moving() const
 {
     const bool has_passing_notice = session.notice && session.notice->seconds_left;
     const bool is_walking = bottom.shows(BottomContent::Solver) && solver.is_playing();
-    return is_swinging(*this) || is_walking || has_passing_notice;
+    const bool is_looking = session.shows_train_envelope() && session.train_envelope.is_looking();
+    return is_swinging(*this) || is_walking || has_passing_notice || is_looking;
 }
 
 std::string Workspace::kept_tools() const

@@ -77,9 +77,7 @@ std::vector<std::string> why_no_train_values(const Session& session)
     const bool is_shown = session.shows_train_envelope() && session.solution().results;
     if (!is_shown || session.train_envelope.picture(session.model(), session.generation(), session.results_view()))
         return {};
-    std::vector<std::string> all;
-    for (const femoop::Fault& fault : session.train_envelope.faults()) all.push_back(sentence(fault, session.view.tr));
-    return all;
+    return session.train_envelope.why_none(session.view.tr);
 }
 
 std::vector<std::string> why_no_truss_shown(const Session& session)

@@ -72,7 +72,8 @@ private:
     std::optional<ui::Message> train_envelope() const
     {
         const AskedEnvelope& envelope = session_.train_envelope;
-        const auto* const picture = envelope.picture(session_.model(), session_.generation(), session_.results_view());
+        const auto* const picture = envelope.whole_picture(session_.model(), session_.generation(),
+                                                           session_.results_view());
         if (picture == nullptr) return ui::Message(ui::translatable("the envelope of trains has no values"));
         return text(envelope.csv());
     }

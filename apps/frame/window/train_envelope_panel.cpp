@@ -163,8 +163,7 @@ void train_envelope_panel(Workspace& workspace, ui::NumberFields& fields)
     const auto* const picture = session.train_envelope.picture(session.model(), session.generation(),
                                                                session.results_view());
     if (picture == nullptr) {
-        for (const femoop::Fault& fault : session.train_envelope.faults())
-            ui::wrapped_text(sentence(fault, session.tr()));
+        for (const std::string& reason : session.train_envelope.why_none(session.tr())) ui::wrapped_text(reason);
         return;
     }
     ui::wrapped_text(

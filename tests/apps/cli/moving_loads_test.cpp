@@ -104,4 +104,25 @@ TEST_CASE("Trains and influence lines are printed in chosen units, quantity by q
     CHECK(has(cremona({"truss", "examples/truss.json", "--unit", "force=N"}).out, "N(AD) = −36055.5"));
 }
 
+TEST_CASE("A train whose worst sections would be looked for too long is refused by name; one section of it is found")
+{
+    std::string axles = "1", spacings, ranges;
+    for (int i = 1; i <= 120; ++i) {
+        axles += ", 1";
+        spacings += std::string(i > 1 ? ", " : "") + "0.1";
+        ranges += std::string(i > 1 ? ", " : "") + "\"" + std::to_string(i) + "\": [0.1, 0.2]";
+    }
+    const std::string beam =
+        R"({"cremona": 1, "analysis": "frame2d", "units": {"length": "m", "force": "kN"},
+            "materials": [{"id": "m", "E": 2e8}], "sections": [{"id": "s", "A": 0.01, "Iz": 1e-4}],
+            "nodes": [{"id": "A", "at": [0, 0], "support": "pin"}, {"id": "B", "at": [8, 0], "support": "roller"}],
+            "members": [{"id": "AB", "nodes": ["A", "B"], "material": "m", "section": "s"}],
+            "trains": [{"id": "Convoy", "path": ["AB"], "axles": [)" +
+        axles + R"(], "spacings": [)" + spacings + R"(], "spacing_ranges": {)" + ranges + "}}]}";
+    const Run all = cremona({"train", "-"}, beam);
+    CHECK(all.status == 2);
+    CHECK(has(all.err, "Convoy: 120 spacings vary; with 1 members on its path"));
+    CHECK(cremona({"train", "-", "--member", "AB", "--at", "3", "--component", "M"}, beam).status == 0);
+}
+
 TEST_SUITE_END();

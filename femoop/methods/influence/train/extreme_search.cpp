@@ -174,12 +174,22 @@ private:
                (i + 1 == sections_.size() || sections_[i + 1].value <= most);
     }
 
+    /// Nothing beside it can be as large as what was found.
+    bool is_hopeless(std::size_t i, const Size& found) const
+    {
+        const Tried& at = sections_[i];
+        const double before = i > 0 ? stretch(sections_[i - 1], at).bound : at.value;
+        const double after = i + 1 < sections_.size() ? stretch(at, sections_[i + 1]).bound : at.value;
+        return std::max(before, after) < found.most - equal_extremes * found.scale;
+    }
+
     /// Stretches around the largest values of neighbours.
     std::vector<std::pair<double, double>> peaks() const
     {
         std::vector<std::size_t> found;
+        const Size largest = size();
         for (std::size_t i = 0; i < sections_.size(); ++i)
-            if (is_peak(i, 0.0)) found.push_back(i);
+            if (is_peak(i, 0.0) && !is_hopeless(i, largest)) found.push_back(i);
         std::ranges::sort(found, [&](std::size_t i, std::size_t j) { return sections_[i].value > sections_[j].value; });
         if (found.size() > n_peaks) found.resize(n_peaks);
         std::vector<std::pair<double, double>> stretches;
@@ -290,6 +300,15 @@ private:
 };
 
 } // namespace
+
+double search_size(const MovingTrain& train, std::size_t n_members)
+{
+    constexpr double n_sections = 1600.0, n_exact = 16.0; // that are searched, of both extremes
+    const auto n_varying = std::ranges::count_if(train.spacings, [](const auto& one) { return one.most > one.least; });
+    const double of_one_section = static_cast<double>((n_members + 1) * (train.axles.size() + 1)) *
+                                  static_cast<double>(1 + n_varying);
+    return of_one_section * (has_only_fixed_axles(train) ? n_exact : n_sections);
+}
 
 WorstSection worst_section(const SectionLines& lines, const std::vector<double>& ends, const MovingTrain& train,
                            ExtremeKind kind, const Permanent* permanent)

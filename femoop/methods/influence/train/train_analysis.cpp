@@ -163,6 +163,12 @@ std::vector<MovingEffect> default_effects(const Model& model, std::size_t n)
     return effects;
 }
 
+double search_size(const Model& model, const Train& train)
+{
+    const MovingEffect moment{.quantity = ExpectedQuantity::Extreme, .component = MemberComponent::Mz};
+    return search_size(moving_train(train, moment), members_of(model, train.path).size());
+}
+
 MovingEffect at_section(MovingEffect effect, double x, double length)
 {
     const bool is_displacement_there = is_displacement(*effect.component);

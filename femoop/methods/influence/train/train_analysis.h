@@ -45,6 +45,11 @@ std::vector<MovingEffect> default_effects(const Model& model, std::size_t n);
 /// Every section force of each member, without a place.
 std::vector<MovingEffect> default_extremes(const Model& model);
 
+/// `search_size` of the extreme of one component of one member.
+double search_size(const Model& model, const Train& train);
+/// Searches that are larger together are refused: some minutes.
+inline constexpr double most_search_size = 1e8;
+
 /// An effect without a place, at a section of its member of this length; at its end the - side.
 MovingEffect at_section(MovingEffect effect, double x, double length);
 
