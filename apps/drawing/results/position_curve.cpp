@@ -37,15 +37,19 @@ public:
     CurveDrawing(ui::Painter& painter, const PositionCurve& curve, const ui::Box& box, const CurveLook& look)
         : painter_(painter), curve_(curve), look_(look), size_(look.theme.type().small)
     {
+        const auto [from, to] = positions(curve);
+        from_ = from;
+        to_ = to;
         for (const Run& run : curve.runs) {
             runs_.push_back(places_of(run));
-            from_ = std::min(from_, run.from);
-            to_ = std::max(to_, run.to);
             for (const Place& place : runs_.back()) include(place.value);
         }
         include(curve.now.value);
         const double side = 16.0 + 0.5 * size_;
         room_ = {{box.min.x + side, box.min.y + 3.3 * size_}, {box.max.x - side, box.max.y - 1.6 * size_}};
+        begin_ = room_.min.x;
+        end_ = room_.max.x;
+        if (look.path) stand_below(*look.path, box);
     }
 
     void draw() const
@@ -63,11 +67,23 @@ private:
         most_ = std::max(most_, value);
     }
 
+    // To the scale of the path where that leaves room for the positions beyond its ends.
+    void stand_below(const PathOnSheet& path, const ui::Box& box)
+    {
+        constexpr double rim = 6.0; // [px] that a disc keeps
+
+        const double scale = (path.end - path.begin) / curve_.path_length;
+        const double begin = path.begin + scale * from_, end = path.begin + scale * to_;
+        if (std::min(begin, end) < box.min.x + rim || std::max(begin, end) > box.max.x - rim) return;
+        begin_ = begin;
+        end_ = end;
+    }
+
     ui::Point at(const Place& place) const
     {
         const double height = most_ > least_ ? (place.value - least_) / (most_ - least_) : 0.0;
         const double along = to_ > from_ ? (place.position - from_) / (to_ - from_) : 0.0;
-        return {room_.min.x + along * room_.width(), room_.max.y - height * room_.height()};
+        return {begin_ + along * (end_ - begin_), room_.max.y - height * room_.height()};
     }
 
     ui::TextStyle style(ui::Role role, ui::Anchor anchor) const
@@ -90,9 +106,12 @@ private:
         axis.width *= 3.0;
         painter_.line(at({0.0, 0.0}), at({curve_.path_length, 0.0}), axis);
         const double y = room_.max.y + 0.4 * size_;
-        painter_.text({room_.min.x, y}, place_text(from_), style(ui::Role::FaintLabel, ui::Anchor::TopLeft));
-        painter_.text({room_.max.x, y}, place_text(to_), style(ui::Role::FaintLabel, ui::Anchor::TopRight));
-        painter_.text({0.5 * (room_.min.x + room_.max.x), y}, look_.tr("position of the leading axle"),
+        const bool is_rightwards = end_ > begin_;
+        painter_.text({begin_, y}, place_text(from_),
+                      style(ui::Role::FaintLabel, is_rightwards ? ui::Anchor::TopLeft : ui::Anchor::TopRight));
+        painter_.text({end_, y}, place_text(to_),
+                      style(ui::Role::FaintLabel, is_rightwards ? ui::Anchor::TopRight : ui::Anchor::TopLeft));
+        painter_.text({0.5 * (begin_ + end_), y}, look_.tr("position of the leading axle"),
                       style(ui::Role::FaintLabel, ui::Anchor::Top));
     }
 
@@ -163,9 +182,17 @@ private:
     ui::Box room_;
     std::vector<std::vector<Place>> runs_;
     double from_ = 0.0, to_ = 0.0, least_ = 0.0, most_ = 0.0;
+    double begin_ = 0.0, end_ = 0.0; ///< x of these positions on the sheet
 };
 
 } // namespace
+
+femoop::influence::Stretch positions(const PositionCurve& curve)
+{
+    femoop::influence::Stretch all;
+    for (const PositionCurve::Run& run : curve.runs) all = {std::min(all.from, run.from), std::max(all.to, run.to)};
+    return all;
+}
 
 double curve_height(const ui::Theme& theme, ui::Size sheet)
 {

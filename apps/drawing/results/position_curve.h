@@ -1,6 +1,7 @@
 #pragma once
 
 #include "femoop/methods/influence/train/position_function.h"
+#include "femoop/methods/influence/train/train_search.h"
 #include "ui/paint/painter.h"
 #include "ui/paint/theme.h"
 #include "ui/text/catalogue.h"
@@ -32,17 +33,26 @@ struct PositionCurve {
     ui::Measure measure = ui::Measure::Moment; ///< of the effect
 };
 
+/// Where a level path stands on the sheet: x of its beginning and of its end [logical pixels].
+struct PathOnSheet {
+    double begin = 0.0, end = 0.0;
+};
+
 /// How it is drawn.
 struct CurveLook {
     const ui::Theme& theme;
     const ui::DisplayUnits& units;
     const ui::Catalogue& tr;
+    std::optional<PathOnSheet> path{}; ///< positions stand below its places where all of them have room
 };
+
+/// Positions with some axle on the path, of all runs.
+femoop::influence::Stretch positions(const PositionCurve& curve);
 
 /// That it takes of a sheet; 0 where the sheet is too low for it.
 double curve_height(const ui::Theme& theme, ui::Size sheet);
 
-/// A diagram of its own, across the box: a reversed run is dashed, small discs stand at the candidates, a ring at the
+/// A diagram of its own, below the path or across the box: a reversed run is dashed, small discs stand at the candidates, a ring at the
 /// critical place, a line and a disc where the train stands. Positive values are above.
 void draw_position_curve(ui::Painter& painter, const PositionCurve& curve, const ui::Box& box, const CurveLook& look);
 

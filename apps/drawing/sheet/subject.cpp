@@ -447,6 +447,7 @@ std::vector<Eigen::Vector3d> Subject::fitted_points() const
     std::vector<Eigen::Vector3d> points = shape_.nodes;
     if (input_.free_body) std::ranges::move(places_of(*input_.free_body, shape_), std::back_inserter(points));
     if (shows_funicular()) std::ranges::move(places_of(*input_.funicular), std::back_inserter(points));
+    if (has_curve()) std::ranges::move(ends_of_curve(), std::back_inserter(points));
     if (options_.show.contains(Show::DrawnDimensions)) {
         const std::vector<Eigen::Vector3d> ends = ends_of_dimensions(input_.model, input_.dimensions);
         points.insert(points.end(), ends.begin(), ends.end());
@@ -686,7 +687,7 @@ Subject::Picture Subject::draw(ui::Painter& painter) const
         picture.is_whole = picture.is_whole && holds(panel.box, drawn.tight_bounds) &&
                            holds(below_heads, drawn.mark_bounds);
     }
-    draw_foot(painter);
+    draw_foot(painter, picture.plan);
     if (n_left_out > 0) draw_left_out(painter, n_left_out);
     return picture;
 }
@@ -752,6 +753,44 @@ bool Subject::shows_work() const
 bool Subject::has_diagram() const { return shows_truss() || shows_funicular(); }
 
 bool Subject::has_curve() const { return input_.influence != nullptr && input_.influence->curve; }
+
+std::optional<Subject::LevelPath> Subject::level_path() const
+{
+    constexpr double nearness = 1e-6; // of the length
+    const femoop::influence::PathLayout& path = input_.influence->path;
+    if (path.members.empty() || is_seen_in_space(input_.model.analysis)) return std::nullopt;
+    const auto end_of = [&](const femoop::influence::PathMember& on, double s) -> Eigen::Vector3d {
+        const MemberShape& member = shape_[on.member];
+        return member.start + on.x_of(s) * member.x();
+    };
+    const LevelPath found{end_of(path.members.front(), 0.0), end_of(path.members.back(), path.length())};
+    const Eigen::Vector3d along = found.end - found.begin;
+    const double slack = nearness * path.length();
+    const bool is_level = std::abs(along.y()) <= slack && std::abs(along.norm() - path.length()) <= slack;
+    return is_level && path.length() > 0.0 ? std::optional(found) : std::nullopt;
+}
+
+// Of a train that is longer than half the path the curve has the width of the sheet, and the path too.
+std::vector<Eigen::Vector3d> Subject::ends_of_curve() const
+{
+    constexpr double most_beyond = 0.5; // of the path's length
+    const auto path = level_path();
+    const auto [from, to] = positions(*input_.influence->curve);
+    const double length = input_.influence->path.length();
+    if (!path || std::max(-from, to - length) > most_beyond * length) return {};
+    const Eigen::Vector3d along = (path->end - path->begin) / length;
+    return {path->begin + from * along, path->begin + to * along};
+}
+
+std::optional<PathOnSheet> Subject::path_on_sheet(const Plan& plan) const
+{
+    const auto path = level_path();
+    const auto shows_line = [](const Panel& panel) { return panel.show.contains(Show::Influence); };
+    const auto panel = std::ranges::find_if(plan.panels, shows_line);
+    if (!path || panel == plan.panels.end()) return std::nullopt;
+    const Projection projection(plan.camera, panel->box.min);
+    return PathOnSheet{projection(path->begin).x, projection(path->end).x};
+}
 
 bool Subject::has_overlay_text() const
 {
@@ -866,7 +905,7 @@ std::vector<Subject::FootText> Subject::wrapped_foot(const std::vector<FootText>
     return lines;
 }
 
-void Subject::draw_foot(ui::Painter& painter) const
+void Subject::draw_foot(ui::Painter& painter, const Plan& plan) const
 {
     const ui::LayerScope layer(painter, ui::Layer::Overlay);
     const double line_height = 1.4 * theme_.type().normal;
@@ -885,7 +924,7 @@ void Subject::draw_foot(ui::Painter& painter) const
     const double foot = painter.sheet().max.y - 14.0 - height;
     draw_position_curve(painter, *input_.influence->curve,
                         {{0.0, foot - curve_height(theme_, painter.size())}, {painter.size().width, foot}},
-                        {.theme = theme_, .units = units_, .tr = options_.tr});
+                        {.theme = theme_, .units = units_, .tr = options_.tr, .path = path_on_sheet(plan)});
 }
 
 } // namespace drawing

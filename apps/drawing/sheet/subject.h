@@ -5,6 +5,7 @@
 #include "apps/drawing/draw_state.h"
 #include "apps/drawing/geometry/structure_shape.h"
 #include "apps/drawing/results/envelope_band.h"
+#include "apps/drawing/results/position_curve.h"
 #include "apps/drawing/results/solved_case.h"
 #include "apps/drawing/sheet/panel_head.h"
 #include "apps/drawing/sheet/panels.h"
@@ -107,12 +108,19 @@ private:
     bool shows_work() const;
     bool has_diagram() const; ///< of forces, beside the structure
     bool has_curve() const;
+    std::vector<Eigen::Vector3d> ends_of_curve() const; ///< where its positions end, on the line of a level path
     bool has_overlay_text() const;
     /// What stands at the foot of the sheet: how the structure moves, why it has no results, the
     /// equations of a free body, the table of virtual work and its sum, the stage of a truss that is worked out, what is
     /// read of a funicular, what the overlay says of the moments, or what is said of an influence line, under the curve of
     /// its train.
-    void draw_foot(ui::Painter& painter) const;
+    void draw_foot(ui::Painter& painter, const Plan& plan) const;
+    /// From its beginning to its end, where it is straight and goes along x in the plane.
+    struct LevelPath {
+        Eigen::Vector3d begin, end;
+    };
+    std::optional<LevelPath> level_path() const; ///< \pre there is an influence line
+    std::optional<PathOnSheet> path_on_sheet(const Plan& plan) const;
     void draw_left_out(ui::Painter& painter, std::size_t n_left_out) const;
     /// What is written at the foot: a line of it, or a sentence before it is wrapped.
     struct FootText {

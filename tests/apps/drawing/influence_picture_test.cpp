@@ -1,6 +1,8 @@
 // Influence lines as pictures.
 #include "apps/drawing/results/influence_picture.h"
 
+#include <algorithm>
+#include <cmath>
 #include <doctest/doctest.h>
 
 #include "apps/drawing/draw.h"
@@ -51,6 +53,23 @@ view_test::Marks marks_of(const femoop::Model& model, const InfluencePicture& pi
     view_test::Marks marks(fonts);
     painter.picture().draw_on(marks);
     return marks;
+}
+
+/// Two level lines, one far below the other from end to end: the beam, and the part of the axis where it is.
+bool has_path_below_itself(const view_test::Marks& marks)
+{
+    constexpr double near = 0.5, apart = 50.0, least_width = 200.0; // [px]
+    const auto is_level = [](const view_test::Marks::Line& line) {
+        return line.points.size() == 2 && std::abs(line.points[0].y - line.points[1].y) < near &&
+               std::abs(line.points[0].x - line.points[1].x) > least_width;
+    };
+    const auto is_below = [&](const view_test::Marks::Line& a, const view_test::Marks::Line& b) {
+        return is_level(a) && is_level(b) && std::abs(a.points[0].x - b.points[0].x) < near &&
+               std::abs(a.points[1].x - b.points[1].x) < near && a.points[0].y > b.points[0].y + apart;
+    };
+    return std::ranges::any_of(marks.lines, [&](const auto& a) {
+        return std::ranges::any_of(marks.lines, [&](const auto& b) { return is_below(a, b); });
+    });
 }
 
 double height_of(const view_test::Marks& marks, std::string_view words)
@@ -112,6 +131,9 @@ TEST_CASE("A train's sum is said with its curve, where it stands and where it is
     CHECK(marks.has_text("31 kN·m  (s = 6 m)"));
     CHECK(marks.has_text("critical: 39 kN·m  (s = 5 m)"));
     CHECK(!marks_of(model, picture, fonts, {800.0, 300.0}).has_text("31 kN·m  (s = 6 m)"));
+    CHECK(has_path_below_itself(marks));
+    picture.curve->runs.front().to = 3.0 * L; // of a train that is longer than half the beam
+    CHECK(!has_path_below_itself(marks_of(model, picture, fonts)));
 }
 
 TEST_CASE("Ordinates are counted in the effect's unit by the load's")
