@@ -47,8 +47,12 @@ void mark_effect(const Scene& scene, const SolvedCase& solved, const Diagram& di
                  const femoop::MovingEffect& effect);
 
 /// The outlines of the diagram alone, faint and without values: a former solution behind the present one. The scene is
-/// that of the former structure.
-void draw_reference(const Scene& scene, const SolvedCase& solved, const Diagram& diagram);
+/// that of the former structure. \param part  of the diagram's scale, 1 or `part_of_scale`
+void draw_reference(const Scene& scene, const SolvedCase& solved, const Diagram& diagram, double part);
+
+/// A former value that is much larger than the present one is drawn to a part of its scale, so that this one is still
+/// read: the part's denominator, one of 1, 2, 5, 10, 20 .. \pre present > 0
+int part_of_scale(double former, double present);
 
 /// The largest and the least value along every member, as a band, with the extremes of each member.
 void draw_envelope(const Scene& scene, const EnvelopePicture& envelope, const Diagram& diagram);

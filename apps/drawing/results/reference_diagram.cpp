@@ -3,7 +3,7 @@
 
 namespace drawing {
 
-void draw_reference(const Scene& scene, const SolvedCase& solved, const Diagram& diagram)
+void draw_reference(const Scene& scene, const SolvedCase& solved, const Diagram& diagram, double part)
 {
     if (diagram.is_zero()) return;
     Sketch& sketch = scene.sketch;
@@ -14,14 +14,24 @@ void draw_reference(const Scene& scene, const SolvedCase& solved, const Diagram&
         const femoop::Curve& curve = solved.curves.at(i);
         const SymbolFrame frame = diagram_frame(scene, scene.shape.members[i], diagram.component);
         const auto at = [&](double x, double value) {
-            return frame(x * scene.projection.scale(), value * diagram.pixels_per_unit);
+            return frame(x * scene.projection.scale(), value * part * diagram.pixels_per_unit);
         };
         std::vector<ui::Point> line{at(0.0, 0.0)};
-        for (const Ordinate& o : ordinates_of(SectionForce(curve, diagram.component), 0.3 / diagram.pixels_per_unit))
+        for (const Ordinate& o :
+             ordinates_of(SectionForce(curve, diagram.component), 0.3 / (part * diagram.pixels_per_unit)))
             line.push_back(at(o.x, o.value));
         line.push_back(at(curve.length(), 0.0));
         sketch.polyline(line, stroke, Clearance::Soft);
     }
+}
+
+int part_of_scale(double former, double present)
+{
+    constexpr double most = 2.5; // times the present height
+    for (int decade = 1; decade < 100000000; decade *= 10)
+        for (const int step : {1, 2, 5})
+            if (former <= most * present * step * decade) return step * decade;
+    return 1000000000;
 }
 
 } // namespace drawing

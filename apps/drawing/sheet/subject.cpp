@@ -182,18 +182,26 @@ private:
                 mark_effect(scene_, solved, diagram, effect);
     }
 
-    // The former solution of the same case, to the scale of the present one.
-    void draw_former(const std::vector<Diagram>& present)
+    // The former solution of the same case, to the scale of the present one or a part of it. Returns its denominator.
+    int draw_former(const std::vector<Diagram>& present)
     {
-        if (input_.reference == nullptr) return;
+        if (input_.reference == nullptr) return 1;
         const femoop::Model& model = input_.reference->model;
         const auto counterpart = input_.reference->counterpart(scene_.model, scene_.options.load_case);
         const auto solved = counterpart ? solved_case(input_.reference->results, *counterpart) : std::nullopt;
-        if (!solved || model.analysis != scene_.model.analysis) return;
+        if (!solved || model.analysis != scene_.model.analysis) return 1;
         const StructureShape shape = shape_of(model);
         const Scene former{model,        shape,         scene_.projection, scene_.options, scene_.state,
                            scene_.units, scene_.sketch, scene_.detail,     scene_.show};
-        for (const Diagram& diagram : present) draw_reference(former, *solved, diagram);
+        double most_before = 0.0, most_now = 0.0;
+        for (const Diagram& diagram : present) {
+            most_before = std::max(most_before, largest_value(*solved, diagram.component, shape.size));
+            most_now = std::max(most_now, diagram.largest);
+        }
+        if (!(most_now > 0.0)) return 1;
+        const int part = part_of_scale(most_before, most_now);
+        for (const Diagram& diagram : present) draw_reference(former, *solved, diagram, 1.0 / part);
+        return part;
     }
 
     void draw_results(const SolvedCase& solved)
@@ -205,10 +213,13 @@ private:
                 drawn.push_back(make_diagram(scene_, solved, component, size_));
             if (drawn.empty()) continue;
             use_one_scale(drawn);
-            draw_former(drawn);
+            const int part = draw_former(drawn);
             for (const Diagram& diagram : drawn) draw_diagram(scene_, solved, diagram);
             if (input_.influence != nullptr) mark_effect_of(input_.influence->line.effect, solved, drawn);
             heads_.push_back(diagram_head(scene_, drawn));
+            if (part > 1)
+                heads_.back().note += " · " + scene_.options.tr("before: to 1/{count} of this scale",
+                                                                {{"count", std::to_string(part)}});
             if (item == Show::M && has_overlay()) draw_overlay_beside(solved, drawn.front());
         }
         if (scene_.shows(Show::Thrust)) heads_.push_back(thrust_head(scene_, draw_thrust(scene_, solved)));

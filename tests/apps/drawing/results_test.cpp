@@ -2,6 +2,7 @@
 #include <doctest/doctest.h>
 
 #include "apps/drawing/draw.h"
+#include "apps/drawing/results/diagram.h"
 #include "apps/drawing/results/envelope_cases.h"
 #include "apps/drawing/results/locked_scale.h"
 #include "apps/drawing/results/marked_values.h"
@@ -57,6 +58,16 @@ Sides sides(MomentSide side)
 }
 
 } // namespace
+
+TEST_CASE("A former value beyond 2.5 times the present one is drawn to a round part of its scale")
+{
+    constexpr double present = 3.0;
+    CHECK(part_of_scale(0.0, present) == 1);
+    CHECK(part_of_scale(2.4 * present, present) == 1);
+    CHECK(part_of_scale(2.6 * present, present) == 2);
+    CHECK(part_of_scale(12.0 * present, present) == 5);
+    CHECK(part_of_scale(1e3 * present, present) == 500);
+}
 
 TEST_CASE("The sagging moment of a beam is drawn below it, or above it on the compression side")
 {
