@@ -442,15 +442,17 @@ Subject::Plan Subject::plan(ui::Size sheet, const ui::Fonts& fonts) const
 bool Subject::is_stacked(const ui::Box& room) const
 {
     if (room.width() <= room.height()) return true;
-    if (!shows_truss() || input_.truss->diagram || shape_.nodes.empty()) return false;
+    if (!shows_truss() || shape_.nodes.empty()) return false;
     constexpr double flat = 2.2;   // width of its height
     constexpr double lines = 30.0; // of text that the two need
+    constexpr double square = 2.0; // width of the room's height in which a Cremona diagram is no larger beside it
     Eigen::Vector3d least = shape_.nodes.front(), most = least;
     for (const Eigen::Vector3d& node : shape_.nodes) {
         least = least.cwiseMin(node);
         most = most.cwiseMax(node);
     }
-    return most.x() - least.x() > flat * (most.y() - least.y()) && room.height() > lines * theme_.type().normal;
+    if (most.x() - least.x() <= flat * (most.y() - least.y())) return false;
+    return input_.truss->diagram ? room.width() < square * room.height() : room.height() > lines * theme_.type().normal;
 }
 
 std::vector<Eigen::Vector3d> Subject::fitted_points() const

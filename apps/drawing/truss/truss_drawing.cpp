@@ -158,14 +158,30 @@ private:
     {
         constexpr double fitting = 1.7; // em of a circle's radius
         const auto [at, room] = middle_of(space);
+        const double least = 0.8 * sketch().theme().type().small;
+        if (fitting * room < least) return name_where_free(space, at, least);
         const ui::LayerScope layer(sketch().painter(), ui::Layer::Labels);
         ui::TextStyle style = sketch().theme().text(letter_role, ui::Anchor::Center);
         style.weight = ui::Weight::Bold;
         const double most = std::clamp(0.6 * room, std::min(ui::TypeSizes().large, letter_size()), letter_size());
-        style.size = std::clamp(fitting * room, 0.8 * sketch().theme().type().small, most); // forces need room too
+        style.size = std::clamp(fitting * room, least, most); // forces need room too
         sketch().painter().text(at, space.name, style);
         const ui::Size size = ui::label_size(sketch().painter().fonts(), space.name, style);
         sketch().reserve(ui::box_at(at - ui::Point{0.5 * size.width, 0.5 * size.height}, size));
+    }
+
+    /// There, or counted among the labels without room.
+    void name_where_free(const femoop::truss::Space& space, ui::Point at, double size) const
+    {
+        sketch().caption({.text = space.name,
+                          .role = letter_role,
+                          .target = at,
+                          .toward = {0.0, 0.0},
+                          .gap = 0.0,
+                          .rank = Rank::Largest,
+                          .weight = ui::Weight::Bold,
+                          .size = size,
+                          .reach = 0.0});
     }
 
     struct Middle {
