@@ -243,7 +243,9 @@ private:
         plot.draw_area(elements, of_elements());
         plot.draw_line(theory, of_theory());
         plot.draw_axis();
-        const auto [low, high] = std::ranges::minmax(elements, {}, &CutValue::value);
+        const double step = 1e-9 * largest; // of two that differ by rounding always the same one is written
+        const auto [low, high] = std::ranges::minmax(
+            elements, {}, [step](const CutValue& v) { return step > 0.0 ? std::round(v.value / step) : v.value; });
         const auto number = [&](double v) { return ui::with_minus_signs(units_.number(v, ui::Measure::Stress)); };
         plot.write(high, number(high.value));
         if (low.value < high.value) plot.write(low, number(low.value));

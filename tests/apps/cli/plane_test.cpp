@@ -143,8 +143,18 @@ TEST_CASE("A plane model that is converted is tidied, and other commands refuse 
     REQUIRE(first.status == 0);
     CHECK(first.out == text_of_source(bending));
     CHECK(cli_test::cremona({"convert", bending, "-", "--units", "mm,N"}).status == 2);
-    CHECK(cli_test::cremona({"solve", bending, "--trace", "1"}).status == 2);
+    CHECK(cli_test::cremona({"solve", bending, "--why", "member=a"}).status == 2);
     CHECK(cli_test::cremona({"solve", bending, "--funicular", "automatic"}).status == 2);
+}
+
+TEST_CASE("An element is traced by its name or by a place in it; what is neither is refused with those that there are")
+{
+    CHECK(has(cli_test::cremona({"solve", bending, "--trace", "1"}).out, "Element 1, Q8 in region"));
+    const Run there = cli_test::cremona({"solve", bending, "--trace", "0.1,0.1", "--json"});
+    CHECK(json::parse(there.out)["trace"]["stiffness"].size() == 16);
+    const Run nowhere = cli_test::cremona({"solve", bending, "--trace", "1000,1"});
+    CHECK(nowhere.status == 2);
+    CHECK(has(nowhere.err, "found 1000,1; wanted an element, of this mesh 1 to 10, or a place X,Y in one"));
 }
 
 TEST_CASE("A place or a cut outside the material is refused, and both belong to plane models")
