@@ -3,12 +3,15 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <random>
+#include <string>
 #include <variant>
 #include <vector>
 
 #include "femoop/analysis/linear_static.h"
+#include "femoop/methods/influence/influence_line.h"
 #include "femoop/methods/influence/load_path.h"
 #include "femoop/methods/influence/train/standing_train.h"
 #include "femoop/methods/influence/train/train_analysis.h"
@@ -68,14 +71,14 @@ Model under(Model model, const Train& train, const MovingEffect& effect, const P
     return model;
 }
 
-double solved(const Model& model, const MovingEffect& effect)
+double read(const CaseResult& result, const MovingEffect& effect)
 {
-    const Results results = analyse(model);
-    const CaseResult& result = results[CaseId(0)];
     if (effect.quantity == ExpectedQuantity::Reaction) return result.reaction(*effect.node)[index(*effect.dof)];
     if (effect.node) return result.displacement(*effect.node)[index(*effect.dof)];
     return result.curve(*effect.member).value(*effect.component, std::get<Quantity>(*effect.at).value());
 }
+
+double solved(const Model& model, const MovingEffect& effect) { return read(analyse(model)[CaseId(0)], effect); }
 
 } // namespace
 
@@ -104,6 +107,47 @@ TEST_CASE("Where a train is worst the structure under it has that effect")
         CHECK(solved(under(model, train, of.effect, of.max), of.effect) == Approx(of.max.value).epsilon(1e-9));
         CHECK(solved(under(model, train, of.effect, of.min), of.effect) == Approx(of.min.value).epsilon(1e-9));
     }
+}
+
+TEST_CASE(
+    "Under ten thousand random trains at random places the ordinates times the axles sum up to what the bridge does")
+{
+    constexpr std::size_t n_trains = 10000, n_at_once = 500;
+    Model model = bridge();
+    const PathLayout path = lay_out(model, {MemberId(0), MemberId(1), MemberId(2)});
+    InfluenceAnalysis analysis(model);
+    const std::vector<InfluenceLine> lines = analysis.lines(path, unit_load(model.analysis, {}), asked);
+    std::mt19937 dice(7);
+    const auto between = [&](double low, double high) {
+        return std::uniform_real_distribution<double>(low, high)(dice);
+    };
+    double worst = 0.0;
+    for (std::size_t done = 0; done < n_trains; done += n_at_once) {
+        model.load_cases.clear();
+        std::vector<std::vector<double>> sums;
+        for (std::size_t i = 0; i < n_at_once; ++i) {
+            auto& load_case = model.load_cases.emplace_back();
+            load_case.id = std::to_string(i);
+            std::vector<double>& sum = sums.emplace_back(asked.size(), 0.0);
+            const auto n_axles = std::uniform_int_distribution<int>(1, 8)(dice);
+            double s = between(-10.0, path.length()); // of the last axle
+            for (int axle = 0; axle < n_axles; ++axle, s += between(0.5, 6.0)) {
+                const double force = between(5.0, 200.0);
+                if (s < 0.0 || s > path.length()) continue;
+                const PathPlace place = path.place(s);
+                load_case.members.push_back(
+                    {place.member, PointLoad{.at = Quantity(place.x), .components = {{Dof::uy, -force}}}});
+                for (std::size_t k = 0; k < asked.size(); ++k) sum[k] += force * lines[k].ordinates.value(s);
+            }
+        }
+        const Results results = analyse(model);
+        for (std::size_t i = 0; i < n_at_once; ++i)
+            for (std::size_t k = 0; k < asked.size(); ++k) {
+                const double wanted = read(results[CaseId(i)], asked[k]);
+                worst = std::max(worst, std::abs(sums[i][k] - wanted) / (8.0 * 200.0 * lines[k].ordinates.largest()));
+            }
+    }
+    CHECK(worst < 1e-10);
 }
 
 TEST_CASE("An envelope is the case that stays and, with its factor, the train where it is worst")
