@@ -43,8 +43,9 @@ private:
 FlatPoint place(Bytes& bytes)
 {
     const std::uint8_t x = bytes.next(), y = bytes.next();
+    const int column = x / 16;
     const double off = x % 16 == 15 ? 1e-9 * (y % 16) : 0.0;
-    return {(x / 16 + off) / 16.0, y / 256.0};
+    return {(column + off) / 16.0, y / 256.0};
 }
 
 /// Counter-clockwise around what is inside, or clockwise.
