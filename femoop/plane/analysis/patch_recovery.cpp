@@ -287,12 +287,21 @@ ValueTable PatchRecovery::nodal_values(const ValueTable& samples, const ValueTab
     for (std::size_t i = 0; i < n_values(); ++i)
         if (is_corner_[i] && !sweep.has(i))
             own.emplace_back(i, others_of(around(i), [&](std::size_t j) { return !is_corner_[j] && !sweep.has(j); }));
-    for (const auto& [corner, middles] : own) {
+    const auto patch_of = [&](std::size_t corner) {
         std::vector<std::uint32_t> elements = around(corner);
         if (elements.size() == 1) elements = with_neighbours(elements.front());
-        const PatchFit patch = sweep.fit(elements, node_of(corner));
+        return sweep.fit(elements, node_of(corner));
+    };
+    for (const auto& [corner, middles] : own) {
+        const PatchFit patch = patch_of(corner);
         sweep.add(corner, patch);
         for (const std::size_t middle : middles) sweep.add(middle, patch);
+    }
+    for (std::size_t i = 0; i < n_values();
+         ++i) { // between corners that other patches reach, such as from border to border
+        if (sweep.has(i)) continue;
+        for (const std::size_t corner : others_of(around(i), [&](std::size_t j) { return is_corner_[j]; }))
+            sweep.add(i, patch_of(corner));
     }
     return sweep.means();
 }

@@ -37,7 +37,8 @@ using ValueTable = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::
 ///
 /// Method  superconvergent patch recovery: around every corner inside a region a polynomial is fitted to the recovery
 ///         points of the elements there; it gives the values of the corner, of middle nodes and of nodes on the border,
-///         where several patches do their mean. A corner of a border that no such patch reaches has one of its own.
+///         where several patches do their mean. A corner of a border that no such patch reaches has one of its own; a
+///         middle node that none reaches has the mean of those around the corners of its elements.
 /// Source  [ZienkiewiczTaylor2000, ch. 14]
 class PatchRecovery {
 public:

@@ -178,7 +178,7 @@ TEST_CASE("The drawings of tests/cases/drawn, meshed as they ask for, come out a
             ++n_passed;
         }
     }
-    CHECK(n_passed == 64);
+    CHECK(n_passed == 70);
 }
 
 TEST_CASE("A drawing's mesh in a file of its own solves to the same numbers")
