@@ -7,6 +7,8 @@
 #include <utility>
 #include <vector>
 
+#include "femoop/plane/mesh/mesh_geometry.h"
+
 namespace femoop::plane {
 
 namespace {
@@ -88,9 +90,17 @@ private:
 
 bool goes_through(const PlaneResults& results, const Cut& cut)
 {
+    const PlaneModel& model = results.model();
+    const auto is_in_material = [&](const Eigen::Vector2d& at) { // the locator takes what is beside a curved side too
+        return std::ranges::any_of(results.locator().find(at), [&](const Location& found) {
+            const PlaneElement& element = model[found.element];
+            const Eigen::Vector2d there = positions_of(model, element).transpose() *
+                                          shape_of(element.kind).values(found.at);
+            return (there - at).norm() < 1e-6 * cut.length();
+        });
+    };
     const double beyond = 1e-5 * cut.length();
-    return results.locator().find(cut.at(-beyond)).empty() &&
-           results.locator().find(cut.at(cut.length() + beyond)).empty();
+    return !is_in_material(cut.at(-beyond)) && !is_in_material(cut.at(cut.length() + beyond));
 }
 
 /// The middle of the material that is met, as a length.
