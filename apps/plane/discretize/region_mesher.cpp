@@ -210,13 +210,13 @@ void RegionMesher::require_one_order()
 void RegionMesher::require_right_way_round()
 {
     std::vector<bool> is_told(drawing_.model().regions.size());
+    femoop::GeometryChecks checks(drawing_.model().analysis);
     for (const MeshedElement& element : elements_) {
         if (is_told[element.region.index]) continue;
         femoop::NodePositions X(static_cast<Eigen::Index>(element.nodes.size()), 2);
         for (std::size_t i = 0; i < element.nodes.size(); ++i)
             X.row(static_cast<Eigen::Index>(i)) << nodes_[element.nodes[i]].x, nodes_[element.nodes[i]].y;
-        const auto rule = femoop::standard_rule(element.kind, drawing_.model().analysis);
-        if (!femoop::why_not_element(femoop::shape_of(element.kind), rule, X)) continue;
+        if (!checks.of(element.kind).fault(X)) continue;
         is_told[element.region.index] = true;
         const FlatPoint at = middle(nodes_[element.nodes[0]],
                                     middle(nodes_[element.nodes[1]], nodes_[element.nodes[2]]));

@@ -36,6 +36,14 @@ IntegrationRule standard_rule(ShapeKind kind, StressState state)
     return symmetric_triangle(is_axisymmetric ? 6 : 3);
 }
 
+const GeometryCheck& GeometryChecks::of(ShapeKind shape)
+{
+    auto known = checks_.find(shape);
+    if (known == checks_.end())
+        known = checks_.emplace(shape, GeometryCheck(shape_of(shape), standard_rule(shape, state_))).first;
+    return known->second;
+}
+
 ContinuumFormulation::ContinuumFormulation(const Shape& shape, IntegrationRule rule, const ConstitutiveModel& material,
                                            double thickness, ElementVariant variant)
     : shape_(shape),

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <map>
 #include <vector>
 
 #include "femoop/element/continuum/element_geometry.h"
@@ -23,6 +24,17 @@ std::vector<ShapeAtPoint> tabulated(const Shape& shape, const IntegrationRule& r
 /// The rule that is usual for a shape: T3 1 point, T6 3, Q4 2 x 2, Q8 and Q9 3 x 3; axisymmetric T3 3 points, T6 6,
 /// because of the radius in every integral.
 IntegrationRule standard_rule(ShapeKind shape, StressState state);
+
+/// The check of each shape's elements with their usual rule, made when it is first asked for.
+class GeometryChecks {
+public:
+    explicit GeometryChecks(StressState state) : state_(state) {}
+    const GeometryCheck& of(ShapeKind shape);
+
+private:
+    StressState state_;
+    std::map<ShapeKind, GeometryCheck> checks_;
+};
 
 /// What an element does about the modes that its shape lacks.
 enum class ElementVariant : std::uint8_t {

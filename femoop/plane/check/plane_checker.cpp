@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <sstream>
 
-#include "femoop/element/continuum/continuum_formulation.h"
 #include "femoop/element/continuum/element_geometry.h"
 #include "femoop/model/fault/errors_among.h"
 #include "femoop/model/quantity/dof_dimension.h"
@@ -33,6 +32,7 @@ PlaneChecker::PlaneChecker(const PlaneModel& model, const Unreadable& unreadable
       model_(model),
       unreadable_(unreadable),
       edges_(model),
+      geometry_checks_(model.analysis),
       regions_of_point_(model.points.size())
 {
     for (const PlaneElement& element : model.elements) {
@@ -195,15 +195,6 @@ void PlaneChecker::check_elements()
     }
 }
 
-const GeometryCheck& PlaneChecker::geometry_check(ShapeKind kind)
-{
-    auto known = geometry_checks_.find(kind);
-    if (known == geometry_checks_.end())
-        known =
-            geometry_checks_.emplace(kind, GeometryCheck(shape_of(kind), standard_rule(kind, model_.analysis))).first;
-    return known->second;
-}
-
 void PlaneChecker::check_element(const PlaneElement& element, const Entry& place)
 {
     for (const NodeId point : element.points) require_entry(place, "points", point.index, model_.points.size());
@@ -216,7 +207,7 @@ void PlaneChecker::check_element(const PlaneElement& element, const Entry& place
     if (is_partial_ || !has_points(model_, element)) return;
     const NodePositions X = positions_of(model_, element);
     if (!X.allFinite()) return;
-    const auto fault = geometry_check(element.kind).fault(X);
+    const auto fault = geometry_checks_.of(element.kind).fault(X);
     if (!fault) return;
     switch (fault->flaw) {
     case GeometryFlaw::NoArea: add(FaultKind::ElementNoArea, place, {}); break;

@@ -1,13 +1,12 @@
 #pragma once
 
 #include <Eigen/Core>
-#include <map>
 #include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
-#include "femoop/element/continuum/element_geometry.h"
+#include "femoop/element/continuum/continuum_formulation.h"
 #include "femoop/model/check/entry_checker.h"
 #include "femoop/plane/check/plane_check.h"
 #include "femoop/plane/mesh/locator.h"
@@ -42,7 +41,6 @@ private:
     void check_mesh_options(const MeshOptions& mesh, const Entry& place);
     void check_elements();
     void check_element(const PlaneElement& element, const Entry& place);
-    const GeometryCheck& geometry_check(ShapeKind kind); ///< made when it is first asked for
     void check_curves();
     void check_tied(const PlaneCurve& curve, const Entry& place);
     void check_ties(); ///< \pre the mesh is sound
@@ -88,7 +86,7 @@ private:
     const PlaneModel& model_;
     const Unreadable& unreadable_;
     EdgeTable edges_;
-    std::map<ShapeKind, GeometryCheck> geometry_checks_;
+    GeometryChecks geometry_checks_;
     std::vector<std::vector<RegionId>> regions_of_point_; ///< of which elements meet it
     std::optional<CurveTable> curves_;                    ///< once the mesh is known to be sound
     std::optional<NodeSupports> supports_;

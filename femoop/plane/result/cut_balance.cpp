@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <map>
 #include <utility>
 #include <vector>
 
@@ -19,36 +18,31 @@ enum class Side : std::uint8_t { Unknown, Crossed, Behind, Before }; // seen alo
 /// The sides of a cut on which elements lie.
 class CutSides {
 public:
-    CutSides(const PlaneResults& results, const Cut& cut)
-        : model_(results.model()), cut_(cut), side_(model_.elements.size(), Side::Unknown)
+    CutSides(const PlaneStructure& structure, const Cut& cut, const std::vector<CutPiece>& pieces)
+        : model_(structure.model()), edges_(structure.edges()), cut_(cut), side_(model_.elements.size(), Side::Unknown)
     {
-        for (const CutPiece& piece : pieces_along(model_, results.locator(), cut))
+        for (const CutPiece& piece : pieces)
             for (const ElementId element : piece.elements) side_[element.index] = Side::Crossed;
-        list_neighbours();
         for (std::size_t e = 0; e < side_.size(); ++e)
             if (side_[e] == Side::Crossed)
-                for (const std::size_t other : neighbours_[e]) spread(other);
+                for (const std::size_t other : neighbours(e)) spread(other);
     }
 
     bool part_the_body() const { return !hang_together_; }
     Side operator[](std::size_t element) const { return side_[element]; }
 
 private:
-    void list_neighbours()
+    /// Those that have an edge in common with it.
+    std::vector<std::size_t> neighbours(std::size_t element) const
     {
-        std::map<std::pair<std::size_t, std::size_t>, std::size_t> first_at;
-        neighbours_.resize(model_.elements.size());
-        for (std::size_t e = 0; e < model_.elements.size(); ++e) {
-            const auto& points = model_.elements[e].points;
-            const std::size_t n = shape_of(model_.elements[e].kind).edges().size();
-            for (std::size_t i = 0; i < n; ++i) {
-                const auto ends = std::minmax(points[i].index, points[(i + 1) % n].index);
-                const auto [there, is_new] = first_at.try_emplace({ends.first, ends.second}, e);
-                if (is_new) continue;
-                neighbours_[e].push_back(there->second);
-                neighbours_[there->second].push_back(e);
-            }
-        }
+        std::vector<std::size_t> found;
+        const auto& points = model_.elements[element].points;
+        const std::size_t n = shape_of(model_.elements[element].kind).edges().size();
+        for (std::size_t i = 0; i < n; ++i)
+            for (const auto& there :
+                 {edges_.find(points[i], points[(i + 1) % n]), edges_.find(points[(i + 1) % n], points[i])})
+                if (there && there->element.index != element) found.push_back(there->element.index);
+        return found;
     }
 
     Side side_of(std::size_t element) const
@@ -73,7 +67,7 @@ private:
         while (!waiting.empty()) {
             const std::size_t here = waiting.back();
             waiting.pop_back();
-            for (const std::size_t other : neighbours_[here])
+            for (const std::size_t other : neighbours(here))
                 if (side_[other] == Side::Unknown) {
                     side_[other] = side;
                     waiting.push_back(other);
@@ -82,9 +76,9 @@ private:
     }
 
     const PlaneModel& model_;
+    const EdgeTable& edges_;
     const Cut& cut_;
     std::vector<Side> side_;
-    std::vector<std::vector<std::size_t>> neighbours_;
     bool hang_together_ = false;
 };
 
@@ -170,7 +164,7 @@ std::optional<CutBalance> cut_balance(const PlaneResults& results, const PlaneCa
 {
     const std::vector<CutPiece> pieces = pieces_along(results.model(), results.locator(), cut);
     if (pieces.empty() || !goes_through(results, cut)) return std::nullopt;
-    const CutSides sides(results, cut);
+    const CutSides sides(result.structure(), cut, pieces);
     if (!sides.part_the_body()) return std::nullopt;
     const Eigen::Vector2d about = cut.at(middle_of(pieces));
     const auto first = forces_on_side(result, cut, sides, Side::Behind, about),
