@@ -51,6 +51,8 @@ public:
     void reject(const NumberFieldEvent& event, std::string reason);
     /// A field has the keyboard. One that is no longer shown has lost it.
     bool is_typing() const;
+    /// A field has the keyboard, and nothing was typed into it.
+    bool is_untouched() const { return is_typing() && text_ == opening_text_; }
 
 private:
     NumberFieldEvent show_value(unsigned id, const Look& look, float width);

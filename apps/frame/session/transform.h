@@ -28,6 +28,7 @@ struct Transform {
     bool keeps_original = false; ///< Mirror, Rotate: what is turned is a copy
     femoop::Bend bend{};         ///< Bend: of each member
     std::vector<Part> parts{};   ///< that are transformed
+    bool begins = true;          ///< its first number gets the keyboard where it is shown next
 
     femoop::Placement placement() const;
     bool copies() const { return kind == Kind::Copy || keeps_original; }

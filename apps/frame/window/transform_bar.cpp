@@ -28,6 +28,7 @@ public:
     // True where a number was changed.
     bool show()
     {
+        begins_ = std::exchange(transform_.begins, false);
         if (transform_.kind == TransformKind::Bend) return show_bend();
         const bool is_mirror = transform_.kind == TransformKind::Mirror && transform_.is_in_space;
         if (is_mirror) normal(tr_("plane"), {"yz", "xz", "xy"});
@@ -95,14 +96,15 @@ private:
     {
         name(workspace_.session.units().label(label, measure));
         is_changed_ |= edit_quantity(workspace_, fields_,
-                                     {id, measure, 4.0F * ImGui::GetFontSize(), std::move(why_not)}, value);
+                                     {id, measure, 4.0F * ImGui::GetFontSize(), std::move(why_not), begins()}, value);
         ImGui::SameLine();
     }
     void factor()
     {
         femoop::Quantity value(transform_.factor);
         name(tr_("factor"));
-        if (edit_quantity(workspace_, fields_, {"factor", Measure::Plain, 4.0F * ImGui::GetFontSize()}, value) &&
+        if (edit_quantity(workspace_, fields_, {"factor", Measure::Plain, 4.0F * ImGui::GetFontSize(), {}, begins()},
+                          value) &&
             value > 0.0) {
             transform_.factor = value;
             is_changed_ = true;
@@ -129,12 +131,17 @@ private:
         ImGui::SameLine();
     }
 
+    bool begins() { return std::exchange(begins_, false); }
+
     Workspace& workspace_;
     ui::NumberFields& fields_;
     Transform& transform_;
     const ui::Catalogue& tr_;
+    bool begins_ = false; // the next number gets the keyboard
     bool is_changed_ = false;
 };
+
+bool is_pressed(ImGuiKey key) { return ImGui::IsKeyPressed(ImGui::GetKeyIndex(key)); }
 
 } // namespace
 
@@ -143,10 +150,14 @@ void transform_bar(Workspace& workspace, ui::NumberFields& fields)
     const ui::Catalogue tr = workspace.session.view.tr;
     ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {0.5F * ImGui::GetFontSize(), 0.0F});
     const Transform before = *workspace.transform;
+    const bool was_untouched = fields.is_untouched();
     if (TransformBar(workspace, fields).show() && change_transform(workspace)) workspace.transform = before;
-    const bool is_accepted = ImGui::Button((tr("Accept") + "###accept").c_str());
+    const bool is_left = was_untouched && !fields.is_typing();
+    const bool is_accepted = ImGui::Button((tr("Accept") + "###accept").c_str()) ||
+                             (is_left && is_pressed(ImGuiKey_Enter));
     ImGui::SameLine();
-    const bool is_cancelled = ImGui::Button((tr("Cancel") + "###cancel").c_str());
+    const bool is_cancelled = ImGui::Button((tr("Cancel") + "###cancel").c_str()) ||
+                              (is_left && is_pressed(ImGuiKey_Escape));
     ImGui::PopStyleVar();
     if (is_accepted) accept_transform(workspace);
     if (is_cancelled) cancel_transform(workspace);
