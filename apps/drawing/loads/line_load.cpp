@@ -119,7 +119,8 @@ private:
 void write_values(const Scene& scene, const Stretch& load, const LineLoadPicture& picture, ui::Point away,
                   bool is_repeat, std::size_t load_mark)
 {
-    if (!scene.shows(Show::Values)) return;
+    const bool is_short = ui::distance(picture.head(0.0), picture.head(1.0)) < scene.sketch.px(120.0);
+    if (!scene.shows(Show::Values) || (is_repeat && is_short)) return;
     const auto write = [&](double value, std::initializer_list<double> places) {
         if (value == 0.0) return;
         Caption caption{.text = scene.text(std::abs(value), ui::Measure::ForcePerLength),

@@ -37,7 +37,8 @@ std::vector<ShownLoad> shown_loads(const Scene& scene, const std::vector<Term>& 
     return shown;
 }
 
-/// A line load of one value over all of a straight line of members needs to be written at the longest of them alone.
+/// A line load of one value over all of a line of members, straight or bent as an arch is, needs to be written at the
+/// longest of them alone.
 class Repeats {
 public:
     Repeats(const Scene& scene, const std::vector<ShownLoad>& shown) : scene_(scene), shown_(shown)
@@ -75,7 +76,7 @@ private:
 
     bool goes_straight_on(femoop::NodeId node, femoop::MemberId member, femoop::MemberId other) const
     {
-        constexpr double straight = -0.9999;
+        constexpr double straight = -0.96; // the chords of an arch turn by less, the rafters of a roof by more
         if (member == other) return false;
         const auto away = [&](femoop::MemberId id) { return direction_from(scene_.shape, scene_.model, node, id); };
         return away(member).dot(away(other)) < straight;
