@@ -11,9 +11,11 @@ namespace {
 
 constexpr double least_of_pair = 0.2; // quality of what two triangles make; the rest waits
 constexpr double worth_a_change = 0.01;
-constexpr double good_enough = 0.5;    // quality that is not mended: sine of 30 degrees
-constexpr double least_of_cell = 0.05; // quality below which a quadrilateral is cut into two triangles
-constexpr std::size_t most_rounds = 12;
+constexpr double good_enough = 0.5;       // quality that is not mended: sine of 30 degrees
+constexpr double least_of_cell = 0.05;    // quality below which a quadrilateral is cut into two triangles
+constexpr std::size_t n_whole_rounds = 4; // in which all is smoothed; then what lies around poor cells alone
+constexpr std::size_t most_rounds = 30;
+constexpr int n_sweeps = 3; // of smoothing, in a round
 
 std::uint64_t edge_key(CellNode from, CellNode to) { return (std::uint64_t{from} << 32U) | to; }
 
@@ -374,8 +376,8 @@ bool QuadMesher::recut_and_move(const std::vector<CellIndex>& cells, const Choic
     }
     std::vector<CellIndex> made;
     for (const Nodes& nodes : choice) made.push_back(add(nodes));
-    constexpr int n_sweeps = 4;
-    for (int i = 0; i < n_sweeps; ++i)
+    constexpr int n_moves = 12;
+    for (int i = 0; i < n_moves; ++i)
         for (const CellNode node : moving) move_to_best(node, cells_around(node, made));
     if (worst_around(made) > before + worth_a_change) return true;
     for (std::size_t i = 0; i < moving.size(); ++i) nodes_[moving[i]] = places[i];
@@ -439,6 +441,43 @@ std::vector<QuadMesher::Choice> QuadMesher::around_node(CellIndex a, CellIndex b
     return choices;
 }
 
+/// The cells around one corner with the opposite one in its place, without the cell itself, which goes.
+std::optional<QuadMesher::Choice> QuadMesher::without_cell(const std::vector<CellIndex>& around, CellIndex cell,
+                                                           std::size_t corner) const
+{
+    const Nodes& four = cells_[cell];
+    const CellNode gone = four[corner], kept = four[(corner + 2) % 4];
+    const auto are_joined = [&](CellNode a, CellNode b) { return across(a, b) != none || across(b, a) != none; };
+    Choice choice;
+    for (const CellIndex each : around) {
+        if (each == cell) continue;
+        Nodes nodes = cells_[each];
+        const auto at = static_cast<std::size_t>(std::find(nodes.begin(), nodes.end(), gone) - nodes.begin());
+        for (const CellNode next : {nodes[(at + 1) % nodes.size()], nodes[(at + nodes.size() - 1) % nodes.size()]}) {
+            const bool is_of_cell = std::find(four.begin(), four.end(), next) != four.end();
+            if (next == kept || (!is_of_cell && are_joined(next, kept))) return std::nullopt;
+        }
+        nodes[at] = kept;
+        if (meets_itself(nodes)) return std::nullopt;
+        choice.push_back(std::move(nodes));
+    }
+    return choice;
+}
+
+/// Takes a flat cell out by joining two opposite corners.
+bool QuadMesher::collapse(CellIndex cell)
+{
+    if (cells_[cell].size() != 4) return false;
+    for (std::size_t corner = 0; corner < 4; ++corner) {
+        const CellNode gone = cells_[cell][corner];
+        if (gone < domain_.nodes.size()) continue;
+        const std::vector<CellIndex> around = cells_around(gone, {cell});
+        const std::optional<Choice> choice = without_cell(around, cell, corner);
+        if (choice && recut_and_move(around, *choice)) return true;
+    }
+    return false;
+}
+
 /// Turns an edge of the cell where that helps at once; else, if the cell is poor, tries each change with the moves that
 /// it allows.
 bool QuadMesher::mend_cell(CellIndex cell)
@@ -447,6 +486,7 @@ bool QuadMesher::mend_cell(CellIndex cell)
     for (const CellIndex other : beside)
         if (recut({cell, other}, turned_edges(cell, other))) return true;
     if (quality(cells_[cell]) > least_of_pair) return false;
+    if (collapse(cell)) return true;
     for (const CellIndex other : beside)
         for (const Choice& choice : turned_edges(cell, other))
             if (recut_and_move({cell, other}, choice)) return true;
@@ -495,14 +535,44 @@ bool QuadMesher::remove_doublets()
 
 /// Moves each place inside towards the middle of its neighbours, as far as its worst cell gets no worse; where that is
 /// poor, to the best of the places around.
-void QuadMesher::smooth()
+void QuadMesher::smooth_all()
 {
     const std::vector<std::vector<CellIndex>> of_node = cells_of_nodes();
-    for (std::size_t node = domain_.nodes.size(); node < of_node.size(); ++node) {
-        if (of_node[node].empty()) continue;
-        move_to_middle(static_cast<CellNode>(node), of_node[node]);
-        if (worst_of(of_node[node]) < good_enough) move_to_best(static_cast<CellNode>(node), of_node[node]);
+    for (int i = 0; i < n_sweeps; ++i)
+        for (std::size_t node = domain_.nodes.size(); node < of_node.size(); ++node)
+            if (!of_node[node].empty()) smooth(static_cast<CellNode>(node), of_node[node]);
+}
+
+void QuadMesher::smooth(CellNode node, const std::vector<CellIndex>& around)
+{
+    move_to_middle(node, around);
+    if (worst_of(around) < good_enough) move_to_best(node, around);
+}
+
+/// The same around poor cells alone, two rings wide.
+void QuadMesher::smooth_poor()
+{
+    std::vector<CellIndex> near = poor_cells();
+    constexpr int n_rings = 2;
+    for (int ring = 0; ring < n_rings; ++ring) {
+        const std::size_t n = near.size();
+        for (std::size_t i = 0; i < n; ++i)
+            for (const CellIndex other : neighbours(near[i])) near.push_back(other);
+        std::sort(near.begin(), near.end());
+        near.erase(std::unique(near.begin(), near.end()), near.end());
     }
+    for (int i = 0; i < n_sweeps; ++i)
+        for (const CellIndex cell : near)
+            for (const CellNode node : cells_[cell])
+                if (node >= domain_.nodes.size()) smooth(node, cells_around(node, {cell}));
+}
+
+std::vector<QuadMesher::CellIndex> QuadMesher::poor_cells() const
+{
+    std::vector<CellIndex> poor;
+    for (CellIndex cell = 0; cell < cells_.size(); ++cell)
+        if (!cells_[cell].empty() && quality(cells_[cell]) < good_enough) poor.push_back(cell);
+    return poor;
 }
 
 double QuadMesher::worst_of(const std::vector<CellIndex>& cells) const
@@ -554,17 +624,18 @@ void QuadMesher::move_to_best(CellNode node, const std::vector<CellIndex>& aroun
     }
 }
 
-/// One look at all cells. False where nothing is left to be mended, or nothing helps.
+/// One look at all poor cells. False where nothing is left to be mended, or nothing helps.
 bool QuadMesher::mend()
 {
     ++n_rounds_;
+    const double before = worst(cells_);
     bool has_changed = remove_doublets();
-    const std::size_t n = cells_.size();
-    for (CellIndex cell = 0; cell < n; ++cell)
-        if (!cells_[cell].empty() && quality(cells_[cell]) < good_enough) has_changed = mend_cell(cell) || has_changed;
-    constexpr int n_sweeps = 3;
-    for (int i = 0; i < n_sweeps; ++i) smooth();
-    return has_changed || n_rounds_ == 1;
+    for (const CellIndex cell : poor_cells())
+        if (!cells_[cell].empty()) has_changed = mend_cell(cell) || has_changed;
+    const bool is_whole = n_rounds_ <= n_whole_rounds;
+    if (is_whole) smooth_all();
+    else smooth_poor();
+    return has_changed || is_whole || worst(cells_) > before;
 }
 
 /// The pairs as they were before triangles walked: with more triangles, and each cell as it should be.

@@ -15,7 +15,8 @@ namespace topology {
 /// Quadrilaterals inside a domain whose boundary stays as it is, with one triangle where the number of its edges is odd.
 /// A Delaunay mesh's triangles are paired, where one has fewest partners first; two that are left over walk towards each
 /// other through the quadrilaterals between them, which are cut anew on the way. Then the worst are mended: edges between
-/// two are turned, three take the place of two, nodes of two cells alone are taken out, and all are smoothed.
+/// two are turned, three take the place of two, a flat one is closed, nodes of two cells alone are taken out, and all are
+/// smoothed.
 ///
 /// Accuracy  a quadrilateral that cannot be mended stays as two triangles; where that leaves a cell turned inside out, the
 ///           pairs alone are the mesh
@@ -51,11 +52,16 @@ private:
     using Choice = std::vector<Nodes>; ///< cells that may take the place of others
     std::vector<Choice> turned_edges(CellIndex a, CellIndex b) const;
     std::vector<Choice> around_node(CellIndex a, CellIndex b, CellNode centre) const;
+    std::optional<Choice> without_cell(const std::vector<CellIndex>& around, CellIndex cell, std::size_t corner) const;
+    bool collapse(CellIndex cell);
     bool recut(const std::vector<CellIndex>& cells, const std::vector<Choice>& choices);
     bool recut_and_move(const std::vector<CellIndex>& cells, const Choice& choice);
     std::vector<CellIndex> cells_around(CellNode node, const std::vector<CellIndex>& known) const;
     bool remove_doublets();
-    void smooth();
+    std::vector<CellIndex> poor_cells() const;
+    void smooth_all();
+    void smooth_poor();
+    void smooth(CellNode node, const std::vector<CellIndex>& around);
     void move_to_middle(CellNode node, const std::vector<CellIndex>& around);
     void move_to_best(CellNode node, const std::vector<CellIndex>& around);
     double worst_of(const std::vector<CellIndex>& cells) const;

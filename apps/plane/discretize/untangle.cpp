@@ -20,7 +20,7 @@ using femoop::ShapeKind;
 using topology::CellNode;
 using topology::FlatPoint;
 
-constexpr double good_shape = 0.2; // the least det J over the mean of its size that is left alone
+constexpr double good_shape = 0.2; // evenness that is left alone, and sine that no move goes below
 constexpr int most_sweeps = 30;
 
 /// Derivatives of a shape at its nodes and in its middle.
@@ -53,12 +53,12 @@ public:
         for (int i = 0; i < most_sweeps; ++i) {
             std::vector<std::pair<double, std::size_t>> poor;
             for (std::size_t e = 0; e < elements_.size(); ++e)
-                if (const double shape = shape_of(e); shape < good_shape) poor.emplace_back(shape, e);
+                if (const double evenness = shape_of(e).evenness; evenness < good_shape) poor.emplace_back(evenness, e);
             if (poor.empty()) return;
             if (around_.empty()) find_around();
             std::sort(poor.begin(), poor.end());
             bool has_moved = false;
-            for (const auto& [shape, e] : poor)
+            for (const auto& [evenness, e] : poor)
                 for (const CellNode node : elements_[e].nodes)
                     if (!is_held_[node]) has_moved = move_to_best(node) || has_moved;
             if (!has_moved) return;
@@ -66,21 +66,36 @@ public:
     }
 
 private:
-    /// The least det J of an element over the mean of all its absolute values: 1 of a parallelogram, negative if turned.
-    double shape_of(std::size_t element) const
+    struct Form {
+        double evenness = 1.0; ///< the least det J over the mean of all its absolute values: 1 of a parallelogram
+        double sine = 1.0;     ///< the least, of angles between sides as J draws them; both negative if turned
+    };
+
+    Form shape_of(std::size_t element) const
     {
         const std::vector<CellNode>& of_element = elements_[element].nodes;
         femoop::NodePositions X(static_cast<Eigen::Index>(of_element.size()), 2);
         for (std::size_t i = 0; i < of_element.size(); ++i)
             X.row(static_cast<Eigen::Index>(i)) << nodes_[of_element[i]].x, nodes_[of_element[i]].y;
+        const bool is_triangle = femoop::shape_of(elements_[element].kind).n_corners() == 3;
         double least = std::numeric_limits<double>::infinity(), sum = 0.0;
+        Form form;
         const auto& at = samples(elements_[element].kind);
         for (const Shape::Derivatives& derivatives : at) {
-            const double determinant = femoop::jacobian(derivatives, X).determinant();
-            least = std::min(least, determinant);
-            sum += std::abs(determinant);
+            const Eigen::Matrix2d J = femoop::jacobian(derivatives, X);
+            least = std::min(least, J.determinant());
+            sum += std::abs(J.determinant());
+            form.sine = std::min(form.sine, sine_of(J, is_triangle));
         }
-        return sum > 0.0 ? least * static_cast<double>(at.size()) / sum : 0.0;
+        form.evenness = sum > 0.0 ? least * static_cast<double>(at.size()) / sum : 0.0;
+        return form;
+    }
+
+    static double sine_of(const Eigen::Matrix2d& J, bool is_triangle)
+    {
+        const double a = J.row(0).norm(), b = J.row(1).norm(), c = (J.row(1) - J.row(0)).norm();
+        const double lengths = is_triangle ? std::max({a * b, b * c, c * a}) : a * b;
+        return lengths > 0.0 ? J.determinant() / lengths : 0.0;
     }
 
     void find_around()
@@ -90,10 +105,13 @@ private:
             for (const CellNode node : elements_[e].nodes) around_[node].push_back(e);
     }
 
-    double worst_around(CellNode node) const
+    Form worst_around(CellNode node) const
     {
-        double worst = 1.0;
-        for (const std::size_t e : around_[node]) worst = std::min(worst, shape_of(e));
+        Form worst;
+        for (const std::size_t e : around_[node]) {
+            const Form form = shape_of(e);
+            worst = {std::min(worst.evenness, form.evenness), std::min(worst.sine, form.sine)};
+        }
         return worst;
     }
 
@@ -107,7 +125,8 @@ private:
                 n += 1.0;
             }
         reach /= n;
-        const double before = worst_around(node);
+        const auto [before, sine_before] = worst_around(node);
+        const double least_sine = std::min(sine_before, good_shape);
         double best = before;
         for (double step = 0.5 * reach; step > 0.01 * reach; step *= 0.5) {
             const FlatPoint from = nodes_[node];
@@ -115,9 +134,9 @@ private:
             for (int i = 0; i < n_directions; ++i) {
                 const double angle = 2.0 * std::numbers::pi * i / n_directions;
                 nodes_[node] = from + step * topology::FlatVector{std::cos(angle), std::sin(angle)};
-                const double now = worst_around(node);
-                if (now <= best) continue;
-                best = now;
+                const Form now = worst_around(node);
+                if (now.evenness <= best || now.sine < least_sine) continue;
+                best = now.evenness;
                 place = nodes_[node];
             }
             nodes_[node] = place;

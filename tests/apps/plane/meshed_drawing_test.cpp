@@ -453,6 +453,20 @@ TEST_CASE("What dangles in material stays in its mesh where it carries something
     CHECK(analyse(pointed.model())[CaseId(0)].equilibrium().sum_loads[1] == Approx(-5.0));
 }
 
+TEST_CASE("Where uneven elements are mended, none becomes flat")
+{
+    for (const char* const size : {"0.05", "0.03"}) {
+        CAPTURE(size);
+        const Meshed fine(
+            RectangleText{.mesh = std::string(R"({"element": "Q4", "method": "quads", "size": )") + size + "}"}.text());
+        REQUIRE(fine.mesh.faults().empty());
+        const MeshQuality quality = mesh_quality(fine.model());
+        CHECK(quality.min_jacobian > 0.15);
+        CHECK(quality.min_angle > 15.0);
+        CHECK(quality.max_angle < 170.0);
+    }
+}
+
 TEST_CASE("Elements are small near a point with a size of its own")
 {
     const Meshed usual(RectangleText{.mesh = R"({"element": "T3", "method": "delaunay", "size": 0.5})"}.text());

@@ -61,6 +61,19 @@ TEST_SUITE("quadrilateral meshes")
         }
     }
 
+    TEST_CASE("Among thousands of quadrilaterals none is poor: flat ones are closed")
+    {
+        for (const std::size_t n_parts : {41U, 64U, 77U}) {
+            CAPTURE(n_parts);
+            const MeshDomain domain = square_with_hole(n_parts, 0.0);
+            const CellMesh mesh = quads_of(domain, 1.0 / static_cast<double>(n_parts));
+            CHECK(n_triangles(mesh) == 0);
+            CHECK(area(mesh) == Approx(domain.area()).epsilon(1e-12));
+            CHECK(worst_quality(mesh) > 0.3);
+            check_edges(domain, mesh);
+        }
+    }
+
     TEST_CASE("An odd number of edges leaves one triangle")
     {
         for (const int n : {5, 7, 21, 33}) {
