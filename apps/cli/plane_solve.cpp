@@ -57,7 +57,7 @@ fp::ElementId element_named(const std::string& text, const fp::PlaneModel& mesh,
     }
     throw UsageError(
         tr("--trace: found {found}; wanted an element, of this mesh {first} to {last}, or a place X,Y in one",
-           {{"found", text}, {"first", mesh.elements.front().id}, {"last", mesh.elements.back().id}}));
+           {{"found", "\"" + text + "\""}, {"first", mesh.elements.front().id}, {"last", mesh.elements.back().id}}));
 }
 
 } // namespace

@@ -292,6 +292,12 @@ std::string DisplayUnits::text(double stored, Measure measure) const
     return number(stored, measure) + (unit_name.empty() || unit_name == "°" ? "" : " ") + unit_name;
 }
 
+std::string DisplayUnits::place(double x, double y) const
+{
+    const char* const comma = format_.mark == DecimalMark::Comma ? "; " : ", ";
+    return "(" + with_minus_signs(number(x, Measure::Length) + comma + number(y, Measure::Length)) + ")";
+}
+
 std::string DisplayUnits::label(std::string_view name, Measure measure) const
 {
     const std::string unit_name = unit(measure).name;

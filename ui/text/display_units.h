@@ -106,6 +106,7 @@ public:
     double stored(double shown, Measure measure) const { return shown / unit(measure).factor; }
     std::string number(double stored, Measure measure) const; ///< "12.5"
     std::string text(double stored, Measure measure) const;   ///< "12.5 kN·m"
+    std::string place(double x, double y) const; ///< "(1.5, −2)" in the unit of lengths, "(1,5; −2)" with that mark
     /// A label with its unit in brackets: "Length [m]"; without one for a plain number.
     std::string label(std::string_view name, Measure measure) const;
     /// Those that numbers without a unit are counted in: "kN, m", and what a person chose that does not follow from

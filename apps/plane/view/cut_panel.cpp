@@ -127,12 +127,7 @@ private:
     {
         return ui::with_minus_signs(units_.text(value, measure));
     }
-    std::string place(const Eigen::Vector2d& at) const
-    {
-        const auto number = [&](double v) { return ui::with_minus_signs(units_.number(v, ui::Measure::Length)); };
-        const char* const comma = options_.numbers.mark == ui::DecimalMark::Comma ? "; " : ", ";
-        return "(" + number(at.x()) + comma + number(at.y()) + ")";
-    }
+    std::string place(const Eigen::Vector2d& at) const { return units_.place(at.x(), at.y()); }
 
     void write_hindrance(std::size_t n)
     {

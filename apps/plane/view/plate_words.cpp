@@ -62,12 +62,7 @@ private:
     bool shows(PlateShow item) const { return options_.show.set.contains(item); }
     void line(const std::string& sentence) { text_ += sentence + "\n"; }
     std::string value(double v, ui::Measure measure) const { return ui::with_minus_signs(units_.text(v, measure)); }
-    std::string place(const Eigen::Vector2d& at) const
-    {
-        const auto number = [&](double v) { return ui::with_minus_signs(units_.number(v, ui::Measure::Length)); };
-        const char* const comma = options_.numbers.mark == ui::DecimalMark::Comma ? "; " : ", ";
-        return "(" + number(at.x()) + comma + number(at.y()) + ")";
-    }
+    std::string place(const Eigen::Vector2d& at) const { return units_.place(at.x(), at.y()); }
     std::string area_text(double area) const
     {
         const ui::DisplayUnit length = units_.unit(ui::Measure::Length);

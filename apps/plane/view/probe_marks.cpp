@@ -65,9 +65,7 @@ std::vector<std::string> state_lines(const fp::PlaneResults& results, const fp::
 {
     const auto state = probe_state(results, result, at);
     if (!state) return {};
-    const auto number = [&](double v) { return number_of(v, ui::Measure::Length, units); };
-    const char* const comma = options.numbers.mark == ui::DecimalMark::Comma ? "; " : ", ";
-    std::vector<std::string> lines{"(" + number(at.x()) + comma + number(at.y()) + ")"};
+    std::vector<std::string> lines{units.place(at.x(), at.y())};
     const bool is_of_element = options.reading == fp::StressReading::Element;
     for (const ProbeValue& value : state->values) {
         const double shown = is_of_element ? value.element.value_or(value.smoothed) : value.smoothed;

@@ -84,11 +84,9 @@ private:
         ui::TextStyle title = style_;
         title.weight = ui::Weight::Bold;
         title.size = std::min(theme_.type().normal, 1.2 * style_.size);
-        const auto number = [&](double v) { return number_of(v, ui::Measure::Length, units_); };
-        const char* const comma = options_.numbers.mark == ui::DecimalMark::Comma ? "; " : ", ";
         write(box_.min.x,
-              options_.tr("Probe {n}", {{"n", std::to_string(panel_.n)}}) + "  (" + number(panel_.at.x()) + comma +
-                  number(panel_.at.y()) + ") " + units_.unit(ui::Measure::Length).name,
+              options_.tr("Probe {n}", {{"n", std::to_string(panel_.n)}}) + "  " +
+                  units_.place(panel_.at.x(), panel_.at.y()) + " " + units_.unit(ui::Measure::Length).name,
               title);
         y_ += 1.7 * title.size;
     }

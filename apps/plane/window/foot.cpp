@@ -14,8 +14,7 @@ using ui::translatable;
 std::string place_text(const Session& session, const FlatPoint& at)
 {
     const ui::DisplayUnits units = session.units();
-    const auto number = [&](double value) { return ui::with_minus_signs(units.number(value, ui::Measure::Length)); };
-    return "(" + number(at.x) + "; " + number(at.y) + ") " + units.unit(ui::Measure::Length).name;
+    return units.place(at.x, at.y) + " " + units.unit(ui::Measure::Length).name;
 }
 
 /// "R1: steel, 10 mm", "R2: hole".

@@ -105,10 +105,7 @@ private:
     std::string place_text(const FlatPoint& p) const
     {
         const ui::DisplayUnits units = workspace_.session.units();
-        const auto number = [&](double value) {
-            return ui::with_minus_signs(units.number(value, ui::Measure::Length));
-        };
-        return "(" + number(p.x) + "; " + number(p.y) + ") " + units.unit(ui::Measure::Length).name;
+        return units.place(p.x, p.y) + " " + units.unit(ui::Measure::Length).name;
     }
 
     ui::Painter& painter_;

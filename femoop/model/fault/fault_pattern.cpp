@@ -475,7 +475,7 @@ std::string_view pattern(FaultKind kind)
     case FaultKind::NothingToMesh:
         return "no face of the drawing has material: no mesh can be made; add an entry to \"regions\"";
     case FaultKind::MeshMethodOfElement:
-        return "{0}: the method {1} does not make the element {2}; choose {3}, or the method mapped";
+        return "{0}: the method {1} does not make the element {2}; choose {3}, or the method auto";
     case FaultKind::MappedInside:
         return "{0}: the method {1} is for one outline with nothing inside; choose the method auto";
     case FaultKind::MappedVertices:
@@ -484,7 +484,7 @@ std::string_view pattern(FaultKind kind)
     case FaultKind::MappedCornerOrder:
         return "{0}: its corners do not follow one another around the outline; list them in that order";
     case FaultKind::MappedSidesDiffer:
-        return "{0}: opposite sides of a mapped region have equally many parts, found {2} ({1}) and {4} ({3}); divide them alike";
+        return "{0}: wanted equally many parts on opposite sides, found {2} ({1}) and {4} ({3}); divide them alike";
     case FaultKind::TrilateralSidesDiffer:
         return "{0}: the three sides of a trilateral region have equally many parts, found {2} ({1}) and {4} ({3}); divide them alike";
     case FaultKind::TrilateralOdd:
@@ -496,7 +496,7 @@ std::string_view pattern(FaultKind kind)
     case FaultKind::MeshEdgesCross:
         return "{0}: straight parts of {1} and {2} cross or touch where the curves do not; divide them finer";
     case FaultKind::MeshElementTurned:
-        return "{0}: the element at {1} is turned inside out by the curves around it; divide them finer";
+        return "{0}: the element at {1} is turned inside out by the curves around it; divide them finer, or choose the method auto";
     case FaultKind::MeshAngleMissed:
         return "{0}: the smallest angle of its mesh is {1} degrees, at {3}, where {2} were asked for: parts of its outline are long there beside the distance between them, or a corner is sharp; divide the curves finer there";
     case FaultKind::CheckFaceOutside: return "{0}: no face of the drawing is at {1}; give a place inside closed curves";

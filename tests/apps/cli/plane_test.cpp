@@ -115,7 +115,7 @@ TEST_CASE("check tells what is wrong with the mesh of a drawing, and wants none 
     const Run run = cli_test::cremona({"check", "-"}, text);
     CHECK(run.status == 2);
     CHECK(
-        has(run.err, "opposite sides of a mapped region have equally many parts, found 20 (\"down\") and 19 (\"up\")"));
+        has(run.err, "wanted equally many parts on opposite sides, found 20 (\"down\") and 19 (\"up\")"));
     CHECK(cli_test::cremona({"check", "-"}, drawing()).status == 0);
 }
 
@@ -154,7 +154,7 @@ TEST_CASE("An element is traced by its name or by a place in it; what is neither
     CHECK(json::parse(there.out)["trace"]["stiffness"].size() == 16);
     const Run nowhere = cli_test::cremona({"solve", bending, "--trace", "1000,1"});
     CHECK(nowhere.status == 2);
-    CHECK(has(nowhere.err, "found 1000,1; wanted an element, of this mesh 1 to 10, or a place X,Y in one"));
+    CHECK(has(nowhere.err, "found \"1000,1\"; wanted an element, of this mesh 1 to 10, or a place X,Y in one"));
 }
 
 TEST_CASE("A place or a cut outside the material is refused, and both belong to plane models")
