@@ -57,7 +57,7 @@ void DelaunayMesher::suspect_all()
 {
     for (Index t = 0; t < triangles_.n_triangles(); ++t)
         if (domain_.is_inside(t)) suspect(t);
-    most_points_ = domain_.most_points(sizes_);
+    most_points_ = domain_.most_points(sizes_, options_);
 }
 
 bool DelaunayMesher::is_bad(Index triangle) const
@@ -105,7 +105,7 @@ bool DelaunayMesher::try_at(const FlatPoint& at, Index triangle, double least)
         size = std::min(size, sizes_[around] + options_.growth * distance(triangles_.at(around), at));
     }
     triangles_.insert(at);
-    sizes_.push_back(limit(size));
+    sizes_.push_back(options_.limited(size, at));
     domain_.add_inside();
     for (const Index made : cavity->triangles) suspect(made);
     return true;

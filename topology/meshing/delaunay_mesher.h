@@ -1,6 +1,5 @@
 #pragma once
 
-#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -48,7 +47,6 @@ private:
     bool try_at(const FlatPoint& at, Index triangle, double least);
     bool encroaches(const FlatPoint& at, const Triangulation::Cavity& cavity) const;
     FlatPoint near_shortest_edge(Index triangle, const FlatPoint& centre) const;
-    double limit(double size) const { return options_.size > 0.0 ? std::min(options_.size, size) : size; }
 
     DomainTriangulation domain_;
     Triangulation& triangles_;

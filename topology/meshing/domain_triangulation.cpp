@@ -91,13 +91,14 @@ std::vector<double> DomainTriangulation::sizes(const MesherOptions& options) con
 {
     std::vector<double> all(Triangulation::n_frame_vertices);
     const std::vector<double> of_nodes = domain_.sizes(options.size, options.sizes);
-    all.insert(all.end(), of_nodes.begin(), of_nodes.end());
+    for (std::size_t i = 0; i < of_nodes.size(); ++i) all.push_back(options.limited(of_nodes[i], domain_.nodes[i]));
     return all;
 }
 
-std::size_t DomainTriangulation::most_points(const std::vector<double>& sizes) const
+std::size_t DomainTriangulation::most_points(const std::vector<double>& sizes, const MesherOptions& options) const
 {
-    const double smallest = *std::min_element(sizes.begin() + Triangulation::n_frame_vertices, sizes.end());
+    double smallest = *std::min_element(sizes.begin() + Triangulation::n_frame_vertices, sizes.end());
+    if (options.field) smallest = std::min(smallest, options.field->least());
     // places that are not nearer than the smallest edges are this many at most
     const double most = 4.0 * domain_.area() / (smallest * smallest) +
                         100.0 * static_cast<double>(domain_.nodes.size());

@@ -35,7 +35,7 @@ public:
     /// The size of edges that is wanted at each vertex: what the edges there have, and the options allow.
     std::vector<double> sizes(const MesherOptions& options) const;
     /// More places than any mesh of such sizes has. \param sizes  of vertices
-    std::size_t most_points(const std::vector<double>& sizes) const;
+    std::size_t most_points(const std::vector<double>& sizes, const MesherOptions& options) const;
 
     /// Whether smoothing makes a difference that is seen.
     bool is_smoothed() const;

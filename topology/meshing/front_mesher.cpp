@@ -46,7 +46,7 @@ FrontMesher::Step FrontMesher::next()
 /// Loops have the domain on one side, segments on both.
 void FrontMesher::start()
 {
-    most_points_ = domain_.most_points(sizes_);
+    most_points_ = domain_.most_points(sizes_, options_);
     for (Index t = 0; t < triangles_.n_triangles(); ++t) is_done_.push_back(!domain_.is_inside(t));
     const std::vector<CellEdge>& edges = domain_.edges();
     for (std::size_t i = 0; i < edges.size(); ++i) {
@@ -101,7 +101,7 @@ double FrontMesher::size_at(const FlatPoint& at, const Triangulation::Cavity& ca
         const Index around = triangles_.vertex(Triangulation::next(corner));
         size = std::min(size, sizes_[around] + options_.growth * distance(triangles_.at(around), at));
     }
-    return options_.size > 0.0 ? std::min(options_.size, size) : size;
+    return options_.limited(size, at);
 }
 
 /// Whether a place is far enough from all nodes, and in the circle over no edge of the front but its own.

@@ -1,6 +1,14 @@
 #include "topology/meshing/mesher.h"
 
+#include <algorithm>
+
 namespace topology {
+
+double MesherOptions::limited(double wanted, const FlatPoint& at) const
+{
+    if (size > 0.0) wanted = std::min(wanted, size);
+    return field ? std::min(wanted, field->at(at)) : wanted;
+}
 
 CellMesh Mesher::run(const std::function<bool()>& is_cancelled)
 {

@@ -3,21 +3,27 @@
 #include <array>
 #include <cstdint>
 #include <functional>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "topology/meshing/mesh_domain.h"
+#include "topology/meshing/size_field.h"
 
 namespace topology {
 
 /// How large elements are wanted, and of what shape.
 struct MesherOptions {
-    double size = 0.0;         ///< of edges far from the boundary; what the boundary has where 0
-    double growth = 0.3;       ///< of edges by the distance from smaller ones
-    double min_angle = 30.0;   ///< [degrees] that is asked for, at most 33
-    int n_sweeps = 4;          ///< of smoothing
-    std::vector<double> sizes; ///< wanted at nodes of the domain, where above 0; empty: what their edges have
+    double size = 0.0;           ///< of edges far from the boundary; what the boundary has where 0
+    double growth = 0.3;         ///< of edges by the distance from smaller ones
+    double min_angle = 30.0;     ///< [degrees] that is asked for, at most 33
+    int n_sweeps = 4;            ///< of smoothing
+    std::vector<double> sizes{}; ///< wanted at nodes of the domain, where above 0; empty: what their edges have
+    std::shared_ptr<const SizeField> field{}; ///< wanted everywhere besides; null: nothing
+
+    /// A size at a place as far as `size` and the field allow it.
+    double limited(double wanted, const FlatPoint& at) const;
 };
 
 /// What a mesher does in one step.

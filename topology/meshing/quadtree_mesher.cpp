@@ -122,7 +122,8 @@ bool QuadtreeMesher::is_too_large(Index square) const
     const Surroundings& around = around_[square];
     if (around.is_outside) return false;
     const double side = tree_.side(square);
-    if (options_.size > 0.0 && side > largest_square * options_.size) return true;
+    const FlatBox box = tree_.box(square);
+    if (side > largest_square * options_.limited(side, middle(box.low, box.high))) return true;
     return std::any_of(around.borders.begin(), around.borders.end(),
                        [&](std::uint32_t i) { return side > largest_square * borders_[i].size; });
 }

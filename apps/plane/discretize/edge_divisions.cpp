@@ -50,6 +50,15 @@ EdgeShares part_of(const EdgeShares& shares, std::size_t from, std::size_t to)
     return part;
 }
 
+/// Of the points that have a size of their own.
+topology::SizeField field_of_points(const PlaneModel& model)
+{
+    std::vector<topology::SizeField::Sample> samples;
+    for (const auto& point : model.points)
+        if (point.size) samples.push_back({{point.at[0], point.at[1]}, *point.size});
+    return {std::move(samples), growth};
+}
+
 /// The least whole number of parts that are no longer than wanted, but for rounding.
 std::size_t least_parts(double wanted)
 {
@@ -78,6 +87,8 @@ EdgeDivisions::EdgeDivisions(const Drawing& drawing, const std::vector<FaceOutli
             for (const HalfEdgeId h : loop) add(*plane.solid().edge(h));
         for (const EdgeId e : outlines[i].inner_edges) add(e);
     }
+    if (const bool has_field = !settings.empty() && settings.front().field; has_field) field_ = *settings.front().field;
+    else field_ = field_of_points(drawing.model());
     find_mapped();
     do {
         shares_.assign(n_edges, std::nullopt);
@@ -90,7 +101,7 @@ void EdgeDivisions::find_mapped()
 {
     for (std::size_t i = 0; i < outlines_.size(); ++i) {
         const bool is_asked = settings_[i].is_map();
-        if (!is_asked && settings_[i].method != "auto") continue;
+        if (!is_asked && (settings_[i].method != "auto" || settings_[i].field)) continue;
         MappedAttempt attempt = mapped_outline(drawing_, outlines_[i], settings_[i]);
         mapped_[i] = std::move(attempt.sides);
         if (attempt.fault && is_asked) faults_.push_back(*attempt.fault);
@@ -100,6 +111,7 @@ void EdgeDivisions::find_mapped()
 /// Where two curves run along one edge the greater number is taken.
 void EdgeDivisions::divide_as_written()
 {
+    if (!settings_.empty() && settings_.front().field) return;
     const auto pieces = pieces_of_curves(drawing_);
     for (std::size_t c = 0; c < pieces.size(); ++c) {
         const auto& shape = drawing_.model().curves[c].shape;
@@ -310,11 +322,30 @@ std::string EdgeDivisions::curves_of(const OutlineLoop& side) const
     return names;
 }
 
-double EdgeDivisions::size_at(const FlatPoint& at, double size) const
+double EdgeDivisions::size_at(EdgeId e, double share) const
 {
-    for (const auto& point : drawing_.model().points)
-        if (point.size) size = std::min(size, *point.size + growth * distance(at, {point.at[0], point.at[1]}));
-    return size;
+    const topology::PlanarSubdivision& plane = drawing_.subdivision();
+    const topology::CurvePart& part = plane.part(e);
+    const topology::Curve& curve = plane.curve(part.curve);
+    const FlatPoint at = share == 0.0 ? curve.at(part.span.from) : curve.at(curve.at_share(part.span, share));
+    return std::min(sizes_[e.index], field_.at(at));
+}
+
+/// Shares of an edge's length, so dense that the size that is wanted changes little from one to the next.
+std::vector<double> EdgeDivisions::samples_of(EdgeId e) const
+{
+    constexpr int n_even = 256, most_halvings = 12;
+    constexpr double most_of_size = 0.5; // between two of them
+    std::vector<double> samples{0.0};
+    const auto add_up_to = [&](const auto& self, double to, int n_left) -> void {
+        const double from = samples.back();
+        const bool is_dense = n_left == 0 || (to - from) * lengths_[e.index] <= most_of_size * size_at(e, to);
+        if (!is_dense) self(self, 0.5 * (from + to), n_left - 1);
+        if (!is_dense) self(self, to, n_left - 1);
+        else samples.push_back(to);
+    };
+    for (int i = 1; i <= n_even; ++i) add_up_to(add_up_to, static_cast<double>(i) / n_even, most_halvings);
+    return samples;
 }
 
 /// Parts of the size that is wanted where the edge runs.
@@ -322,32 +353,28 @@ EdgeShares EdgeDivisions::usual(EdgeId e, std::size_t n_more) const
 {
     const topology::PlanarSubdivision& plane = drawing_.subdivision();
     const topology::CurvePart& part = plane.part(e);
-    const topology::Curve& curve = plane.curve(part.curve);
-    const double length = lengths_[e.index], size = sizes_[e.index];
-    constexpr int n_samples = 256;
+    const double length = lengths_[e.index];
     std::vector<double> wanted{0.0}; // parts up to each sample
-    double before = size_at(curve.at(part.span.from), size);
-    const bool is_even = std::none_of(drawing_.model().points.begin(), drawing_.model().points.end(),
-                                      [](const auto& point) { return point.size.has_value(); });
-    for (int i = 1; i <= n_samples; ++i) {
-        const double here = is_even ? size
-                                    : size_at(curve.at(curve.at_share(part.span, static_cast<double>(i) / n_samples)),
-                                              size);
-        wanted.push_back(wanted.back() + 0.5 * (1.0 / before + 1.0 / here) * length / n_samples);
+    const std::vector<double> samples = field_.is_empty() ? std::vector<double>{0.0, 1.0} : samples_of(e);
+    double before = size_at(e, 0.0);
+    for (std::size_t i = 1; i < samples.size(); ++i) {
+        const double here = size_at(e, samples[i]);
+        wanted.push_back(wanted.back() + 0.5 * (1.0 / before + 1.0 / here) * length * (samples[i] - samples[i - 1]));
         before = here;
     }
     const topology::Solid& solid = plane.solid();
     const bool is_closed = solid.start(solid.plus(e)) == solid.end(solid.plus(e));
-    const std::size_t n = std::max({least_parts(is_even ? length / size : wanted.back()),
-                                    least_parts(curve.turning(part.span) / (0.25 * std::numbers::pi)),
+    const std::size_t n = std::max({least_parts(wanted.back()),
+                                    least_parts(plane.curve(part.curve).turning(part.span) / (0.25 * std::numbers::pi)),
                                     std::size_t{is_closed ? 3U : 1U}}) +
                           n_more;
-    if (is_even) return geometric(n, 1.0);
+    if (field_.is_empty()) return geometric(n, 1.0);
     EdgeShares shares{0.0};
     for (std::size_t i = 1, at = 0; i < n; ++i) {
         const double sought = wanted.back() * static_cast<double>(i) / static_cast<double>(n);
         while (wanted[at + 1] < sought) ++at;
-        shares.push_back((static_cast<double>(at) + (sought - wanted[at]) / (wanted[at + 1] - wanted[at])) / n_samples);
+        shares.push_back(samples[at] +
+                         (sought - wanted[at]) / (wanted[at + 1] - wanted[at]) * (samples[at + 1] - samples[at]));
     }
     shares.push_back(1.0);
     return shares;

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "apps/plane/discretize/mapped_outline.h"
+#include "topology/meshing/size_field.h"
 
 namespace discretize {
 
@@ -13,7 +14,8 @@ using EdgeShares = std::vector<double>;
 
 /// How every edge beside material is divided: as its curve says; else as the side opposite to it in a mapped region is,
 /// from region to region; else into equal parts of the size that is wanted, smaller near points with a size of their
-/// own, and never by less than three parts around or one for every 45 degrees that it turns.
+/// own, and never by less than three parts around or one for every 45 degrees that it turns. Where the settings have a
+/// field of sizes every edge that no mapped outline has is divided by it alone.
 class EdgeDivisions {
 public:
     /// \param outlines  with their settings, one of each
@@ -54,7 +56,8 @@ private:
     EdgeShares usual(topology::EdgeId e, std::size_t n_more = 0) const;
     bool wants_even() const;
     void make_even(const OutlineLoop& side);
-    double size_at(const topology::FlatPoint& at, double size) const;
+    std::vector<double> samples_of(topology::EdgeId e) const;
+    double size_at(topology::EdgeId e, double share) const;
     std::string curves_of(const OutlineLoop& side) const;
 
     const Drawing& drawing_;
@@ -63,6 +66,7 @@ private:
     std::vector<std::optional<MappedOutline>> mapped_;
     std::vector<std::optional<EdgeShares>> shares_; ///< of each edge
     std::vector<double> lengths_, sizes_;           ///< of each edge; the size is 0 beside no material
+    topology::SizeField field_; ///< besides: of points with a size of their own, or in place of what the drawing says
     std::vector<femoop::Fault> faults_;
 };
 

@@ -4,10 +4,10 @@
 
 namespace discretize {
 
-MeshPlayer::MeshPlayer(const Drawing& drawing)
+MeshPlayer::MeshPlayer(const Drawing& drawing, const std::shared_ptr<const topology::SizeField>& sizes)
     : drawing_(drawing),
       outlines_(outlines_of(drawing_)),
-      settings_(settings_of(drawing_, outlines_)),
+      settings_(settings_of(drawing_, outlines_, sizes)),
       divisions_(drawing_, outlines_, settings_),
       regions_(drawing_, outlines_, settings_, divisions_, {})
 {

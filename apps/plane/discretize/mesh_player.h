@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -14,8 +15,8 @@ namespace discretize {
 /// among them.
 class MeshPlayer {
 public:
-    /// Runs once to the end, to count the steps. \pre the drawing has a sound mesh, and outlives the player
-    explicit MeshPlayer(const Drawing& drawing);
+    /// Runs once to the end, to count the steps. \param sizes  as of MeshedDrawing  \pre the drawing has a sound mesh, and outlives the player
+    explicit MeshPlayer(const Drawing& drawing, const std::shared_ptr<const topology::SizeField>& sizes = {});
     MeshPlayer(const MeshPlayer&) = delete;
     MeshPlayer& operator=(const MeshPlayer&) = delete;
 

@@ -52,13 +52,18 @@ MeshSettings settings_of(const MeshOptions& own, const MeshOptions& usual, doubl
 
 } // namespace
 
-std::vector<MeshSettings> settings_of(const Drawing& drawing, const std::vector<FaceOutline>& outlines)
+std::vector<MeshSettings> settings_of(const Drawing& drawing, const std::vector<FaceOutline>& outlines,
+                                      const std::shared_ptr<const topology::SizeField>& field)
 {
     const double size = usual_size * box_of(drawing).diagonal();
     std::vector<MeshSettings> all;
     all.reserve(outlines.size());
     for (const FaceOutline& outline : outlines)
         all.push_back(settings_of(drawing.model()[outline.region].mesh, drawing.model().mesh, size));
+    for (MeshSettings& settings : all) {
+        settings.field = field;
+        if (field) settings.size = field->greatest();
+    }
     return all;
 }
 

@@ -9,14 +9,15 @@
 
 namespace discretize {
 
-MeshedDrawing::MeshedDrawing(const Drawing& drawing, const std::function<bool()>& is_cancelled)
+MeshedDrawing::MeshedDrawing(const Drawing& drawing, const std::function<bool()>& is_cancelled,
+                             const std::shared_ptr<const topology::SizeField>& sizes)
 {
     const std::vector<FaceOutline> outlines = outlines_of(drawing);
     if (outlines.empty()) {
         faults_ = {{femoop::FaultKind::NothingToMesh, {}}};
         return;
     }
-    const std::vector<MeshSettings> settings = settings_of(drawing, outlines);
+    const std::vector<MeshSettings> settings = settings_of(drawing, outlines, sizes);
     const EdgeDivisions divisions(drawing, outlines, settings);
     faults_ = divisions.faults();
     if (!femoop::errors_among(faults_).empty()) return;

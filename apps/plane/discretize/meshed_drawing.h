@@ -7,6 +7,7 @@
 
 #include "apps/plane/discretize/drawing.h"
 #include "apps/plane/discretize/region_mesher.h"
+#include "topology/meshing/size_field.h"
 
 namespace discretize {
 
@@ -14,8 +15,10 @@ namespace discretize {
 /// that are nodes come first and keep their names; curves keep theirs, as far as there are elements beside them.
 class MeshedDrawing {
 public:
-    /// \param is_cancelled  asked now and then; the mesh is not used when it says so  \pre the drawing is sound
-    explicit MeshedDrawing(const Drawing& drawing, const std::function<bool()>& is_cancelled = {});
+    /// \param is_cancelled  asked now and then; the mesh is not used when it says so
+    /// \param sizes  in place of the drawing's own (MeshSettings); null: those  \pre the drawing is sound
+    explicit MeshedDrawing(const Drawing& drawing, const std::function<bool()>& is_cancelled = {},
+                           const std::shared_ptr<const topology::SizeField>& sizes = {});
     /// With a mesh that it has already (FollowingMesh).
     MeshedDrawing(const Drawing& drawing, RegionMesh mesh);
 

@@ -441,6 +441,7 @@ void RegionMesher::mesh_freely(const FaceOutline& outline, const MeshSettings& s
 topology::MesherOptions RegionMesher::options_of(const FaceOutline& outline, const MeshSettings& settings,
                                                  std::size_t n_nodes) const
 {
+    if (settings.field) return {.size = settings.size, .min_angle = settings.min_angle, .field = settings.field};
     return {.size = settings.size, .min_angle = settings.min_angle, .sizes = sizes_of_points(outline, n_nodes)};
 }
 
