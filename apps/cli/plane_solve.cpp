@@ -7,8 +7,10 @@
 
 #include "apps/cli/analysis_run.h"
 #include "apps/cli/argument.h"
+#include "apps/cli/plane_cycles.h"
 #include "apps/cli/plane_input.h"
 #include "apps/cli/plane_places.h"
+#include "apps/plane/discretize/error_cycle.h"
 #include "femoop/io/plane/element_trace_output.h"
 #include "femoop/io/plane/plane_output.h"
 #include "femoop/plane/analysis/plane_analysis.h"
@@ -72,13 +74,26 @@ void PlaneSolve::declare(CLI::App& app, const ui::Catalogue& tr)
                    tr("of a plane model: print N, V and M on the cut from one place to another; may be given again"))
         ->option_text("X1,Y1,X2,Y2")
         ->allow_extra_args(false);
+    app.add_option(
+           "--cycles", cycles_,
+           tr("of a drawn plane model: refine its mesh by the estimated error so many times, 1 to 8, each time to "
+              "half of it, and print what each mesh has instead of the results"))
+        ->option_text("N");
     app.add_flag("--full", is_full_, tr("of a plane model: write the mesh into the JSON too"));
 }
 
 void PlaneSolve::require_none(const ui::Catalogue& tr) const
 {
+    if (!places_.empty() || !cuts_.empty() || is_full_ || cycles_)
+        throw UsageError(tr("--at, --cut, --cycles and --full are for plane models; this is a structure of members"));
+}
+
+std::size_t PlaneSolve::n_cycles(const ui::Catalogue& tr) const
+{
     if (!places_.empty() || !cuts_.empty() || is_full_)
-        throw UsageError(tr("--at, --cut and --full are for plane models; this is a structure of members"));
+        throw print_different_things("--cycles", !places_.empty() ? "--at" : !cuts_.empty() ? "--cut" : "--full", tr);
+    constexpr auto most = static_cast<long>(discretize::ErrorCycle::most_cycles);
+    return static_cast<std::size_t>(whole_number("--cycles", *cycles_, {1, most}, tr));
 }
 
 ExitStatus PlaneSolve::solve(const Question& question, const femoop::AnalysisOptions& options, Console& console) const
@@ -93,6 +108,17 @@ ExitStatus PlaneSolve::solve(const Question& question, const femoop::AnalysisOpt
         const fp::ElementTrace trace = fp::trace(model, element_named(*traced_element, model, tr));
         console.print(is_json ? fp::trace_json(trace, model.units) : fp::trace_text(trace, model.units, tr));
         return ExitStatus::Done;
+    }
+    if (cycles_) {
+        if (input.mesh() == nullptr)
+            throw UsageError(tr("--cycles: the file holds a mesh; only a drawing of curves can be meshed anew"));
+        return print_cycles({.drawing = *input.drawing(),
+                             .mesh = *input.mesh(),
+                             .file = file,
+                             .cases = cases_named(model, case_name, tr),
+                             .n_cycles = n_cycles(tr),
+                             .is_json = is_json},
+                            options, console);
     }
     fp::PlaneSelection selection{
         .cases = cases_named(model, case_name, tr), .probes = {}, .cuts = {}, .is_full = is_full_};

@@ -31,7 +31,10 @@ public:
     ExitStatus solve(const Question& question, const femoop::AnalysisOptions& options, Console& console) const;
 
 private:
+    std::size_t n_cycles(const ui::Catalogue& tr) const; ///< of --cycles. \throws UsageError
+
     std::vector<std::string> places_, cuts_;
+    std::optional<std::string> cycles_;
     bool is_full_ = false;
 };
 

@@ -419,8 +419,8 @@ ExitStatus Solve::solve_plane(femoop::plane::PlaneReading& reading, const femoop
                                     solver_trace_.are_given() || units_.are_given() || case_ == "envelope";
     if (is_asked_otherwise)
         throw UsageError(
-            tr("a plane model is solved with --case, --at, --cut, --full, --trace, --json and --solver; what else was "
-               "asked for is not built yet"));
+            tr("a plane model is solved with --case, --at, --cut, --cycles, --full, --trace, --json and --solver; what "
+               "else was asked for is not built yet"));
     return plane_.solve({.reading = reading,
                          .file = display_name(file_, tr),
                          .case_name = case_,

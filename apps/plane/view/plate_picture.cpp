@@ -6,6 +6,7 @@
 #include "apps/drawing/sheet/legend.h"
 #include "apps/plane/view/cut_panel.h"
 #include "apps/plane/view/direction_marks.h"
+#include "apps/plane/view/error_curve.h"
 #include "apps/plane/view/field_picture.h"
 #include "apps/plane/view/geometry_marks.h"
 #include "apps/plane/view/load_marks.h"
@@ -66,7 +67,7 @@ public:
         if (circled_probe(options)) room_.max.x -= probe_panel_width(theme_, sheet.width);
         right_ = room_.max.x;
         if (input.player != nullptr) room_.max.y -= step_foot_height(theme_);
-        if (!cuts_.empty()) room_.max.y -= std::min(cut_panel_height(theme_), 0.5 * sheet.height);
+        if (has_panels_below()) room_.max.y -= std::min(cut_panel_height(theme_), 0.5 * sheet.height);
         if (fields_.empty() || !shows(PlateShow::Legend)) return;
         double width = 0.0;
         for (const FieldPicture& field : fields_) width = std::max(width, legend_width(field, units_, theme_, fonts));
@@ -103,7 +104,7 @@ public:
         if (!head_.line.empty()) drawing::draw_head(painter, head_, theme_);
         if (input_.player != nullptr)
             draw_step_foot(painter, step_sentence(*input_.player, options_.tr), theme_, room_);
-        draw_cut_panels(painter);
+        draw_panels_below(painter);
         draw_circle_panel(painter);
         if (fields_.empty() || !shows(PlateShow::Legend)) return;
         const double share = room_.height() / static_cast<double>(fields_.size());
@@ -144,15 +145,22 @@ private:
         std::ranges::stable_sort(fields_, {}, &FieldPicture::style); // lines over bands
     }
 
-    void draw_cut_panels(ui::Painter& painter) const
+    bool has_panels_below() const { return !cuts_.empty() || input_.cycle != nullptr; }
+
+    /// Of cuts, and of the error's curve at the right. Where not all have room, the last cuts.
+    void draw_panels_below(ui::Painter& painter) const
     {
-        const std::size_t n = std::min(cuts_.size(), most_cuts(theme_, right_)), first = cuts_.size() - n;
-        const double width = right_ / static_cast<double>(std::max<std::size_t>(n, 1));
-        for (std::size_t i = first; i < cuts_.size(); ++i) { // the last ones, where not all have room
-            const double left = width * static_cast<double>(i - first);
-            draw_cut_panel(painter, cuts_[i], i + 1, options_, units_,
-                           {{left, room_.max.y + 8.0}, {left + width, painter.size().height}});
-        }
+        const std::size_t n_curves = input_.cycle != nullptr ? 1 : 0;
+        const std::size_t most = std::max<std::size_t>(most_cuts(theme_, right_), 1 + n_curves) - n_curves;
+        const std::size_t n = std::min(cuts_.size(), most), first = cuts_.size() - n;
+        const double width = right_ / static_cast<double>(std::max<std::size_t>(n + n_curves, 1));
+        const auto box = [&](std::size_t i) {
+            const double left = width * static_cast<double>(i);
+            return ui::Box{{left, room_.max.y + 8.0}, {left + width, painter.size().height}};
+        };
+        for (std::size_t i = first; i < cuts_.size(); ++i)
+            draw_cut_panel(painter, cuts_[i], i + 1, options_, units_, box(i - first));
+        if (n_curves > 0) draw_error_curve(painter, *input_.cycle, input_.model, options_, box(n));
     }
 
     void draw_circle_panel(ui::Painter& painter) const
@@ -170,6 +178,7 @@ private:
         const ui::Catalogue& tr = options_.tr;
         std::string line = state_and_case(input_.model, options_);
         if (input_.player != nullptr) append(line, mesher_note(*input_.player, options_, input_.model));
+        if (input_.cycle != nullptr && input_.cycle->sizes()) append(line, tr("mesh refined by the error"));
         if (magnification_ > 0.0)
             append(line, tr("displacements × {scale}", {{"scale", ui::number_text(magnification_, options_.numbers)}}));
         if (result_ != nullptr && shows(PlateShow::Principal)) append(line, principal_note(tr));

@@ -18,8 +18,9 @@
 #include "ui/text/display_units.h"
 
 namespace discretize {
+class ErrorCycle;
 class MeshPlayer;
-}
+} // namespace discretize
 
 namespace plane {
 
@@ -36,6 +37,8 @@ struct PlateInput {
     const std::vector<femoop::NodeVector>* motion = nullptr;
     /// Of the drawing, half way: drawn in place of its mesh and results.
     const discretize::MeshPlayer* player = nullptr;
+    /// That the mesh comes from: its curve stands below. Null: the mesh was not refined.
+    const discretize::ErrorCycle* cycle = nullptr;
 };
 
 /// What its reader chose of a picture.

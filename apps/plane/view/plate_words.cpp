@@ -7,6 +7,7 @@
 
 #include "apps/plane/view/case_shares.h"
 #include "apps/plane/view/cut_panel.h"
+#include "apps/plane/view/error_curve.h"
 #include "apps/plane/view/field_picture.h"
 #include "apps/plane/view/load_marks.h"
 #include "apps/plane/view/mesh_marks.h"
@@ -302,6 +303,8 @@ private:
         }
         for (const FieldShow& show : options_.show.fields) write_field(show);
         if (shows(PlateShow::Error)) write_error();
+        if (input_.cycle != nullptr)
+            for (const std::string& sentence : sentences(*input_.cycle, input_.model, options_)) line(sentence);
         if (shows(PlateShow::Reactions)) write_reactions();
         for (std::size_t i = 0; i < options_.probes.size(); ++i) {
             const Eigen::Vector2d& at = options_.probes[i];
