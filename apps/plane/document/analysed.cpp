@@ -7,10 +7,12 @@
 
 namespace plane {
 
-Analysed::Analysed(std::shared_ptr<const Solution> solution, const std::function<bool()>& is_cancelled)
+Analysed::Analysed(std::shared_ptr<const Solution> solution, const std::function<bool()>& is_cancelled,
+                   const std::shared_ptr<const topology::SizeField>& sizes)
     : solution_(std::move(solution))
 {
-    mesh_.emplace(*solution_->drawing(), [&] { return was_cancelled_ = was_cancelled_ || is_cancelled(); });
+    mesh_.emplace(
+        *solution_->drawing(), [&] { return was_cancelled_ = was_cancelled_ || is_cancelled(); }, sizes);
     if (!mesh_->is_sound() || was_cancelled_) {
         faults_ = femoop::errors_among(mesh_->faults());
         mesh_.reset();

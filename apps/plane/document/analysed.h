@@ -17,8 +17,10 @@ namespace plane {
 /// for.
 class Analysed {
 public:
-    /// \param is_cancelled  asked now and then while the mesh is made  \pre solution->is_sound()
-    Analysed(std::shared_ptr<const Solution> solution, const std::function<bool()>& is_cancelled);
+    /// \param is_cancelled  asked now and then while the mesh is made
+    /// \param sizes  in place of the drawing's own; null: those  \pre solution->is_sound()
+    Analysed(std::shared_ptr<const Solution> solution, const std::function<bool()>& is_cancelled,
+             const std::shared_ptr<const topology::SizeField>& sizes = {});
     /// With the mesh of another drawing that goes along as far as this one; without a mesh where it cannot.
     Analysed(std::shared_ptr<const Solution> solution, const discretize::FollowingMesh& mesh);
 

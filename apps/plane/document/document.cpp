@@ -23,6 +23,7 @@ std::size_t memory_footprint(const Document& document)
     for (const auto& load_case : model.load_cases)
         bytes += sizeof load_case + load_case.curves.size() * sizeof(femoop::plane::CurveLoad) +
                  load_case.points.size() * sizeof(femoop::NodeLoad);
+    if (document.cycle) bytes += document.cycle->memory();
     return bytes;
 }
 

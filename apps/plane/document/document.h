@@ -1,17 +1,23 @@
 #pragma once
 
 #include <cstddef>
+#include <memory>
 #include <string>
 
+#include "apps/plane/discretize/error_cycle.h"
 #include "femoop/plane/model/plane_model.h"
 
 namespace plane {
 
 using femoop::plane::PlaneModel;
 
-/// What is saved: a plane model that is drawn.
+/// A plane model that is drawn, which is saved, and how its mesh was refined, which is not.
 struct Document {
     PlaneModel model;
+    std::shared_ptr<const discretize::ErrorCycle> cycle{}; ///< of this model; null: its mesh is as the model says
+
+    /// That its mesh is made by in place of its own; null: none.
+    std::shared_ptr<const topology::SizeField> sizes() const { return cycle ? cycle->sizes() : nullptr; }
 
     friend bool operator==(const Document&, const Document&) = default;
 };

@@ -84,6 +84,42 @@ constexpr std::array field_entries{
     FieldEntry{PlaneComponent::Mises, "results.mises", "von Mises", {{Key::I, {}}}},
 };
 
+ui::Reason why_not_refining(const Workspace& workspace)
+{
+    if (workspace.session.is_refining()) return std::nullopt;
+    return translatable("no mesh is being refined");
+}
+
+void refine(Workspace& workspace, std::size_t n_cycles)
+{
+    if (const auto reason = workspace.session.refine(n_cycles)) workspace.session.notify(*reason);
+}
+
+void add_refinement(CommandTable& table)
+{
+    Menu menu(table, translatable("Results"));
+    menu.step({"results.refine", translatable("Refine the mesh by the error"), {{Key::E, ui::shift}}},
+              [](Workspace& workspace) { refine(workspace, workspace.session.look.n_cycles); });
+    table.with_argument("results.refine", [](Workspace& workspace, const ui::Argument& argument) -> ui::Reason {
+        constexpr auto most = discretize::ErrorCycle::most_cycles;
+        const auto n = argument.number();
+        if (!n || *n < 1.0 || *n > static_cast<double>(most))
+            return argument.wanted("how many cycles, 1 to " + std::to_string(most));
+        refine(workspace, static_cast<std::size_t>(*n));
+        return std::nullopt;
+    });
+    menu.step(
+        {"results.stop_refining", translatable("Stop refining")},
+        [](Workspace& workspace) { workspace.session.stop_refining(); }, why_not_refining);
+    menu.step(
+        {"results.unrefined", translatable("Give the refined mesh up")},
+        [](Workspace& workspace) { workspace.session.give_up_refinement(); },
+        [](const Workspace& workspace) -> ui::Reason {
+            if (workspace.session.cycle() != nullptr) return std::nullopt;
+            return translatable("the mesh is not refined");
+        });
+}
+
 void add_results(CommandTable& table)
 {
     ui::standard::add_look_switches(table, translatable("Results"), results);
@@ -117,6 +153,7 @@ void add_results(CommandTable& table)
             workspace.session.is_animated = is_on;
             if (is_on) workspace.session.look.deformed = true;
         });
+    add_refinement(table);
     menu.step(
         {"results.clear_readings", translatable("Take away all probes and cuts")},
         [](Workspace& workspace) { workspace.session.look.readings = {}; },

@@ -12,11 +12,12 @@ constexpr double fewest_a_second = 2.0, most_a_second = 200.0; // steps
 
 } // namespace
 
-void MesherWatch::begin(std::shared_ptr<const Solution> solution)
+void MesherWatch::begin(std::shared_ptr<const Solution> solution,
+                        const std::shared_ptr<const topology::SizeField>& sizes)
 {
     end();
     solution_ = std::move(solution);
-    player_ = std::make_shared<discretize::MeshPlayer>(*solution_->drawing());
+    player_ = std::make_shared<discretize::MeshPlayer>(*solution_->drawing(), sizes);
 }
 
 void MesherWatch::end()

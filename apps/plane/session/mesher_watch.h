@@ -14,8 +14,9 @@ class MesherWatch {
 public:
     static constexpr double slowest = 0.25, fastest = 4.0;
 
+    /// \param sizes  that the mesh is made by in place of the drawing's own; null: those
     /// \pre the drawing has a sound mesh
-    void begin(std::shared_ptr<const Solution> solution);
+    void begin(std::shared_ptr<const Solution> solution, const std::shared_ptr<const topology::SizeField>& sizes);
     void end();
 
     /// Null where none is watched, or of another solution.

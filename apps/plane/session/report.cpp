@@ -129,6 +129,9 @@ std::string status_text(const Session& session)
     std::string text = tr("points: {points}, curves: {curves}",
                           {{"points", std::to_string(session.model().points.size())},
                            {"curves", std::to_string(session.model().curves.size())}});
+    if (session.is_refining())
+        return tr("refining the mesh: {count} meshes left   (Esc stops)",
+                  {{"count", std::to_string(session.n_refinements_left())}});
     if (drawing != nullptr) {
         std::size_t n_empty = 0;
         for (const auto& face : drawing->faces()) n_empty += face.region ? 0 : 1;

@@ -10,6 +10,7 @@
 #include "apps/drawing/quantity_typed.h"
 #include "apps/plane/document/fault_words.h"
 #include "apps/plane/document/regions.h"
+#include "apps/plane/view/error_curve.h"
 #include "apps/plane/view/field_picture.h"
 #include "femoop/files/whole_file.h"
 #include "femoop/io/plane/plane_file.h"
@@ -68,12 +69,14 @@ std::optional<Message> Session::change(const Change& change)
     change.command(next);
     const bool has_faces = before->drawing() != nullptr && !are_drawn_alike(before->model(), next.model);
     if (has_faces) follow_faces(next, *before->drawing());
+    if (next.model != from.model) next.cycle.reset(); // which is of the model as it was
     auto would_be = std::make_shared<const Solution>(next);
     if (would_be->refused().size() > before->refused().size()) {
         const Fault& fault = would_be->refused().back();
         return Message(sentence(fault, next.model, tr()));
     }
     const PlaneModel was = model();
+    stop_refining();
     if (is_drag) {
         if (!history_.is_dragging()) settled_ = solution_;
         history_.drag(std::move(next), change.label);
@@ -102,6 +105,7 @@ void Session::cancel()
 
 void Session::follow(const Document& before)
 {
+    stop_refining();
     settled_.reset();
     solve_again();
     keep_selection(before.model);
@@ -147,6 +151,7 @@ void Session::restart(Document document)
     selection_.clear();
     hover.reset();
     watch.end();
+    stop_refining();
     camera.reset();
     left_gap_.reset();
     load_case = 0;
@@ -204,6 +209,7 @@ PlateInput Session::input() const
     input.mesh = found->mesh();
     if (needs_results(look) && !found->mechanisms().empty()) input.motion = &found->mechanisms()[mechanism()].motion;
     if (found->result(load_case) == nullptr || !found->is_loaded(load_case)) return input;
+    input.cycle = cycle();
     input.results = found->results();
     input.result = found->result(load_case);
     return input;
@@ -234,7 +240,8 @@ void Session::analyse_what_is_shown()
         return;
     }
     if (is_dragging && last_seconds_ > fast_enough) return;
-    analysed_ = std::make_shared<const Analysed>(solution_, [&] { return seconds() > longest; });
+    analysed_ = std::make_shared<const Analysed>(
+        solution_, [&] { return seconds() > longest; }, document().sizes());
     last_seconds_ = seconds();
 }
 
@@ -296,6 +303,72 @@ std::optional<Message> Session::why_no_results() const
     return std::nullopt;
 }
 
+// ---- refinement by the error
+
+std::optional<Message> Session::refine(std::size_t n_cycles)
+{
+    if (!solution_->is_sound()) return Message(told(solution_->faults()));
+    if (const auto mapped = discretize::mapped_region(model()))
+        return Message(translatable("region {region} is mapped, and its mesh follows its sides; give it the method "
+                                    "delaunay or quads, or leave its method to the app"),
+                       {{"region", model()[*mapped].id}});
+    watch.end();
+    look.mesh = true;
+    if (!needs_results(look)) look.error = true;
+    refinement_ = Refinement{.n_left = n_cycles};
+    return std::nullopt;
+}
+
+/// One mesh a while, so that each is seen. The first one begins where the results are there.
+void Session::refine_further(double seconds)
+{
+    constexpr double between = 0.4; // [s]
+    if (!refinement_) return;
+    const bool is_first = refinement_->waited == 0.0;
+    refinement_->waited += seconds;
+    const Analysed* const found = analysed();
+    if (found == nullptr || (!is_first && refinement_->waited < between)) return;
+    const auto end = refine_once();
+    if (end) notify({translatable("Refinement ends here: {reason}"), {{"reason", *end}}});
+    if (end || --refinement_->n_left == 0) return stop_refining();
+    refinement_->waited = seconds;
+}
+
+std::optional<Message> Session::refine_once()
+{
+    constexpr double longest = 20.0; // [s]
+    using Clock = std::chrono::steady_clock;
+    const Clock::time_point start = Clock::now();
+    const auto is_late = [&] { return std::chrono::duration<double>(Clock::now() - start).count() > longest; };
+    if (const auto reason = why_no_results()) return reason;
+    const femoop::CaseId shown(load_case);
+    discretize::ErrorCycle cycle(shown);
+    if (document().cycle && document().cycle->load_case() == shown) cycle = *document().cycle;
+    if (cycle.meshes().empty()) cycle.add(*analysed_->results(), *analysed_->result(load_case));
+    const discretize::NextMesh next = cycle.next();
+    if (next.end) return reason_of(next, cycle);
+    auto found = std::make_shared<const Analysed>(solution_, is_late, next.sizes);
+    if (found->was_cancelled()) return Message(translatable("the mesh took too long and was given up"));
+    if (found->result(load_case) == nullptr) return Message(told(found->faults()));
+    cycle.take(next.sizes);
+    cycle.add(*found->results(), *found->result(load_case));
+    cycle.compare(*drawing(), is_late);
+    analysed_ = std::move(found);
+    Document refined = document();
+    refined.cycle = std::make_shared<const discretize::ErrorCycle>(std::move(cycle));
+    history_.apply(std::move(refined), translatable("Refine the mesh by the error"));
+    return std::nullopt;
+}
+
+void Session::give_up_refinement()
+{
+    Document plain = document();
+    plain.cycle.reset();
+    history_.apply(std::move(plain), translatable("Give the refined mesh up"));
+    stop_refining();
+    solve_again();
+}
+
 namespace {
 
 constexpr double seconds_per_swing = 2.4;
@@ -319,6 +392,7 @@ void Session::tick(double seconds)
 {
     ui::tick(notice, seconds);
     watch.tick(seconds);
+    refine_further(seconds);
     swing_ = is_swinging() ? swing_ + seconds : 0.0;
 }
 
@@ -336,11 +410,11 @@ std::optional<Message> Session::watch_mesher()
     using Clock = std::chrono::steady_clock;
     const Clock::time_point start = Clock::now();
     const auto is_late = [&] { return std::chrono::duration<double>(Clock::now() - start).count() > longest; };
-    const discretize::MeshedDrawing mesh(*drawing(), is_late);
+    const discretize::MeshedDrawing mesh(*drawing(), is_late, document().sizes());
     if (is_late() || (mesh.is_sound() && mesh.model().elements.size() > most_elements))
         return translatable("the mesh has too many elements to be watched; give a larger element size");
     if (!mesh.is_sound()) return said(mesh.faults());
-    watch.begin(solution_);
+    watch.begin(solution_, document().sizes());
     return std::nullopt;
 }
 

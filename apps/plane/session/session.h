@@ -61,6 +61,17 @@ public:
     /// The range of the bands as they are now; nothing where there are none.
     std::optional<KeptRange> range_of_bands() const;
 
+    // ---- refinement by the error
+
+    /// Refines the mesh by the estimated error of the case that is shown, so many times: one mesh after the other as time
+    /// goes on, each a step that can be taken back. What is not shown yet is shown. \returns why not
+    std::optional<ui::Message> refine(std::size_t n_cycles);
+    void stop_refining() { refinement_.reset(); }
+    bool is_refining() const { return refinement_.has_value(); }
+    std::size_t n_refinements_left() const { return refinement_ ? refinement_->n_left : 0; }
+    const discretize::ErrorCycle* cycle() const { return document().cycle.get(); } ///< null: the mesh is not refined
+    void give_up_refinement(); ///< the mesh is as the drawing says again; a step that can be taken back
+
     // ---- how the mesh comes to be
 
     /// Shows the first step of its making. \returns why there is none to be watched
@@ -88,7 +99,7 @@ public:
     void leave_gap();
 
     void tick(double seconds);
-    bool is_moving() const { return notice.has_value() || is_swinging() || watch.is_playing(); }
+    bool is_moving() const { return notice.has_value() || is_swinging() || watch.is_playing() || is_refining(); }
     /// Share of the displacements that is drawn, -1 to 1; 1 where nothing swings.
     double phase() const;
 
@@ -108,6 +119,9 @@ private:
     std::string file_text() const override;
     std::string about(const ui::Catalogue& tr) const override;
     void follow(const Document& before) override;
+    bool is_same(const Document& a, const Document& b) const override { return a.model == b.model; }
+    void refine_further(double seconds);
+    std::optional<ui::Message> refine_once(); ///< \returns why the cycle ends here
     void solve_again();
     void accept(std::shared_ptr<const Solution> solution); ///< of the document
     void keep_selection(const PlaneModel& before);
@@ -124,6 +138,11 @@ private:
     double swing_ = 0.0;          ///< since it began, at the largest displacement [s]
     double last_seconds_ = 0.0;   ///< that an analysis took
     double follow_seconds_ = 0.0; ///< that the last one of this drag took, with the mesh that went along
+    struct Refinement {
+        std::size_t n_left = 0; ///< meshes
+        double waited = 0.0;    ///< since the last one was made [s]
+    };
+    std::optional<Refinement> refinement_;
     std::vector<Part> selection_;
     std::optional<Gap> gap_, left_gap_;
     std::size_t opening_ = 0;

@@ -52,14 +52,18 @@ struct LogAxis {
     double from = 0.0, to = 1.0;   ///< on the sheet
 
     double at(double value) const { return from + std::log(value / low) / std::log(high / low) * (to - from); }
-    /// 1, 2 and 5 in each decade; where there are many, 1 alone.
+    /// In each decade, the fewer the more decades there are.
     std::vector<double> marks() const
     {
-        constexpr std::array all{1.0, 2.0, 5.0};
-        const bool is_long = high / low > 200.0;
+        static constexpr std::array dense{1.0, 1.5, 2.0, 3.0, 4.0, 5.0, 7.0};
+        static constexpr std::array usual{1.0, 2.0, 5.0};
+        static constexpr std::array few{1.0};
+        std::span<const double> steps = usual;
+        if (high / low < 10.0) steps = dense;
+        if (high / low > 200.0) steps = few;
         std::vector<double> marks;
         for (double decade = std::pow(10.0, std::floor(std::log10(low))); decade <= high; decade *= 10.0)
-            for (const double step : std::span(all).first(is_long ? 1 : all.size()))
+            for (const double step : steps)
                 if (const double mark = step * decade; mark >= low * (1.0 - 1e-9) && mark <= high * (1.0 + 1e-9))
                     marks.push_back(mark);
         return marks;
@@ -89,7 +93,7 @@ public:
     {
         draw_axes();
         draw_smooth_slope();
-        draw_meshes(cycle_.uniform(), theme_.series(5), dashes(), false);
+        if (cycle_.uniform().size() > 1) draw_meshes(cycle_.uniform(), theme_.series(5), dashes(), false);
         draw_meshes(cycle_.meshes(), theme_.series(0), {}, true);
     }
 

@@ -88,7 +88,13 @@ bool Application::handle_typing(ui::Key key)
     return true;
 }
 
-bool Application::close_topmost() { return DocumentApp::close_topmost() || canvas_.cancel(workspace()); }
+bool Application::close_topmost()
+{
+    if (DocumentApp::close_topmost()) return true;
+    if (!session().is_refining()) return canvas_.cancel(workspace());
+    workspace().session.stop_refining();
+    return true;
+}
 
 // ---- what is shown
 

@@ -127,6 +127,17 @@ std::string mesher_step(const Application& application)
     return player != nullptr ? std::to_string(player->place()) + " of " + std::to_string(player->n_steps()) : "nothing";
 }
 
+// "12.9 7.4 4.6": the errors of the meshes of a cycle, in percent
+std::string cycle_errors(const Application& application)
+{
+    const discretize::ErrorCycle* const cycle = application.session().cycle();
+    std::string errors;
+    if (cycle != nullptr)
+        for (const discretize::MeshError& mesh : cycle->meshes())
+            errors += (errors.empty() ? "" : " ") + ui::number_text(100.0 * mesh.error, {.digits = 2});
+    return or_nothing(errors);
+}
+
 std::string tool(const Application& application)
 {
     return std::string(std::ranges::find(tools(), application.workspace().hand.tool(), &ToolEntry::value)->id);
@@ -202,6 +213,7 @@ const ui::Facts<Application>& facts()
             {"elements", mesh_size},
             {"reason", why_unsolved},
             {"step", mesher_step},
+            {"cycle", cycle_errors},
             {"probes", [](const Application& a) { return std::to_string(a.session().look.readings.probes.size()); }},
             {"cuts", [](const Application& a) { return std::to_string(a.session().look.readings.cuts.size()); }},
             {"range", range},

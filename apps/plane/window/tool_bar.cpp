@@ -2,6 +2,7 @@
 
 #include <imgui.h>
 
+#include <cmath>
 #include <string>
 
 #include "apps/plane/view/field_picture.h"
@@ -84,6 +85,25 @@ void range_rows(Workspace& workspace, const CommandTable& commands, ui::NumberFi
     range_row(workspace, number_fields, range, &KeptRange::high);
 }
 
+/// Where the error is shown: how many cycles, and the button that starts them, or stops them.
+void refinement_rows(Workspace& workspace, const CommandTable& commands, ui::NumberFields& number_fields)
+{
+    Session& session = workspace.session;
+    if (!session.look.error && session.cycle() == nullptr && !session.is_refining()) return;
+    const std::string text = std::to_string(session.look.n_cycles);
+    ui::begin_field_row(session.tr()(translatable("Cycles")), text);
+    const auto event = number_fields.show(
+        "cycles", {.text = text, .exact_text = text, .value = std::nullopt, .is_typed_only = true});
+    if (event.kind == ui::NumberFieldEvent::Kind::Typed) {
+        const auto typed = ui::number_typed(event.text);
+        constexpr auto most = static_cast<double>(discretize::ErrorCycle::most_cycles);
+        if (typed && *typed >= 1.0 && *typed <= most && *typed == std::floor(*typed))
+            session.look.n_cycles = static_cast<std::size_t>(*typed);
+        else number_fields.reject(event, session.tr()(translatable("a whole number from 1 to 8 is wanted here")));
+    }
+    ui::command_button(workspace, commands, session.is_refining() ? "results.stop_refining" : "results.refine");
+}
+
 } // namespace
 
 void tool_bar(Workspace& workspace, const CommandTable& commands, ui::ImGuiSession& gui, const ui::Fonts& fonts)
@@ -108,6 +128,7 @@ void show_panel(Workspace& workspace, const CommandTable& commands, ui::NumberFi
                            "results.error", "results.reactions", "results.circle"})
         switch_box(workspace, commands, id);
     switch_box(workspace, commands, "results.animate");
+    refinement_rows(workspace, commands, number_fields);
     const auto field = workspace.session.look.field;
     ui::command_combo(workspace, commands, "###field", fields(),
                       [&](const FieldEntry& entry) { return entry.value == field; });

@@ -221,3 +221,30 @@ TEST_CASE("The nearest probe or end of a cut is taken hold of, and an end takes 
     CHECK(readings.cuts.empty());
     CHECK(readings.told_probe() == std::size_t{0});
 }
+
+TEST_CASE("A mesh is refined step by step, its file stays as it was, and a change of the drawing gives it up")
+{
+    Workspace workspace = quarter_plate();
+    Session& session = workspace.session;
+    REQUIRE_FALSE(session.refine(2));
+    for (int i = 0; i < 20; ++i) {
+        session.tick(0.1);
+        session.analyse_what_is_shown();
+    }
+    CHECK_FALSE(session.is_refining());
+    REQUIRE(session.cycle() != nullptr);
+    CHECK(session.cycle()->meshes().size() == 3);
+    CHECK_FALSE(session.is_dirty());
+    REQUIRE(session.input().mesh != nullptr);
+    CHECK(session.input().mesh->elements.size() == session.cycle()->meshes().back().n_elements);
+    CHECK(session.history().n_states() == 3);
+    session.undo();
+    session.analyse_what_is_shown();
+    CHECK(session.cycle()->meshes().size() == 2);
+    CHECK(session.input().mesh->elements.size() == session.cycle()->meshes().back().n_elements);
+    workspace.change({"thicker", [](Document& document) { document.model.regions[0].thickness = 7.0; }});
+    CHECK(session.cycle() == nullptr);
+    workspace.change({"mapped", [](Document& document) { document.model.mesh.method = "mapped"; }});
+    CHECK(session.refine(1));
+    CHECK_FALSE(session.is_refining());
+}
