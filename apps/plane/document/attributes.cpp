@@ -67,6 +67,20 @@ void set_division(Document& document, CurveId curve, const std::optional<femoop:
     if (division) shape.divide.push_back(*division);
 }
 
+void mesh_by(Document& document, femoop::ShapeKind kind)
+{
+    const bool is_triangle = kind == femoop::ShapeKind::T3 || kind == femoop::ShapeKind::T6;
+    const auto change = [&](femoop::plane::MeshOptions& mesh) {
+        const bool makes_triangles = mesh.method == "delaunay" || mesh.method == "front" || mesh.method == "quadtree";
+        if (is_triangle ? mesh.method == "quads" : makes_triangles) mesh.method.clear();
+        mesh.element.reset();
+        mesh.formulation.reset();
+    };
+    change(document.model.mesh);
+    document.model.mesh.element = kind;
+    for (auto& region : document.model.regions) change(region.mesh);
+}
+
 std::size_t some_case(Document& document, std::size_t load_case)
 {
     auto& cases = document.model.load_cases;

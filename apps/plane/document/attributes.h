@@ -25,6 +25,10 @@ void set_spring(PlaneSupport& support, femoop::Dof dof, const std::optional<femo
 /// How every piece of a curve is divided; nothing: by the size of the mesh.
 void set_division(Document& document, CurveId curve, const std::optional<femoop::plane::Division>& division);
 
+/// All regions are meshed by this kind of element, in its standard formulation. A method that does not make it is left to
+/// the app; what is mapped stays so.
+void mesh_by(Document& document, femoop::ShapeKind kind);
+
 /// The case at this place, made where there is none yet.
 std::size_t some_case(Document& document, std::size_t load_case);
 

@@ -3,6 +3,7 @@
 #include <array>
 #include <utility>
 
+#include "apps/plane/document/attributes.h"
 #include "apps/plane/document/gallery/gallery.h"
 #include "apps/plane/session/drawing_commands.h"
 #include "apps/plane/session/mesher_commands.h"
@@ -84,6 +85,18 @@ constexpr std::array field_entries{
     FieldEntry{PlaneComponent::Mises, "results.mises", "von Mises", {{Key::I, {}}}},
 };
 
+struct ElementEntry {
+    std::string_view id, label;
+    femoop::ShapeKind kind;
+};
+constexpr std::array element_entries{
+    ElementEntry{"mesh.T3", translatable("Mesh of T3"), femoop::ShapeKind::T3},
+    ElementEntry{"mesh.T6", translatable("Mesh of T6"), femoop::ShapeKind::T6},
+    ElementEntry{"mesh.Q4", translatable("Mesh of Q4"), femoop::ShapeKind::Q4},
+    ElementEntry{"mesh.Q8", translatable("Mesh of Q8"), femoop::ShapeKind::Q8},
+    ElementEntry{"mesh.Q9", translatable("Mesh of Q9"), femoop::ShapeKind::Q9},
+};
+
 ui::Reason why_not_refining(const Workspace& workspace)
 {
     if (workspace.session.is_refining()) return std::nullopt;
@@ -117,6 +130,34 @@ void add_refinement(CommandTable& table)
         [](const Workspace& workspace) -> ui::Reason {
             if (workspace.session.cycle() != nullptr) return std::nullopt;
             return translatable("the mesh is not refined");
+        });
+}
+
+void add_comparison(CommandTable& table)
+{
+    Menu menu(table, translatable("Results"));
+    menu.toggle(
+        {"results.compare", translatable("Compare with the present results"), {{Key::C, ui::shift}}},
+        [](const Workspace& workspace) { return workspace.session.has_kept_results(); },
+        [](Workspace& workspace, bool is_on) {
+            Session& session = workspace.session;
+            if (!is_on) return session.forget_results();
+            session.look.deformed = true;
+            const auto reason = session.keep_results();
+            session.notify(reason ? *reason
+                                  : translatable("these results are kept; what follows is compared with them"));
+        });
+    menu.toggle(
+        {"results.beside", translatable("Side by side with the kept results"), {{Key::B, ui::shift}}},
+        [](const Workspace& workspace) { return workspace.session.look.beside; },
+        [](Workspace& workspace, bool is_on) { workspace.session.look.beside = is_on; },
+        [](const Workspace& workspace) -> ui::Reason {
+            if (workspace.session.has_kept_results()) return std::nullopt;
+            return translatable("no results are kept; compare with the present ones first");
+        });
+    for (const ElementEntry& entry : element_entries)
+        menu.step({entry.id, entry.label}, [entry](Workspace& workspace) {
+            workspace.change({entry.label, [entry](Document& document) { mesh_by(document, entry.kind); }});
         });
 }
 
@@ -154,6 +195,7 @@ void add_results(CommandTable& table)
             if (is_on) workspace.session.look.deformed = true;
         });
     add_refinement(table);
+    add_comparison(table);
     menu.step(
         {"results.clear_readings", translatable("Take away all probes and cuts")},
         [](Workspace& workspace) { workspace.session.look.readings = {}; },

@@ -38,6 +38,7 @@ PlateOptions options_of(const Look& look, std::size_t load_case)
     if (look.element_values) options.reading = femoop::plane::StressReading::Element;
     if (look.range && look.field == look.range->component) options.range = {look.range->low, look.range->high};
     options.load_case = femoop::CaseId(load_case);
+    options.is_beside = look.beside;
     options.theme = look.theme;
     options.tr = look.tr;
     options.numbers.mark = ui::decimal_mark(look.tr.language());

@@ -33,6 +33,7 @@ struct Look {
     std::optional<KeptRange> range{};                     ///< of the bands; that of the values when absent
     bool element_values = false;                          ///< with their jumps, in place of smoothed ones
     Readings readings{};                                  ///< probes and cuts
+    bool beside = false;                                  ///< results that are kept, in place of behind the others
     std::size_t n_cycles = 4;                             ///< of a refinement
     bool circle = true; ///< Mohr's circle and all values of the last probe, in a panel
     ui::ThemeName theme = ui::ThemeName::Light;

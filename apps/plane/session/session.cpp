@@ -152,6 +152,7 @@ void Session::restart(Document document)
     hover.reset();
     watch.end();
     stop_refining();
+    forget_results();
     camera.reset();
     left_gap_.reset();
     load_case = 0;
@@ -210,9 +211,30 @@ PlateInput Session::input() const
     if (needs_results(look) && !found->mechanisms().empty()) input.motion = &found->mechanisms()[mechanism()].motion;
     if (found->result(load_case) == nullptr || !found->is_loaded(load_case)) return input;
     input.cycle = cycle();
+    keep_beside(input);
     input.results = found->results();
     input.result = found->result(load_case);
     return input;
+}
+
+/// The kept results of the case of the same name.
+void Session::keep_beside(PlateInput& input) const
+{
+    if (!kept_ || kept_ == analysed_) return;
+    const auto same = kept_->mesh()->find_case(model().case_name(femoop::CaseId(load_case)));
+    if (!same || kept_->result(same->index) == nullptr || !kept_->is_loaded(same->index)) return;
+    input.kept_results = kept_->results();
+    input.kept_result = kept_->result(same->index);
+}
+
+std::optional<Message> Session::keep_results()
+{
+    analyse_what_is_shown();
+    if (const auto reason = why_no_results()) return reason;
+    if (analysed() == nullptr || analysed()->result(load_case) == nullptr)
+        return translatable("there are no results; show the deformed shape or a stress first");
+    kept_ = analysed_;
+    return std::nullopt;
 }
 
 const Analysed* Session::analysed() const

@@ -72,6 +72,13 @@ public:
     const discretize::ErrorCycle* cycle() const { return document().cycle.get(); } ///< null: the mesh is not refined
     void give_up_refinement(); ///< the mesh is as the drawing says again; a step that can be taken back
 
+    // ---- comparing
+
+    /// The results that are shown stay behind those that follow, of this drawing or of another mesh. \returns why not
+    std::optional<ui::Message> keep_results();
+    void forget_results() { kept_.reset(); }
+    bool has_kept_results() const { return kept_ != nullptr; }
+
     // ---- how the mesh comes to be
 
     /// Shows the first step of its making. \returns why there is none to be watched
@@ -123,6 +130,7 @@ private:
     void refine_further(double seconds);
     std::optional<ui::Message> refine_once(); ///< \returns why the cycle ends here
     void solve_again();
+    void keep_beside(PlateInput& input) const;
     void accept(std::shared_ptr<const Solution> solution); ///< of the document
     void keep_selection(const PlaneModel& before);
     void restart(Document document);
@@ -133,6 +141,7 @@ private:
 
     std::shared_ptr<const Solution> solution_, settled_; ///< settled_: before the gesture that is under way
     std::shared_ptr<const Analysed> analysed_;
+    std::shared_ptr<const Analysed> kept_;    ///< to be compared with
     std::shared_ptr<const Analysed> dragged_; ///< of before the drag that is under way
     std::shared_ptr<const discretize::FollowingMesh> following_;
     double swing_ = 0.0;          ///< since it began, at the largest displacement [s]

@@ -246,7 +246,9 @@ private:
 
 std::string percent_text(double share, const ui::NumberFormat& numbers)
 {
-    return ui::number_text(100.0 * share, {.digits = 3, .mark = numbers.mark}) + " %";
+    constexpr double rounding = 1e-9;
+    const double shown = std::abs(share) < rounding ? 0.0 : share;
+    return ui::number_text(100.0 * shown, {.digits = 3, .mark = numbers.mark}) + " %";
 }
 
 std::string exponent_text(double rate, const ui::NumberFormat& numbers)

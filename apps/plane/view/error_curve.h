@@ -17,7 +17,7 @@ std::vector<std::string> sentences(const discretize::ErrorCycle& cycle, const fe
 /// Why a cycle goes no further. \pre there is no next mesh
 ui::Message reason_of(const discretize::NextMesh& next, const discretize::ErrorCycle& cycle);
 
-/// "5.2 %"
+/// "5.2 %"; rounding is 0.
 std::string percent_text(double share, const ui::NumberFormat& numbers);
 /// "−0.97" of a rate of 0.97.
 std::string exponent_text(double rate, const ui::NumberFormat& numbers);

@@ -51,8 +51,8 @@ std::vector<Side> sides_of(const fp::PlaneModel& mesh)
 /// Sides one after the other, going straight on where they can, as lines of nodes: so that a file of them stays small.
 class SideTrails {
 public:
-    SideTrails(const PlateScene& scene, std::vector<Side> sides)
-        : scene_(scene), sides_(std::move(sides)), at_node_(scene.mesh->points.size()), is_drawn_(sides_.size())
+    SideTrails(const PlateScene& scene, const PlaceLine& places, std::vector<Side> sides)
+        : scene_(scene), places_(places), sides_(std::move(sides)), at_node_(places.size()), is_drawn_(sides_.size())
     {
         for (std::size_t i = 0; i < sides_.size(); ++i) {
             at_node_[sides_[i].from.index].push_back(i);
@@ -72,7 +72,7 @@ public:
     }
 
 private:
-    const Vector2d& place(NodeId node) const { return (*scene_.places)[node.index]; }
+    const Vector2d& place(NodeId node) const { return places_[node.index]; }
 
     NodeId follow(std::size_t i, NodeId from, std::vector<ui::Point>& line)
     {
@@ -103,6 +103,7 @@ private:
     }
 
     const PlateScene& scene_;
+    const PlaceLine& places_;
     std::vector<Side> sides_;
     std::vector<std::vector<std::size_t>> at_node_;
     std::vector<bool> is_drawn_;
@@ -110,17 +111,22 @@ private:
 
 } // namespace
 
+void draw_sides(const PlateScene& scene, const fp::PlaneModel& mesh, const PlaceLine& places, const ui::Stroke& stroke)
+{
+    const ui::LayerScope layer(scene.sketch.painter(), ui::Layer::Grid);
+    SideTrails(scene, places, sides_of(mesh)).each([&](const std::vector<ui::Point>& line) {
+        scene.sketch.polyline(line, stroke, drawing::Clearance::None);
+    });
+}
+
 void draw_mesh(const PlateScene& scene)
 {
     if (scene.mesh == nullptr) return;
-    const ui::LayerScope layer(scene.sketch.painter(), ui::Layer::Grid);
     ui::Stroke stroke = scene.sketch.thin(Role::HiddenEdge);
     stroke.color = ui::with_opacity(scene.sketch.theme().stroke(Role::FaintLabel).color, 0.75);
     stroke.join = ui::Join::Round;
     if (scene.mesh->elements.size() > 4000) stroke.width *= 0.6;
-    SideTrails(scene, sides_of(*scene.mesh)).each([&](const std::vector<ui::Point>& line) {
-        scene.sketch.polyline(line, stroke, drawing::Clearance::None);
-    });
+    draw_sides(scene, *scene.mesh, *scene.places, stroke);
 }
 
 void draw_deformed(const PlateScene& scene)
@@ -184,6 +190,14 @@ double magnification(const PlateOptions& options, const fp::PlaneModel& mesh, co
     }
     const double extent = (high - low).norm();
     return largest > 0.0 ? drawing::round_below(share_of_body * extent / largest) : 1.0;
+}
+
+double magnification(const PlateInput& input, const PlateOptions& options)
+{
+    const fp::PlaneModel& mesh = *mesh_of(input);
+    const double factor = magnification(options, mesh, *input.result);
+    if (!input.is_compared()) return factor;
+    return std::min(factor, magnification(options, input.kept_results->model(), *input.kept_result));
 }
 
 PlaceLine displaced(const fp::PlaneModel& mesh, const fp::PlaneCase& result, double factor)

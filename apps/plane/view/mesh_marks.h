@@ -6,6 +6,9 @@ namespace plane {
 
 /// The sides of all elements, curved ones as curves, where the body is drawn. They are drawn as few long lines.
 void draw_mesh(const PlateScene& scene);
+/// The same of any mesh whose points are at these places.
+void draw_sides(const PlateScene& scene, const femoop::plane::PlaneModel& mesh, const PlaceLine& places,
+                const ui::Stroke& stroke);
 /// The body where its displacements take it, over its outline at rest.
 void draw_deformed(const PlateScene& scene);
 
@@ -18,6 +21,8 @@ PlaceLine moved_by(const femoop::plane::PlaneModel& mesh, const std::vector<femo
 /// the body.
 double magnification(const PlateOptions& options, const femoop::plane::PlaneModel& mesh,
                      const femoop::plane::PlaneCase& result);
+/// That of a picture: the least that its results and those kept ask for, so that both are drawn alike.
+double magnification(const PlateInput& input, const PlateOptions& options);
 /// Of all points of the mesh, moved by so many times their displacements.
 PlaceLine displaced(const femoop::plane::PlaneModel& mesh, const femoop::plane::PlaneCase& result, double factor);
 

@@ -4,6 +4,7 @@
 #include <limits>
 
 #include "apps/drawing/sheet/legend.h"
+#include "apps/plane/view/comparison.h"
 #include "apps/plane/view/cut_panel.h"
 #include "apps/plane/view/direction_marks.h"
 #include "apps/plane/view/error_curve.h"
@@ -68,10 +69,13 @@ public:
         right_ = room_.max.x;
         if (input.player != nullptr) room_.max.y -= step_foot_height(theme_);
         if (has_panels_below()) room_.max.y -= std::min(cut_panel_height(theme_), 0.5 * sheet.height);
-        if (fields_.empty() || !shows(PlateShow::Legend)) return;
-        double width = 0.0;
-        for (const FieldPicture& field : fields_) width = std::max(width, legend_width(field, units_, theme_, fonts));
-        room_.max.x -= std::min(width, 0.4 * sheet.width);
+        if (!fields_.empty() && shows(PlateShow::Legend)) {
+            double width = 0.0;
+            for (const FieldPicture& field : fields_)
+                width = std::max(width, legend_width(field, units_, theme_, fonts));
+            room_.max.x -= std::min(width, 0.4 * sheet.width);
+        }
+        if (is_beside()) leave_left_half();
     }
 
     /// Fits the body, draws it unseen, and fits it again with the room that its marks took.
@@ -101,6 +105,10 @@ public:
             draw_marks(sketch, state_.camera ? *state_.camera : fitted(), Pass::Drawn);
             sketch.write_captions();
         }
+        if (is_beside()) {
+            draw_kept(painter, state_.camera ? *state_.camera : fitted());
+            write_titles(painter);
+        }
         if (!head_.line.empty()) drawing::draw_head(painter, head_, theme_);
         if (input_.player != nullptr)
             draw_step_foot(painter, step_sentence(*input_.player, options_.tr), theme_, room_);
@@ -129,38 +137,123 @@ private:
         if (mesh_ == nullptr) return;
         places_ = femoop::plane::positions(*mesh_);
         if (input_.motion != nullptr) places_ = moved_by(*mesh_, *input_.motion, state_.phase);
+        if (is_beside()) kept_places_ = femoop::plane::positions(input_.kept_results->model());
         if (result_ == nullptr || !shows(PlateShow::Deformed)) return;
-        magnification_ = magnification(options_, *mesh_, *result_);
+        if (input_.is_compared())
+            kept_places_ = displaced(input_.kept_results->model(), *input_.kept_result,
+                                     magnification(input_, options_) * state_.phase);
+        magnification_ = input_.is_compared() ? magnification(input_, options_)
+                                              : magnification(options_, *mesh_, *result_);
         places_ = displaced(*mesh_, *result_, magnification_ * state_.phase);
     }
 
     /// Errors in place of bands: both fill the body.
+    std::vector<FieldPicture> fields_of(const femoop::plane::PlaneCase& result, const PlateOptions& options) const
+    {
+        std::vector<FieldPicture> fields;
+        if (shows(PlateShow::Error)) fields.push_back(error_picture(result, options));
+        for (const FieldShow& show : options.show.fields)
+            if (show.style == FieldStyle::Contours || !shows(PlateShow::Error))
+                fields.push_back(field_picture(show, result, options, units_));
+        std::ranges::stable_sort(fields, {}, &FieldPicture::style); // lines over bands
+        return fields;
+    }
+
     void find_fields()
     {
         if (result_ == nullptr) return;
-        if (shows(PlateShow::Error)) fields_.push_back(error_picture(*result_, options_));
-        for (const FieldShow& show : options_.show.fields)
-            if (show.style == FieldStyle::Contours || !shows(PlateShow::Error))
-                fields_.push_back(field_picture(show, *result_, options_, units_));
-        std::ranges::stable_sort(fields_, {}, &FieldPicture::style); // lines over bands
+        fields_ = fields_of(*result_, options_);
+        if (!is_beside()) return;
+        kept_fields_ = fields_of(*input_.kept_result, options_);
+        if (fields_.size() == 1 && !options_.range) share_range();
     }
 
-    bool has_panels_below() const { return !cuts_.empty() || input_.cycle != nullptr; }
+    /// Both bodies in the same colours: from the least to the largest value of both.
+    void share_range()
+    {
+        const FieldPicture &now = fields_.front(), &kept = kept_fields_.front();
+        PlateOptions options = options_;
+        options.range = {now.shown * std::min(now.levels.front(), kept.levels.front()),
+                         now.shown * std::max(now.levels.back(), kept.levels.back())};
+        fields_ = fields_of(*result_, options);
+        kept_fields_ = fields_of(*input_.kept_result, options);
+        for (std::string& note : fields_.front().notes)
+            if (note == options.tr("fixed range")) note = options.tr("one range for both");
+    }
 
-    /// Of cuts, and of the error's curve at the right. Where not all have room, the last cuts.
+    // ---- two bodies side by side
+
+    bool is_beside() const { return options_.is_beside && input_.is_compared(); }
+
+    void leave_left_half()
+    {
+        beside_ = 0.5 * room_.width();
+        room_.min.x += beside_;
+        room_.min.y += 2.0 * theme_.type().small;
+    }
+
+    /// The kept body as a mesh of its own, as far to the left as it has room.
+    void draw_kept(ui::Painter& painter, ui::PlaneCamera camera) const
+    {
+        const ui::Box box{{room_.min.x - beside_, room_.min.y}, {room_.min.x, room_.max.y}};
+        const ui::ClipScope clip(painter, box);
+        drawing::Sketch sketch({.painter = &painter, .theme = &theme_, .room = box});
+        camera.pan({-beside_, 0.0});
+        const PlateInput kept{
+            .model = input_.kept_results->model(), .results = input_.kept_results, .result = input_.kept_result};
+        const PlateOutline outline = outline_of(kept, flatness / camera.scale());
+        const PlateScene scene{.input = kept,
+                               .options = options_,
+                               .state = state_,
+                               .outline = outline,
+                               .camera = camera,
+                               .units = units_,
+                               .sketch = sketch,
+                               .mesh = &kept.model,
+                               .result = kept.result,
+                               .places = &kept_places_,
+                               .magnification = magnification_ * state_.phase};
+        if (shows(PlateShow::Regions) && magnification_ == 0.0 && kept_fields_.empty()) draw_regions(scene);
+        for (const FieldPicture& field : kept_fields_) draw_field(scene, field);
+        if (shows(PlateShow::Mesh)) draw_mesh(scene);
+        if (magnification_ > 0.0) draw_deformed(scene);
+        else if (shows(PlateShow::Geometry)) draw_geometry(scene);
+        if (shows(PlateShow::Principal)) draw_principal(scene);
+        if (shows(PlateShow::Trajectories)) draw_trajectories(scene);
+        if (shows(PlateShow::Supports)) draw_supports(scene);
+        if (shows(PlateShow::Loads)) draw_loads(scene);
+        sketch.write_captions();
+    }
+
+    void write_titles(ui::Painter& painter) const
+    {
+        const ui::LayerScope layer(painter, ui::Layer::Overlay);
+        ui::TextStyle title = theme_.text(ui::Role::Label, ui::Anchor::BottomLeft);
+        title.weight = ui::Weight::Bold;
+        title.size = theme_.type().small;
+        for (const bool is_kept : {true, false})
+            painter.text({room_.min.x - (is_kept ? beside_ : 0.0) + edge_margin, room_.min.y},
+                         mesh_title(is_kept, input_, options_), title);
+    }
+
+    bool has_panels_below() const { return !cuts_.empty() || input_.cycle != nullptr || input_.is_compared(); }
+
+    /// Of cuts, and at the right what is compared and the error's curve. Where not all have room, the last cuts.
     void draw_panels_below(ui::Painter& painter) const
     {
-        const std::size_t n_curves = input_.cycle != nullptr ? 1 : 0;
-        const std::size_t most = std::max<std::size_t>(most_cuts(theme_, right_), 1 + n_curves) - n_curves;
+        const std::size_t n_others = (input_.cycle != nullptr ? 1 : 0) + (input_.is_compared() ? 1 : 0);
+        const std::size_t most = std::max<std::size_t>(most_cuts(theme_, right_), 1 + n_others) - n_others;
         const std::size_t n = std::min(cuts_.size(), most), first = cuts_.size() - n;
-        const double width = right_ / static_cast<double>(std::max<std::size_t>(n + n_curves, 1));
+        const double width = right_ / static_cast<double>(std::max<std::size_t>(n + n_others, 1));
         const auto box = [&](std::size_t i) {
             const double left = width * static_cast<double>(i);
             return ui::Box{{left, room_.max.y + 8.0}, {left + width, painter.size().height}};
         };
         for (std::size_t i = first; i < cuts_.size(); ++i)
             draw_cut_panel(painter, cuts_[i], i + 1, options_, units_, box(i - first));
-        if (n_curves > 0) draw_error_curve(painter, *input_.cycle, input_.model, options_, box(n));
+        if (input_.is_compared()) draw_comparison(painter, input_, options_, box(n));
+        if (input_.cycle != nullptr)
+            draw_error_curve(painter, *input_.cycle, input_.model, options_, box(n + n_others - 1));
     }
 
     void draw_circle_panel(ui::Painter& painter) const
@@ -181,6 +274,8 @@ private:
         if (input_.cycle != nullptr && input_.cycle->sizes()) append(line, tr("mesh refined by the error"));
         if (magnification_ > 0.0)
             append(line, tr("displacements × {scale}", {{"scale", ui::number_text(magnification_, options_.numbers)}}));
+        if (!kept_places_.empty() && !is_beside())
+            append(line, tr("dashes: {name}", {{"name", tr("the results that were kept")}}));
         if (result_ != nullptr && shows(PlateShow::Principal)) append(line, principal_note(tr));
         if (result_ != nullptr && shows(PlateShow::Trajectories)) append(line, trajectories_note(tr));
         if (result_ != nullptr && shows(PlateShow::Reactions))
@@ -190,7 +285,10 @@ private:
 
     ui::Margins margins_about(const ui::Box& room) const
     {
-        return {.left = edge_margin, .top = room.min.y + edge_margin, .right = edge_margin, .bottom = edge_margin};
+        return {.left = room.min.x + edge_margin,
+                .top = room.min.y + edge_margin,
+                .right = edge_margin,
+                .bottom = edge_margin};
     }
 
     std::vector<ui::World2> places_of_body() const
@@ -200,7 +298,8 @@ private:
             for (const Vector2d& at : piece.line) places.push_back({at.x(), at.y()});
         for (const Vector2d& at : coarse_outline().vertices) places.push_back({at.x(), at.y()});
         if (magnification_ > 0.0)
-            for (const Vector2d& at : places_) places.push_back({at.x(), at.y()});
+            for (const PlaceLine* const moved : {&places_, &kept_places_})
+                for (const Vector2d& at : *moved) places.push_back({at.x(), at.y()});
         return places;
     }
 
@@ -212,7 +311,7 @@ private:
             return edge_margin + std::clamp(std::max(of_marks, std::min(of_all, 0.14 * size)), 0.0, 0.35 * size);
         };
         const double w = room_.width(), h = room_.height();
-        return {.left = margin(body.min.x - marks.min.x, body.min.x - all.min.x, w),
+        return {.left = room_.min.x + margin(body.min.x - marks.min.x, body.min.x - all.min.x, w),
                 .top = room_.min.y + margin(body.min.y - marks.min.y, body.min.y - all.min.y, h),
                 .right = margin(marks.max.x - body.max.x, all.max.x - body.max.x, w),
                 .bottom = margin(marks.max.y - body.max.y, all.max.y - body.max.y, h)};
@@ -255,6 +354,8 @@ private:
         if (pass == Pass::Drawn) draw_highlights(scene);
         if (input_.player == nullptr && shows(PlateShow::Mesh)) draw_mesh(scene);
         if (input_.player != nullptr && pass == Pass::Drawn) draw_mesher(scene); // no step moves the picture
+        if (is_moved && !kept_places_.empty() && !is_beside())
+            draw_kept_shape(scene, input_.kept_results->model(), kept_places_);
         if (is_moved) draw_deformed(scene);
         else if (shows(PlateShow::Geometry)) draw_geometry(scene);
         if (input_.motion != nullptr && mesh_ != nullptr) draw_mechanism(scene);
@@ -280,9 +381,11 @@ private:
     const femoop::plane::PlaneModel* mesh_;
     const femoop::plane::PlaneCase* result_ = nullptr;
     std::optional<femoop::plane::PlaneCase> made_result_;
-    PlaceLine places_; ///< of the mesh's points, as they are drawn
+    PlaceLine places_;      ///< of the mesh's points, as they are drawn
+    PlaceLine kept_places_; ///< of the kept mesh's, likewise; none where they are not drawn
     double magnification_ = 0.0;
-    std::vector<FieldPicture> fields_;
+    std::vector<FieldPicture> fields_, kept_fields_;
+    double beside_ = 0.0; ///< how far the kept body is to the left; 0 where it is not
     std::vector<CutPicture> cuts_;
 };
 
@@ -319,7 +422,7 @@ std::optional<Vector2d> drawn_displacement(const PlateInput& input, const PlateO
     if (input.result == nullptr || !options.show.set.contains(PlateShow::Deformed)) return std::nullopt;
     const auto places = input.results->locator().find(at);
     if (places.empty()) return std::nullopt;
-    const double factor = magnification(options, input.results->model(), *input.result);
+    const double factor = magnification(input, options);
     return Vector2d(factor * input.result->displacement(places.front()));
 }
 

@@ -39,6 +39,12 @@ struct PlateInput {
     const discretize::MeshPlayer* player = nullptr;
     /// That the mesh comes from: its curve stands below. Null: the mesh was not refined.
     const discretize::ErrorCycle* cycle = nullptr;
+    /// Results that were kept, of the same case on another mesh, and of it the case: where the deformed shape is shown
+    /// they stand behind these in dashes. Null: none.
+    const femoop::plane::PlaneResults* kept_results = nullptr;
+    const femoop::plane::PlaneCase* kept_result = nullptr;
+
+    bool is_compared() const { return kept_result != nullptr && results != nullptr && result != nullptr; }
 };
 
 /// What its reader chose of a picture.
@@ -52,6 +58,8 @@ struct PlateOptions {
     /// Of the probes the one whose values stand in a panel beside the drawing, with Mohr's circle.
     std::optional<std::size_t> circle{};
     std::vector<femoop::plane::Cut> cuts{}; ///< drawn across, with their stresses in panels of their own
+    /// The body with the kept results stands at the left of the other one, to the same scales, in place of behind it.
+    bool is_beside = false;
     ui::ThemeName theme = ui::ThemeName::Light;
     ui::Catalogue tr{};                    ///< language of the words
     std::optional<ui::UnitSystem> units{}; ///< the file's own when absent

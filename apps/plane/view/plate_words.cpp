@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "apps/plane/view/case_shares.h"
+#include "apps/plane/view/comparison.h"
 #include "apps/plane/view/cut_panel.h"
 #include "apps/plane/view/error_curve.h"
 #include "apps/plane/view/field_picture.h"
@@ -298,11 +299,15 @@ private:
     void write_results()
     {
         if (shows(PlateShow::Deformed)) {
-            const std::string scale = ui::number_text(magnification(options_, *mesh_, *result_), options_.numbers);
+            const std::string scale = ui::number_text(input_.is_compared() ? magnification(input_, options_)
+                                                                           : magnification(options_, *mesh_, *result_),
+                                                      options_.numbers);
             line(tr_("displacements × {scale}", {{"scale", scale}}));
         }
         for (const FieldShow& show : options_.show.fields) write_field(show);
         if (shows(PlateShow::Error)) write_error();
+        if (input_.is_compared())
+            for (const std::string& sentence : comparison_sentences(input_, options_)) line(sentence);
         if (input_.cycle != nullptr)
             for (const std::string& sentence : sentences(*input_.cycle, input_.model, options_)) line(sentence);
         if (shows(PlateShow::Reactions)) write_reactions();

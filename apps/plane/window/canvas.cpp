@@ -83,8 +83,13 @@ void Canvas::fit_if_needed(const Workspace& workspace)
         return;
     }
     const PlateOptions options = session.options();
-    const FittedFor wanted{session.opening(),    sheet(), session.look.theme, options.show, options.circle.has_value(),
-                           !options.cuts.empty()};
+    const FittedFor wanted{session.opening(),
+                           sheet(),
+                           session.look.theme,
+                           options.show,
+                           options.circle.has_value(),
+                           !options.cuts.empty(),
+                           options.is_beside && session.input().is_compared()};
     if (fitted_for_ && fitted_for_->opening == wanted.opening && pressed_) return; // under a hand
     const bool rests = grip_ || workspace.hand.draws() || session.history().is_dragging();
     const bool is_another = !fitted_for_ || fitted_for_->opening != wanted.opening;
@@ -107,7 +112,7 @@ bool Canvas::is_all_in_sight(const Session& session) const
 
 bool Canvas::is_beside_body() const
 {
-    return room_.width() > 0.0 && (pointer().x > room_.max.x || pointer().y > room_.max.y);
+    return room_.width() > 0.0 && (pointer().x > room_.max.x || pointer().y > room_.max.y || pointer().x < room_.min.x);
 }
 
 FlatPoint Canvas::place_at(ui::Point on_sheet) const

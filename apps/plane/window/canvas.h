@@ -54,6 +54,7 @@ private:
         ui::ThemeName theme;
         PlateShown show;           ///< legends and marks take room
         bool has_circle, has_cuts; ///< and panels
+        bool is_beside;            ///< another body, which takes half of it
         bool operator==(const FittedFor&) const = default;
     };
     std::optional<FittedFor> fitted_for_;

@@ -248,3 +248,38 @@ TEST_CASE("A mesh is refined step by step, its file stays as it was, and a chang
     CHECK(session.refine(1));
     CHECK_FALSE(session.is_refining());
 }
+
+TEST_CASE("Results that are kept are compared with those of another element, and drawn to one scale")
+{
+    Workspace workspace(Session(gallery_document(2)));
+    Session& session = workspace.session;
+    session.look.deformed = true;
+    REQUIRE_FALSE(session.keep_results());
+    CHECK_FALSE(session.input().is_compared()); // there is nothing else yet
+    workspace.change({"T3", [](Document& document) { mesh_by(document, femoop::ShapeKind::T3); }});
+    session.analyse_what_is_shown();
+    const PlateInput input = session.input();
+    REQUIRE(input.is_compared());
+    const auto energy = [](const femoop::plane::PlaneCase& result) { return result.energy(); };
+    CHECK(energy(*input.result) < energy(*input.kept_result)); // linear triangles are too stiff
+    CHECK(input.kept_results->model().elements.front().kind == femoop::ShapeKind::Q8);
+    session.forget_results();
+    CHECK_FALSE(session.input().is_compared());
+}
+
+TEST_CASE("A mesh by another element keeps a map, and lets go of a method that does not make it")
+{
+    Document document = gallery_document(0);
+    document.model.mesh.method = "mapped";
+    document.model.regions[0].mesh.method = "delaunay";
+    document.model.regions[0].mesh.element = femoop::ShapeKind::T3;
+    document.model.regions[1].mesh.method = "quads";
+    document.model.regions[1].mesh.formulation = femoop::plane::Formulation::Incompatible;
+    mesh_by(document, femoop::ShapeKind::Q9);
+    CHECK(document.model.mesh.method == "mapped");
+    CHECK(document.model.mesh.element == femoop::ShapeKind::Q9);
+    CHECK(document.model.regions[0].mesh.method.empty());
+    CHECK_FALSE(document.model.regions[0].mesh.element);
+    CHECK(document.model.regions[1].mesh.method == "quads");
+    CHECK_FALSE(document.model.regions[1].mesh.formulation);
+}
