@@ -139,7 +139,8 @@ void draw_kept_shape(const PlateScene& scene, const fp::PlaneModel& mesh, const 
     of_sides.color = ui::with_opacity(stroke.color, 0.4);
     if (scene.shows(PlateShow::Mesh)) draw_sides(scene, mesh, places, of_sides);
     stroke.width *= 1.6;
-    for (const OutlinedPiece& piece : outline_of(mesh, places, 0.05 / scene.camera.scale()).pieces)
+    const PlateOutline outline = joined(outline_of(mesh, places, 0.05 / scene.camera.scale()));
+    for (const OutlinedPiece& piece : outline.pieces)
         scene.sketch.polyline(scene.on_sheet(piece.line), stroke, drawing::Clearance::Soft);
 }
 

@@ -148,7 +148,7 @@ private:
             last = y;
         }
         painter_.polyline(std::vector<Point>{box_.min, {box_.min.x, box_.max.y}, box_.max}, axis);
-        painter_.text({0.5 * (box_.min.x + box_.max.x), box_.max.y + 1.5 * size_}, options_.tr("unknowns"),
+        painter_.text({0.5 * (box_.min.x + box_.max.x), box_.max.y + 1.5 * size_}, options_.tr("unknowns N"),
                       style(Role::FaintLabel, ui::Anchor::Top));
         painter_.text({box_.min.x, box_.min.y - 0.3 * size_}, options_.tr("error [%]"),
                       style(Role::FaintLabel, ui::Anchor::BottomLeft));
@@ -190,57 +190,85 @@ private:
     LogAxis unknowns_, errors_;
 };
 
-/// The sentences and what the lines mean, from the top of a box.
+/// A title, what the lines mean and the sentences, one below the other in a box.
 class CurveWords {
 public:
-    CurveWords(ui::Painter& painter, const PlateOptions& options, const ui::Theme& theme, const ui::Box& box)
-        : painter_(painter), options_(options), theme_(theme), box_(box), y_(box.min.y)
+    CurveWords(const ErrorCycle& cycle, const femoop::plane::PlaneModel& model, const PlateOptions& options,
+               const ui::Theme& theme, const ui::Fonts& fonts, const ui::Box& box)
+        : theme_(theme), fonts_(fonts), box_(box), y_(box.min.y)
     {
-        style_ = theme.text(Role::Label, ui::Anchor::TopLeft);
-        style_.size = theme.type().small;
+        ui::TextStyle title = theme.text(Role::Label, ui::Anchor::TopLeft), plain = title;
+        title.weight = ui::Weight::Bold;
+        plain.size = theme.type().small;
+        const ui::Catalogue& tr = options.tr;
+        add(tr("Error against unknowns, {case}", {{"case", model.case_name(cycle.load_case())}}), title);
+        y_ += 0.2 * title.size;
+        const ui::DashPattern dashes = ui::DashPattern{6.0, 3.0}.scaled(theme.symbol_scale());
+        add_key(theme.series(0).stroke, {}, tr("refined by the error"), plain);
+        if (cycle.uniform().size() > 1) add_key(theme.series(5).stroke, dashes, tr("refined evenly"), plain);
+        add_key(theme.stroke(Role::FaintLabel), {1.5, 3.0},
+                tr("smooth stresses: N^{rate}", {{"rate", exponent_text(cycle.smooth_rate(), options.numbers)}}),
+                plain);
+        y_ += 0.4 * plain.size;
+        for (const std::string& sentence : sentences(cycle, model, options)) add(sentence, plain);
     }
 
-    void write(const ErrorCycle& cycle, const femoop::plane::PlaneModel& model)
+    bool fits() const { return y_ <= box_.max.y; }
+
+    void draw(ui::Painter& painter) const
     {
-        ui::TextStyle title = theme_.text(Role::Label, ui::Anchor::TopLeft);
-        title.weight = ui::Weight::Bold;
-        painter_.text({box_.min.x, y_},
-                      options_.tr("Error against unknowns, {case}", {{"case", model.case_name(cycle.load_case())}}),
-                      title);
-        y_ += 1.5 * title.size;
-        write_key(theme_.series(0).stroke, {}, options_.tr("refined by the error"));
-        if (cycle.uniform().size() > 1)
-            write_key(theme_.series(5).stroke, ui::DashPattern{6.0, 3.0}.scaled(theme_.symbol_scale()),
-                      options_.tr("refined evenly"));
-        write_key(
-            theme_.stroke(Role::FaintLabel), {1.5, 3.0},
-            options_.tr("smooth stresses: N^{rate}", {{"rate", exponent_text(cycle.smooth_rate(), options_.numbers)}}));
-        y_ += 0.4 * style_.size;
-        for (const std::string& sentence : sentences(cycle, model, options_))
-            for (const std::string& line : ui::wrapped_lines(painter_.fonts(), sentence, style_, box_.width())) {
-                if (y_ + style_.size > box_.max.y) return;
-                painter_.text({box_.min.x, y_}, line, style_);
-                y_ += 1.3 * style_.size;
+        for (const Line& line : lines_) {
+            double left = box_.min.x;
+            if (line.key) {
+                const double half = 0.6 * line.style.size, length = key_length();
+                painter.line({left, line.y + half}, {left + length, line.y + half}, *line.key);
+                left += length + 6.0;
             }
+            painter.text({left, line.y}, line.text, line.style);
+        }
     }
 
 private:
-    void write_key(ui::Stroke stroke, const ui::DashPattern& dash, const std::string& text)
+    struct Line {
+        std::string text;
+        ui::TextStyle style;
+        double y;
+        std::optional<ui::Stroke> key{};
+    };
+
+    double key_length() const { return 22.0 * theme_.symbol_scale(); }
+
+    void add(const std::string& words, const ui::TextStyle& style)
     {
-        const double length = 22.0 * theme_.symbol_scale(), half = 0.6 * style_.size;
-        stroke.dash = dash;
-        painter_.line({box_.min.x, y_ + half}, {box_.min.x + length, y_ + half}, stroke);
-        painter_.text({box_.min.x + length + 6.0, y_}, text, style_);
-        y_ += 1.35 * style_.size;
+        for (const std::string& line : ui::wrapped_lines(fonts_, words, style, box_.width())) {
+            lines_.push_back({line, style, y_});
+            y_ += 1.3 * style.size;
+        }
     }
 
-    ui::Painter& painter_;
-    const PlateOptions& options_;
-    const ui::Theme& theme_;
+    void add_key(ui::Stroke stroke, const ui::DashPattern& dash, const std::string& words, const ui::TextStyle& style)
+    {
+        stroke.dash = dash;
+        lines_.push_back({words, style, y_, stroke});
+        y_ += 1.35 * style.size;
+    }
+
+    ui::Theme theme_;
+    const ui::Fonts& fonts_;
     ui::Box box_;
-    ui::TextStyle style_;
     double y_;
+    std::vector<Line> lines_;
 };
+
+/// In the largest type in which all of it has room.
+void draw_words(ui::Painter& painter, const ErrorCycle& cycle, const femoop::plane::PlaneModel& model,
+                const PlateOptions& options, const ui::Theme& theme, const ui::Box& box)
+{
+    for (const double scale : {1.0, 0.9, 0.8, 0.7}) {
+        const CurveWords words(cycle, model, options, theme.scaled(scale), painter.fonts(), box);
+        if (words.fits() || scale == 0.7) return words.draw(painter);
+    }
+}
 
 } // namespace
 
@@ -300,8 +328,8 @@ void draw_error_curve(ui::Painter& painter, const ErrorCycle& cycle, const femoo
     const double narrowest = narrowest_curve * theme.symbol_scale();
     if (box.width() < narrowest) theme = theme.scaled(std::max(0.5, box.width() / narrowest));
     const double words = share_of_words * box.width();
-    CurveWords(painter, options, theme, {box.min + Point{14.0, 4.0}, {box.min.x + words, box.max.y - 4.0}})
-        .write(cycle, model);
+    draw_words(painter, cycle, model, options, theme,
+               {box.min + Point{14.0, 4.0}, {box.min.x + words - 8.0, box.max.y - 4.0}});
     ErrorDiagram(painter, cycle, options, theme, {{box.min.x + words, box.min.y}, box.max}).draw();
 }
 

@@ -392,4 +392,20 @@ std::vector<CurvePath> paths_of(const PlateOutline& outline, fp::CurveId curve)
     return paths;
 }
 
+PlateOutline joined(PlateOutline outline)
+{
+    std::vector<OutlinedPiece> pieces;
+    for (OutlinedPiece& piece : outline.pieces) {
+        const auto goes_on = [&](const OutlinedPiece& before) {
+            return before.curve == piece.curve && before.has_left_material == piece.has_left_material &&
+                   before.has_right_material == piece.has_right_material && before.dangles == piece.dangles &&
+                   before.line.back() == piece.line.front();
+        };
+        if (pieces.empty() || !goes_on(pieces.back())) pieces.push_back(std::move(piece));
+        else pieces.back().line.insert(pieces.back().line.end(), piece.line.begin() + 1, piece.line.end());
+    }
+    outline.pieces = std::move(pieces);
+    return outline;
+}
+
 } // namespace plane

@@ -42,6 +42,9 @@ PlateOutline outline_of(const femoop::plane::PlaneModel& mesh, double tolerance)
 /// Of a mesh whose nodes lie elsewhere. \param places  of all points
 PlateOutline outline_of(const femoop::plane::PlaneModel& mesh, const PlaceLine& places, double tolerance);
 
+/// The same with the pieces of a curve that go on from one another as one line: dashes run through.
+PlateOutline joined(PlateOutline outline);
+
 /// The side of an element: straight, or the parabola through its middle node.
 PlaceLine flattened_side(const Eigen::Vector2d& from, const std::optional<Eigen::Vector2d>& middle,
                          const Eigen::Vector2d& to, double tolerance);

@@ -201,7 +201,7 @@ private:
         camera.pan({-beside_, 0.0});
         const PlateInput kept{
             .model = input_.kept_results->model(), .results = input_.kept_results, .result = input_.kept_result};
-        const PlateOutline outline = outline_of(kept, flatness / camera.scale());
+        const PlateOutline outline = joined(outline_of(kept, flatness / camera.scale()));
         const PlateScene scene{.input = kept,
                                .options = options_,
                                .state = state_,
