@@ -1,6 +1,7 @@
 #include "apps/plane/document/attributes.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "apps/plane/document/fresh_id.h"
 
@@ -79,6 +80,38 @@ void mesh_by(Document& document, femoop::ShapeKind kind)
     change(document.model.mesh);
     document.model.mesh.element = kind;
     for (auto& region : document.model.regions) change(region.mesh);
+}
+
+namespace {
+
+double three_digits(double value)
+{
+    const double step = std::pow(10.0, std::floor(std::log10(value)) - 2.0);
+    return step * std::round(value / step);
+}
+
+/// A method of its own in place of none, or of the app's choice.
+void mesh_freely(femoop::plane::MeshOptions& mesh, const femoop::plane::MeshOptions& usual)
+{
+    const std::string& method = mesh.method.empty() ? usual.method : mesh.method;
+    if (!method.empty() && method != "auto") return;
+    const femoop::ShapeKind kind = mesh.element.value_or(usual.element.value_or(femoop::ShapeKind::T6));
+    mesh.method = kind == femoop::ShapeKind::T3 || kind == femoop::ShapeKind::T6 ? "delaunay" : "quads";
+}
+
+} // namespace
+
+void keep_sizes(Document& document, const topology::SizeField& sizes)
+{
+    PlaneModel& model = document.model;
+    for (auto& point : model.points) point.size = three_digits(sizes.at({point.at[0], point.at[1]}));
+    for (auto& curve : model.curves)
+        if (curve.shape) curve.shape->divide.clear();
+    model.mesh.size = three_digits(sizes.greatest());
+    for (auto& region : model.regions) {
+        region.mesh.size.reset();
+        if (!region.is_hole) mesh_freely(region.mesh, model.mesh);
+    }
 }
 
 std::size_t some_case(Document& document, std::size_t load_case)

@@ -29,6 +29,10 @@ void set_division(Document& document, CurveId curve, const std::optional<femoop:
 /// the app; what is mapped stays so.
 void mesh_by(Document& document, femoop::ShapeKind kind);
 
+/// Puts what a field of sizes wants into the drawing, as far as it can hold it: at its points, with its largest size as
+/// that of the mesh, three digits each. Divisions of curves go, and what is mapped of itself is meshed freely.
+void keep_sizes(Document& document, const topology::SizeField& sizes);
+
 /// The case at this place, made where there is none yet.
 std::size_t some_case(Document& document, std::size_t load_case);
 

@@ -103,6 +103,12 @@ ui::Reason why_not_refining(const Workspace& workspace)
     return translatable("no mesh is being refined");
 }
 
+ui::Reason why_not_refined(const Workspace& workspace)
+{
+    if (workspace.session.cycle() != nullptr) return std::nullopt;
+    return translatable("the mesh is not refined");
+}
+
 void refine(Workspace& workspace, std::size_t n_cycles)
 {
     if (const auto reason = workspace.session.refine(n_cycles)) workspace.session.notify(*reason);
@@ -125,12 +131,16 @@ void add_refinement(CommandTable& table)
         {"results.stop_refining", translatable("Stop refining")},
         [](Workspace& workspace) { workspace.session.stop_refining(); }, why_not_refining);
     menu.step(
+        {"results.keep_sizes", translatable("Keep the sizes of the refined mesh at the points")},
+        [](Workspace& workspace) {
+            const auto sizes = workspace.session.document().sizes();
+            workspace.change({translatable("Keep the sizes of the refined mesh at the points"),
+                              [sizes](Document& document) { keep_sizes(document, *sizes); }});
+        },
+        why_not_refined);
+    menu.step(
         {"results.unrefined", translatable("Give the refined mesh up")},
-        [](Workspace& workspace) { workspace.session.give_up_refinement(); },
-        [](const Workspace& workspace) -> ui::Reason {
-            if (workspace.session.cycle() != nullptr) return std::nullopt;
-            return translatable("the mesh is not refined");
-        });
+        [](Workspace& workspace) { workspace.session.give_up_refinement(); }, why_not_refined);
 }
 
 void add_comparison(CommandTable& table)

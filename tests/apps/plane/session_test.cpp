@@ -283,3 +283,26 @@ TEST_CASE("A mesh by another element keeps a map, and lets go of a method that d
     CHECK(document.model.regions[1].mesh.method == "quads");
     CHECK_FALSE(document.model.regions[1].mesh.formulation);
 }
+
+TEST_CASE("Sizes of a refined mesh that are kept at the points make a mesh that is fine where it was")
+{
+    Workspace workspace(Session(gallery_document(1)));
+    Session& session = workspace.session;
+    session.load_case = 1; // water
+    REQUIRE_FALSE(session.refine(4));
+    for (int i = 0; i < 40; ++i) {
+        session.tick(0.1);
+        session.analyse_what_is_shown();
+    }
+    REQUIRE(session.cycle() != nullptr);
+    const auto sizes = session.document().sizes();
+    const double before = session.cycle()->meshes().front().error;
+    workspace.change({"keep", [&](Document& document) { keep_sizes(document, *sizes); }});
+    CHECK(session.cycle() == nullptr);
+    CHECK(session.is_dirty());
+    for (const auto& point : session.model().points)
+        CHECK(point.size->value() == doctest::Approx(sizes->at({point.at[0], point.at[1]})).epsilon(5e-3));
+    session.analyse_what_is_shown();
+    REQUIRE(session.input().result != nullptr);
+    CHECK(session.input().result->error_estimate() < 0.5 * before);
+}
