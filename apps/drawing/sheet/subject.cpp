@@ -333,7 +333,8 @@ const Subject::Cases& Subject::cases() const
     if (cases_) return *cases_;
     Cases& read = cases_.emplace();
     if (is_solved_) read.shown = solved_case(*input_.results, options_.load_case);
-    if (options_.is_envelope && input_.envelope == nullptr && has_results_of_its_own(input_))
+    const bool has_cases = input_.model.n_cases() > 0; // or trains alone
+    if (options_.is_envelope && input_.envelope == nullptr && has_results_of_its_own(input_) && has_cases)
         read.envelope = envelope_of_cases();
     return read;
 }

@@ -145,6 +145,14 @@ const drawing::EnvelopePicture* shown_envelope(const Session& session)
     return session.train_envelope.picture(session.model(), session.generation(), session.results_view());
 }
 
+/// The same; one without bands while it is looked for, or where it was refused: that of the cases would be taken for it.
+const drawing::EnvelopePicture* drawn_envelope(const Session& session)
+{
+    static const drawing::EnvelopePicture none{};
+    const auto* const shown = shown_envelope(session);
+    return shown == nullptr && session.shows_train_envelope() ? &none : shown;
+}
+
 // An envelope belongs to no case, so it has neither loads nor a deformed shape.
 DrawOptions looked_at(const Workspace& workspace)
 {
@@ -240,7 +248,7 @@ DrawInput input_of(const Workspace& workspace, const DrawOptions& options, const
         return input;
     }
     input.results = session.shown_results();
-    input.envelope = shown_envelope(session);
+    input.envelope = drawn_envelope(session);
     input.reasons = why_blank(session);
     if (input.reasons.empty()) input.reasons = why_no_truss_shown(session);
     if (input.reasons.empty()) input.reasons = why_no_funicular_shown(session);

@@ -109,11 +109,14 @@ double PiecewiseLine::value(double s, Side side) const
 {
     const double beyond = path_end * length();
     if (pieces.empty() || s < -beyond || s > length() + beyond) return 0.0;
+    // The piece whose beginning is the last at s or before, also where rounding has put s a hair before it.
     const auto begins_after = [](double at, const LinePiece& piece) { return at < piece.from; };
-    auto piece = std::upper_bound(pieces.begin(), pieces.end(), s, begins_after);
+    auto piece = std::upper_bound(pieces.begin(), pieces.end(), s + beyond, begins_after);
     if (piece != pieces.begin()) --piece;
-    if (side == Side::Before && s <= piece->from && piece != pieces.begin()) --piece;
-    return piece->value(s);
+    if (std::abs(s - piece->from) > beyond) return piece->value(s);
+    const double at = piece->from;
+    if (side == Side::Before && piece != pieces.begin()) --piece;
+    return piece->value(at);
 }
 
 double PiecewiseLine::largest() const

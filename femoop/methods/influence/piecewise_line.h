@@ -45,7 +45,8 @@ struct PiecewiseLine {
     std::vector<LinePiece> pieces;
 
     double length() const { return pieces.empty() ? 0.0 : pieces.back().to; }
-    /// At a jump the limit from one side; at the path's beginning and end the one that there is.
+    /// At a jump, also where rounding misses it by a hair, the limit from one side; at the path's beginning and end the
+    /// one that there is.
     double value(double s, Side side = Side::After) const;
     double largest() const; ///< |value| of all
     /// Ends of pieces where it jumps by more than rounding leaves.

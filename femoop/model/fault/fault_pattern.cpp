@@ -207,7 +207,7 @@ std::string_view pattern(FaultKind kind)
     case FaultKind::ShapeSizeUnwanted: return "{0}: shape {1} has no \"{2}\"; take it away: its sizes are {3}";
     case FaultKind::ShapeTooThick: return "{0}: {1} is {2}, which is not less than {3} = {4}; make it thinner";
     case FaultKind::UnknownProfile:
-        return "{0}: no profile \"{1}\"; there are IPE, HEA, HEB, HEM, UPN and AISC W: "
+        return "{0}: no profile \"{1}\"; there are IPE, HEA, HEB, HEM, UPN, W (AISC and BR), HP, L, CHS, SHS and RHS: "
                "name one of these, or give the section's shape or properties";
     case FaultKind::UnknownProfileNear: return "{0}: no profile \"{1}\"; did you mean \"{2}\"?";
     case FaultKind::MissingProperty:

@@ -114,8 +114,7 @@ TEST_CASE("check tells what is wrong with the mesh of a drawing, and wants none 
     text.replace(text.rfind(parts), parts.size(), R"("divide": 19})");
     const Run run = cli_test::cremona({"check", "-"}, text);
     CHECK(run.status == 2);
-    CHECK(
-        has(run.err, "wanted equally many parts on opposite sides, found 20 (\"down\") and 19 (\"up\")"));
+    CHECK(has(run.err, "wanted equally many parts on opposite sides, found 20 (\"down\") and 19 (\"up\")"));
     CHECK(cli_test::cremona({"check", "-"}, drawing()).status == 0);
 }
 

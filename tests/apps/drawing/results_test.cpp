@@ -359,6 +359,16 @@ TEST_CASE("The extremes of a band and the ranges of reactions are written with t
     CHECK(marks.has_text("fy 42 (G) … 56.7 (U) kN")); // q L / 2
 }
 
+TEST_CASE("An envelope of a model without cases is the structure alone")
+{
+    femoop::Model model = view_test::simple_beam(L, q);
+    model.load_cases.clear();
+    const ui::Fonts fonts;
+    const DrawOptions options{.show = {Show::M, Show::Reactions, Show::Values}, .is_envelope = true};
+    const view_test::Marks marks = marks_of(model, options, fonts);
+    CHECK(!marks.has_text("kN"));
+}
+
 TEST_CASE("The band of an envelope has the extremes of all cases")
 {
     femoop::Model model = view_test::simple_beam(L, q);

@@ -350,7 +350,7 @@ std::vector<BadFile> files_with_bad_materials_and_sections()
         {with_section(R"([{"id": "s", "profile": "IPE 310"}])"),
          "sections[0] \"s\": no profile \"IPE 310\"; did you mean \"IPE300\"?"},
         {with_section(R"([{"id": "s", "profile": "rail"}])"),
-         "sections[0] \"s\": no profile \"rail\"; there are IPE, HEA, HEB, HEM, UPN and AISC W: "
+         "sections[0] \"s\": no profile \"rail\"; there are IPE, HEA, HEB, HEM, UPN, W (AISC and BR), HP, L, CHS, SHS and RHS: "
          "name one of these, or give the section's shape or properties"},
     };
 }

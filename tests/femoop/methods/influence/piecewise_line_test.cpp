@@ -27,6 +27,11 @@ TEST_CASE("At a jump a line has a value on either side")
     CHECK(roof().value(7.0, Side::Before) == doctest::Approx(-0.5));
     CHECK(roof().value(7.0, Side::After) == 0.0);
     CHECK(roof().jumps() == std::vector<double>{7.0});
+    constexpr double hair = 1e-14;
+    for (const double s : {7.0 - hair, 7.0 + hair}) {
+        CHECK(roof().value(s, Side::Before) == doctest::Approx(-0.5));
+        CHECK(roof().value(s, Side::After) == 0.0);
+    }
 }
 
 TEST_CASE("The areas of either sign add up to the integral")

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "femoop/methods/influence/train/standing_train.h"
 #include "tests/femoop/methods/train/random_train.h"
 
 using namespace femoop;
@@ -247,6 +248,24 @@ TEST_CASE(
             }
             const WorstPlacings worst = search.worst();
             CHECK(most == Approx(sign * (kind == ExtremeKind::Max ? worst.max : worst.min).value));
+        }
+    }
+}
+
+TEST_CASE("Axles times ordinates sum up to the value at any section, also where rounding puts one a hair beside a jump")
+{
+    MovingTrain truck = one_way_truck();
+    truck.both_directions = true;
+    for (int i = 1; i < 1000; ++i) {
+        const double x = 0.1 * L * std::abs(std::sin(1.7 * i)) + 0.0893 * i;
+        CAPTURE(x);
+        const PiecewiseLine line = shear_line(x);
+        for (const ExtremeKind kind : {ExtremeKind::Max, ExtremeKind::Min}) {
+            const Placing worst = kind == ExtremeKind::Max ? largest(line, truck) : least(line, truck);
+            double sum = 0.0;
+            for (const StandingForce& axle : standing_forces(truck, worst, line, kind))
+                sum += axle.force * axle.ordinate;
+            CHECK(sum == Approx(worst.value).epsilon(1e-9));
         }
     }
 }
