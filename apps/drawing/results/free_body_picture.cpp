@@ -79,8 +79,9 @@ private:
     }
 
     /// In the member's own axes, by the names that diagrams have.
-    void draw_section(const Force& force)
+    void draw_section(Force force)
     {
+        draw_stub(force);
         const MemberShape& member = scene_.shape[*force.member];
         const double sign = force.is_on_plus_face ? 1.0 : -1.0;
         const femoop::SectionForces& s = force.section;
@@ -116,6 +117,26 @@ private:
                      .text = named(component, scene_.text(std::abs(value), ui::Measure::Moment)),
                      .role = force.kind == ForceKind::SectionForces ? ui::Role::BendingMoment : role_of(force.kind),
                      .radius = 20.0});
+    }
+
+    /// A member that is cut off at a node keeps a stub there, so that its forces stand apart from those of the others,
+    /// unless it has an axial force alone.
+    void draw_stub(Force& section)
+    {
+        const double near = 1e-6 * scene_.shape.size;
+        const auto is_here = [&](const Vector3d& place) { return (place - section.at).norm() < near; };
+        const Body& body = picture_.lifted.body;
+        const bool is_at_node = std::ranges::any_of(body.nodes,
+                                                    [&](femoop::NodeId node) { return is_here(scene_.shape[node]); });
+        const bool has_piece = std::ranges::any_of(body.pieces,
+                                                   [&](const Piece& piece) { return piece.member == *section.member; });
+        const femoop::SectionForces& s = section.section;
+        const bool is_bar = std::hypot(s.Vy, s.Vz) <= negligible * largest_ &&
+                            std::hypot(s.T, s.My, s.Mz) <= negligible * largest_ * scene_.shape.size;
+        if (!is_at_node || has_piece || is_bar) return;
+        const Vector3d face = section.at + scene_.sketch.px(84.0) / scene_.projection.scale() * outward(section);
+        scene_.sketch.line(at(section.at), at(face), scene_.sketch.stroke(ui::Role::Member));
+        section.at = face;
     }
 
     Vector3d outward(const Force& section) const

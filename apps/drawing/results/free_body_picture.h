@@ -23,7 +23,8 @@ struct FreeBodyPicture {
 /// The ends of its parts and the point of moments, where they are seen.
 std::vector<Eigen::Vector3d> places_of(const FreeBodyPicture& picture, const StructureShape& shape);
 
-/// Section forces as arrows along and across the member, named and with their values; loads that are distributed as
+/// Section forces as arrows along and across the member, at a node on stubs of the members that are cut off there, named
+/// and with their values; loads that are distributed as
 /// their resultants; the point of moments as a cross in a ring; Ritter points as crosses with the names of their bars,
 /// and the lines that meet in that of the moments.
 void draw_free_body(const Scene& scene, const FreeBodyPicture& picture);
