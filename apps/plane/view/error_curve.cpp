@@ -304,7 +304,7 @@ std::vector<std::string> sentences(const ErrorCycle& cycle, const femoop::plane:
     const MeshError &first = cycle.meshes().front(), &last = cycle.meshes().back();
     std::vector<std::string> all;
     const auto falls = [&](std::string_view sentence, const std::optional<double>& rate) {
-        if (rate) all.push_back(tr(sentence, {{"rate", exponent_text(*rate, options.numbers)}}));
+        if (rate && *rate > 0.0) all.push_back(tr(sentence, {{"rate", exponent_text(*rate, options.numbers)}}));
     };
     all.push_back(
         tr("error {first} with {n} unknowns, {last} with {m}", {{"first", percent_text(first.error, options.numbers)},
