@@ -355,6 +355,7 @@ bool QuadMesher::recut(const std::vector<CellIndex>& cells, const std::vector<Ch
 /// Puts a choice in place of cells and moves its nodes to their best places, if all cells around are better for it.
 bool QuadMesher::recut_and_move(const std::vector<CellIndex>& cells, const Choice& choice)
 {
+    if (++n_tries_ > 40 + cells_.size() / 50) return false; // where most is hopeless: it is work for each cell around
     Nodes moving;
     for (const Nodes& nodes : choice)
         for (const CellNode node : nodes)
@@ -376,7 +377,7 @@ bool QuadMesher::recut_and_move(const std::vector<CellIndex>& cells, const Choic
     }
     std::vector<CellIndex> made;
     for (const Nodes& nodes : choice) made.push_back(add(nodes));
-    constexpr int n_moves = 12;
+    constexpr int n_moves = 8;
     for (int i = 0; i < n_moves; ++i)
         for (const CellNode node : moving) move_to_best(node, cells_around(node, made));
     if (worst_around(made) > before + worth_a_change) return true;

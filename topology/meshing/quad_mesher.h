@@ -97,7 +97,7 @@ private:
     };
     std::vector<Pairing> pairs_;
     std::vector<CellIndex> lonely_; ///< triangles with one partner
-    std::size_t n_looked_ = 0, n_rounds_ = 0;
+    std::size_t n_looked_ = 0, n_rounds_ = 0, n_tries_ = 0;
     CellIndex walked_ = 0; ///< all triangles before this one are gone, or alone
     struct Reached {
         CellIndex before = none;
