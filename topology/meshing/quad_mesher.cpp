@@ -377,7 +377,7 @@ bool QuadMesher::recut_and_move(const std::vector<CellIndex>& cells, const Choic
     }
     std::vector<CellIndex> made;
     for (const Nodes& nodes : choice) made.push_back(add(nodes));
-    constexpr int n_moves = 8;
+    constexpr int n_moves = 12;
     for (int i = 0; i < n_moves; ++i)
         for (const CellNode node : moving) move_to_best(node, cells_around(node, made));
     if (worst_around(made) > before + worth_a_change) return true;
