@@ -104,7 +104,7 @@ std::string case_text(const RunCycle& run, const fp::PlaneModel& model, const ui
 {
     ::plane::PlateOptions options;
     options.tr = tr;
-    options.numbers.mark = femoop::decimal_mark(tr) == ',' ? ui::DecimalMark::Comma : ui::DecimalMark::Point;
+    options.numbers.mark = ui::decimal_mark(tr.language());
     std::string text = "\n" + model.case_name(run.cycle.load_case()) + "\n" + tr("refined by the error") + "\n" +
                        table_text(run.cycle.meshes(), options);
     if (run.cycle.uniform().size() > 1) text += tr("refined evenly") + "\n" + table_text(run.cycle.uniform(), options);

@@ -15,6 +15,7 @@ enum class ShapeKind : std::uint8_t { Line2, Line3, T3, T6, Q4, Q8, Q9 };
 
 std::string_view name(ShapeKind kind); ///< "T6"
 std::span<const ShapeKind> shape_kinds();
+constexpr bool is_triangle(ShapeKind kind) { return kind == ShapeKind::T3 || kind == ShapeKind::T6; }
 
 /// Geometry and interpolation of an element: its nodes in natural coordinates, and the functions N that carry what is
 /// known at nodes, places as well as displacements, to every place of the element:

@@ -15,11 +15,11 @@ namespace topology {
 
 /// How large elements are wanted, and of what shape.
 struct MesherOptions {
-    double size = 0.0;           ///< of edges far from the boundary; what the boundary has where 0
-    double growth = 0.3;         ///< of edges by the distance from smaller ones
-    double min_angle = 30.0;     ///< [degrees] that is asked for, at most 33
-    int n_sweeps = 4;            ///< of smoothing
-    std::vector<double> sizes{}; ///< wanted at nodes of the domain, where above 0; empty: what their edges have
+    double size = 0.0;            ///< of edges far from the boundary; what the boundary has where 0
+    double growth = usual_growth; ///< of edges by the distance from smaller ones
+    double min_angle = 30.0;      ///< [degrees] that is asked for, at most 33
+    int n_sweeps = 4;             ///< of smoothing
+    std::vector<double> sizes{};  ///< wanted at nodes of the domain, where above 0; empty: what their edges have
     std::shared_ptr<const SizeField> field{}; ///< wanted everywhere besides; null: nothing
 
     /// A size at a place as far as `size` and the field allow it.

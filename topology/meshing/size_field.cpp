@@ -1,6 +1,7 @@
 #include "topology/meshing/size_field.h"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 namespace topology {

@@ -8,6 +8,9 @@
 
 namespace topology {
 
+/// Of sizes by the distance from smaller ones.
+inline constexpr double usual_growth = 0.3;
+
 /// How long edges are wanted at every place of a plane: at some places as they say, from there on growing with the
 /// distance, so that no element is much larger than its neighbour. With sizes h_i at places x_i
 ///

@@ -24,9 +24,8 @@ struct FreeBodyPicture {
 std::vector<Eigen::Vector3d> places_of(const FreeBodyPicture& picture, const StructureShape& shape);
 
 /// Section forces as arrows along and across the member, at a node on stubs of the members that are cut off there, named
-/// and with their values; loads that are distributed as
-/// their resultants; the point of moments as a cross in a ring; Ritter points as crosses with the names of their bars,
-/// and the lines that meet in that of the moments.
+/// and with their values; loads that are distributed as their resultants; the point of moments as a cross in a ring;
+/// Ritter points as crosses with the names of their bars, and the lines that meet in that of the moments.
 void draw_free_body(const Scene& scene, const FreeBodyPicture& picture);
 
 } // namespace drawing

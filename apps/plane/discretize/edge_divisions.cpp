@@ -17,8 +17,6 @@ using topology::EdgeId;
 using topology::FlatPoint;
 using topology::HalfEdgeId;
 
-constexpr double growth = 0.3; // of sizes by the distance from a smaller one, as between nodes
-
 /// Equal parts, or such that the last is `ratio` times the first.
 EdgeShares geometric(std::size_t n, double ratio)
 {
@@ -56,7 +54,7 @@ topology::SizeField field_of_points(const PlaneModel& model)
     std::vector<topology::SizeField::Sample> samples;
     for (const auto& point : model.points)
         if (point.size) samples.push_back({{point.at[0], point.at[1]}, *point.size});
-    return {std::move(samples), growth};
+    return {std::move(samples), topology::usual_growth};
 }
 
 /// The least whole number of parts that are no longer than wanted, but for rounding.
@@ -87,8 +85,7 @@ EdgeDivisions::EdgeDivisions(const Drawing& drawing, const std::vector<FaceOutli
             for (const HalfEdgeId h : loop) add(*plane.solid().edge(h));
         for (const EdgeId e : outlines[i].inner_edges) add(e);
     }
-    if (const bool has_field = !settings.empty() && settings.front().field; has_field) field_ = *settings.front().field;
-    else field_ = field_of_points(drawing.model());
+    field_ = given_field() != nullptr ? *given_field() : field_of_points(drawing.model());
     find_mapped();
     do {
         shares_.assign(n_edges, std::nullopt);
@@ -101,17 +98,23 @@ void EdgeDivisions::find_mapped()
 {
     for (std::size_t i = 0; i < outlines_.size(); ++i) {
         const bool is_asked = settings_[i].is_map();
-        if (!is_asked && (settings_[i].method != "auto" || settings_[i].field)) continue;
+        if (!is_asked && (settings_[i].method != "auto" || given_field() != nullptr)) continue;
         MappedAttempt attempt = mapped_outline(drawing_, outlines_[i], settings_[i]);
         mapped_[i] = std::move(attempt.sides);
         if (attempt.fault && is_asked) faults_.push_back(*attempt.fault);
     }
 }
 
+/// In place of what the drawing says; null: none. All settings have the same.
+const topology::SizeField* EdgeDivisions::given_field() const
+{
+    return settings_.empty() ? nullptr : settings_.front().field.get();
+}
+
 /// Where two curves run along one edge the greater number is taken.
 void EdgeDivisions::divide_as_written()
 {
-    if (!settings_.empty() && settings_.front().field) return;
+    if (given_field() != nullptr) return;
     const auto pieces = pieces_of_curves(drawing_);
     for (std::size_t c = 0; c < pieces.size(); ++c) {
         const auto& shape = drawing_.model().curves[c].shape;
@@ -340,9 +343,9 @@ std::vector<double> EdgeDivisions::samples_of(EdgeId e) const
     const auto add_up_to = [&](const auto& self, double to, int n_left) -> void {
         const double from = samples.back();
         const bool is_dense = n_left == 0 || (to - from) * lengths_[e.index] <= most_of_size * size_at(e, to);
-        if (!is_dense) self(self, 0.5 * (from + to), n_left - 1);
-        if (!is_dense) self(self, to, n_left - 1);
-        else samples.push_back(to);
+        if (is_dense) return samples.push_back(to);
+        self(self, 0.5 * (from + to), n_left - 1);
+        self(self, to, n_left - 1);
     };
     for (int i = 1; i <= n_even; ++i) add_up_to(add_up_to, static_cast<double>(i) / n_even, most_halvings);
     return samples;

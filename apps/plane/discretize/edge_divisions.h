@@ -56,6 +56,7 @@ private:
     EdgeShares usual(topology::EdgeId e, std::size_t n_more = 0) const;
     bool wants_even() const;
     void make_even(const OutlineLoop& side);
+    const topology::SizeField* given_field() const;
     std::vector<double> samples_of(topology::EdgeId e) const;
     double size_at(topology::EdgeId e, double share) const;
     std::string curves_of(const OutlineLoop& side) const;

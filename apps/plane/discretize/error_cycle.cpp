@@ -15,7 +15,6 @@ namespace {
 namespace fp = femoop::plane;
 using topology::SizeField;
 
-constexpr double grading = 0.3;       // growth of sizes by the distance from smaller ones, as the meshers have it
 constexpr double aim = 0.5;           // of the error of a mesh, for the next one
 constexpr double rounding = 1e-7;     // an error that is
 constexpr double least_gain = 0.95;   // of an error, that the next is to be below
@@ -29,7 +28,7 @@ std::shared_ptr<const SizeField> field_of(const std::vector<fp::RefinedSize>& si
 {
     std::vector<SizeField::Sample> samples;
     for (const fp::RefinedSize& each : sizes) samples.push_back({{each.at.x(), each.at.y()}, factor * (each.*of)});
-    return std::make_shared<const SizeField>(std::move(samples), grading);
+    return std::make_shared<const SizeField>(std::move(samples), topology::usual_growth);
 }
 
 std::shared_ptr<const SizeField> scaled(const SizeField& field, double factor)
@@ -39,21 +38,13 @@ std::shared_ptr<const SizeField> scaled(const SizeField& field, double factor)
     return std::make_shared<const SizeField>(std::move(samples), field.growth());
 }
 
-double error_of(const std::vector<double>& element_errors)
-{
-    double sum = 0.0;
-    for (const double error : element_errors) sum += error * error;
-    return std::sqrt(sum);
-}
-
 } // namespace
 
 void ErrorCycle::add(const fp::PlaneResults& results, const fp::PlaneCase& result)
 {
     const fp::PlaneModel& mesh = results.model();
-    const std::vector<double> errors = result.element_errors();
-    const double error = error_of(errors);
-    std::vector<fp::RefinedSize> sizes = fp::refined_sizes(mesh, errors, aim * error);
+    const double error = result.error_estimate();
+    std::vector<fp::RefinedSize> sizes = fp::refined_sizes(mesh, result.element_errors(), aim * error);
     wanted_ = field_of(sizes, &fp::RefinedSize::wanted);
     for (fp::RefinedSize& each : sizes) each.wanted = wanted_->at({each.at.x(), each.at.y()}); // as they are graded
     growth_ = fp::growth_of_mesh(sizes);

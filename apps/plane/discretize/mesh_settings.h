@@ -27,7 +27,7 @@ struct MeshSettings {
     bool is_map() const { return method == "mapped" || method == "sweep" || is_trilateral(); }
     bool is_trilateral() const { return method == "trilateral"; }
     std::size_t n_corners() const { return is_trilateral() ? 3 : 4; }
-    bool is_triangle() const { return element == femoop::ShapeKind::T3 || element == femoop::ShapeKind::T6; }
+    bool is_triangle() const { return femoop::is_triangle(element); }
     bool is_quadratic() const { return element != femoop::ShapeKind::T3 && element != femoop::ShapeKind::Q4; }
 };
 

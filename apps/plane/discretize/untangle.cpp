@@ -31,8 +31,7 @@ const std::vector<Shape::Derivatives>& samples(ShapeKind kind)
         for (const ShapeKind each : {ShapeKind::T3, ShapeKind::T6, ShapeKind::Q4, ShapeKind::Q8, ShapeKind::Q9}) {
             const Shape& shape = femoop::shape_of(each);
             for (const femoop::NaturalPoint& at : shape.nodes()) made[each].push_back(shape.derivatives(at));
-            const bool is_triangle = shape.n_corners() == 3;
-            const double middle = is_triangle ? 1.0 / 3.0 : 0.0;
+            const double middle = is_triangle(each) ? 1.0 / 3.0 : 0.0;
             made[each].push_back(shape.derivatives({.xi = middle, .eta = middle}));
         }
         return made;
@@ -77,7 +76,6 @@ private:
         femoop::NodePositions X(static_cast<Eigen::Index>(of_element.size()), 2);
         for (std::size_t i = 0; i < of_element.size(); ++i)
             X.row(static_cast<Eigen::Index>(i)) << nodes_[of_element[i]].x, nodes_[of_element[i]].y;
-        const bool is_triangle = femoop::shape_of(elements_[element].kind).n_corners() == 3;
         double least = std::numeric_limits<double>::infinity(), sum = 0.0;
         Form form;
         const auto& at = samples(elements_[element].kind);
@@ -85,16 +83,16 @@ private:
             const Eigen::Matrix2d J = femoop::jacobian(derivatives, X);
             least = std::min(least, J.determinant());
             sum += std::abs(J.determinant());
-            form.sine = std::min(form.sine, sine_of(J, is_triangle));
+            form.sine = std::min(form.sine, sine_of(J, elements_[element].kind));
         }
         form.evenness = sum > 0.0 ? least * static_cast<double>(at.size()) / sum : 0.0;
         return form;
     }
 
-    static double sine_of(const Eigen::Matrix2d& J, bool is_triangle)
+    static double sine_of(const Eigen::Matrix2d& J, ShapeKind kind)
     {
         const double a = J.row(0).norm(), b = J.row(1).norm(), c = (J.row(1) - J.row(0)).norm();
-        const double lengths = is_triangle ? std::max({a * b, b * c, c * a}) : a * b;
+        const double lengths = is_triangle(kind) ? std::max({a * b, b * c, c * a}) : a * b;
         return lengths > 0.0 ? J.determinant() / lengths : 0.0;
     }
 

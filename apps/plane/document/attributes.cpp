@@ -70,10 +70,9 @@ void set_division(Document& document, CurveId curve, const std::optional<femoop:
 
 void mesh_by(Document& document, femoop::ShapeKind kind)
 {
-    const bool is_triangle = kind == femoop::ShapeKind::T3 || kind == femoop::ShapeKind::T6;
     const auto change = [&](femoop::plane::MeshOptions& mesh) {
         const bool makes_triangles = mesh.method == "delaunay" || mesh.method == "front" || mesh.method == "quadtree";
-        if (is_triangle ? mesh.method == "quads" : makes_triangles) mesh.method.clear();
+        if (is_triangle(kind) ? mesh.method == "quads" : makes_triangles) mesh.method.clear();
         mesh.element.reset();
         mesh.formulation.reset();
     };
@@ -96,7 +95,7 @@ void mesh_freely(femoop::plane::MeshOptions& mesh, const femoop::plane::MeshOpti
     const std::string& method = mesh.method.empty() ? usual.method : mesh.method;
     if (!method.empty() && method != "auto") return;
     const femoop::ShapeKind kind = mesh.element.value_or(usual.element.value_or(femoop::ShapeKind::T6));
-    mesh.method = kind == femoop::ShapeKind::T3 || kind == femoop::ShapeKind::T6 ? "delaunay" : "quads";
+    mesh.method = is_triangle(kind) ? "delaunay" : "quads";
 }
 
 } // namespace

@@ -26,6 +26,9 @@ namespace {
 
 constexpr std::uintmax_t most_bytes = 100'000'000;
 
+using Clock = std::chrono::steady_clock;
+double seconds_since(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
+
 bool are_drawn_alike(const PlaneModel& a, const PlaneModel& b)
 {
     if (a.snap != b.snap || a.points.size() != b.points.size() || a.curves.size() != b.curves.size()) return false;
@@ -254,9 +257,7 @@ void Session::analyse_what_is_shown()
         following_.reset();
         follow_seconds_ = 0.0;
     }
-    using Clock = std::chrono::steady_clock;
-    const Clock::time_point start = Clock::now();
-    const auto seconds = [&] { return std::chrono::duration<double>(Clock::now() - start).count(); };
+    const auto seconds = [start = Clock::now()] { return seconds_since(start); };
     if (is_dragging && follow_seconds_ <= fast_enough && follow_with_mesh()) {
         follow_seconds_ = seconds();
         return;
@@ -359,9 +360,7 @@ void Session::refine_further(double seconds)
 std::optional<Message> Session::refine_once()
 {
     constexpr double longest = 20.0; // [s]
-    using Clock = std::chrono::steady_clock;
-    const Clock::time_point start = Clock::now();
-    const auto is_late = [&] { return std::chrono::duration<double>(Clock::now() - start).count() > longest; };
+    const auto is_late = [start = Clock::now()] { return seconds_since(start) > longest; };
     if (const auto reason = why_no_results()) return reason;
     const femoop::CaseId shown(load_case);
     discretize::ErrorCycle cycle(shown);
@@ -429,9 +428,7 @@ std::optional<Message> Session::watch_mesher()
     if (drawing() == nullptr) return translatable("there is nothing to be meshed");
     constexpr std::size_t most_elements = 20'000;
     constexpr double longest = 5.0; // [s]
-    using Clock = std::chrono::steady_clock;
-    const Clock::time_point start = Clock::now();
-    const auto is_late = [&] { return std::chrono::duration<double>(Clock::now() - start).count() > longest; };
+    const auto is_late = [start = Clock::now()] { return seconds_since(start) > longest; };
     const discretize::MeshedDrawing mesh(*drawing(), is_late, document().sizes());
     if (is_late() || (mesh.is_sound() && mesh.model().elements.size() > most_elements))
         return translatable("the mesh has too many elements to be watched; give a larger element size");

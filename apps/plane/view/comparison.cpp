@@ -123,7 +123,8 @@ void draw_comparison(ui::Painter& painter, const PlateInput& input, const PlateO
     const ui::Point corner = box.min + ui::Point{14.0, 4.0};
     painter.text(corner, options.tr("Compared with the results that were kept"), title);
     const double top = 1.6 * title.size;
-    const drawing::SheetTable table([&](std::size_t) { return comparison_table(input, options); },
+    const tabular::Table rows = comparison_table(input, options);
+    const drawing::SheetTable table([&](std::size_t) { return rows; },
                                     {.width = box.width() - 28.0, .height = box.height() - top - 8.0}, theme,
                                     painter.fonts());
     table.draw(painter, corner + ui::Point{0.0, top});
@@ -132,8 +133,7 @@ void draw_comparison(ui::Painter& painter, const PlateInput& input, const PlateO
 void draw_kept_shape(const PlateScene& scene, const fp::PlaneModel& mesh, const std::vector<Eigen::Vector2d>& places)
 {
     ui::Stroke stroke = scene.sketch.thin(ui::Role::FaintLabel);
-    stroke.color = scene.sketch.theme().series(5).stroke.color;
-    stroke.color = ui::with_opacity(stroke.color, 0.9);
+    stroke.color = ui::with_opacity(scene.sketch.theme().series(5).stroke.color, 0.9);
     stroke.dash = ui::DashPattern{6.0, 4.0}.scaled(scene.sketch.theme().symbol_scale());
     ui::Stroke of_sides = stroke;
     of_sides.color = ui::with_opacity(stroke.color, 0.4);

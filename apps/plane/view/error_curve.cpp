@@ -41,10 +41,11 @@ std::string place_words(const discretize::SmallElement& element, const femoop::p
         at = place;
         name = point.id + " ";
     }
-    const auto number = [&](double v) { return ui::with_minus_signs(units.number(v, ui::Measure::Length)); };
-    const char* const comma = units.format().mark == ui::DecimalMark::Comma ? "; " : ", ";
-    return name + "(" + number(at.x()) + comma + number(at.y()) + ") " + units.unit(ui::Measure::Length).name;
+    return name + units.place(at.x(), at.y()) + " " + units.unit(ui::Measure::Length).name;
 }
+
+ui::DashPattern dashes(const ui::Theme& theme) { return ui::DashPattern{6.0, 3.0}.scaled(theme.symbol_scale()); }
+ui::DashPattern dots() { return {1.5, 3.0}; }
 
 /// A logarithmic axis from one place of the sheet to another.
 struct LogAxis {
@@ -93,12 +94,9 @@ public:
     {
         draw_axes();
         draw_smooth_slope();
-        if (cycle_.uniform().size() > 1) draw_meshes(cycle_.uniform(), theme_.series(5), dashes(), false);
+        if (cycle_.uniform().size() > 1) draw_meshes(cycle_.uniform(), theme_.series(5), dashes(theme_), false);
         draw_meshes(cycle_.meshes(), theme_.series(0), {}, true);
     }
-
-    ui::DashPattern dashes() const { return ui::DashPattern{6.0, 3.0}.scaled(theme_.symbol_scale()); }
-    static ui::DashPattern dots() { return {1.5, 3.0}; }
 
 private:
     static double n_of(const MeshError& mesh) { return static_cast<double>(mesh.n_unknowns); }
@@ -203,10 +201,9 @@ public:
         const ui::Catalogue& tr = options.tr;
         add(tr("Error against unknowns, {case}", {{"case", model.case_name(cycle.load_case())}}), title);
         y_ += 0.2 * title.size;
-        const ui::DashPattern dashes = ui::DashPattern{6.0, 3.0}.scaled(theme.symbol_scale());
         add_key(theme.series(0).stroke, {}, tr("refined by the error"), plain);
-        if (cycle.uniform().size() > 1) add_key(theme.series(5).stroke, dashes, tr("refined evenly"), plain);
-        add_key(theme.stroke(Role::FaintLabel), {1.5, 3.0},
+        if (cycle.uniform().size() > 1) add_key(theme.series(5).stroke, dashes(theme), tr("refined evenly"), plain);
+        add_key(theme.stroke(Role::FaintLabel), dots(),
                 tr("smooth stresses: N^{rate}", {{"rate", exponent_text(cycle.smooth_rate(), options.numbers)}}),
                 plain);
         y_ += 0.4 * plain.size;

@@ -201,7 +201,7 @@ FieldPicture field_picture(const FieldShow& show, const fp::PlaneCase& result, c
 
 FieldPicture error_picture(const fp::PlaneCase& result, const PlateOptions& options)
 {
-    const std::vector<double> errors = result.element_errors();
+    const std::vector<double>& errors = result.element_errors();
     FieldPicture picture{.style = FieldStyle::Bands,
                          .field = fp::triangulated(result.structure().model(), 0,
                                                    [&](const fp::Location& at) { return errors[at.element.index]; }),

@@ -177,7 +177,9 @@ PlaceLine moved_by(const fp::PlaneModel& mesh, const std::vector<femoop::NodeVec
     return places;
 }
 
-double magnification(const PlateOptions& options, const fp::PlaneModel& mesh, const fp::PlaneCase& result)
+namespace {
+
+double magnification_of(const PlateOptions& options, const fp::PlaneModel& mesh, const fp::PlaneCase& result)
 {
     if (options.deformation_scale) return *options.deformation_scale;
     Vector2d low = Vector2d::Constant(std::numeric_limits<double>::infinity()), high = -low;
@@ -192,12 +194,13 @@ double magnification(const PlateOptions& options, const fp::PlaneModel& mesh, co
     return largest > 0.0 ? drawing::round_below(share_of_body * extent / largest) : 1.0;
 }
 
-double magnification(const PlateInput& input, const PlateOptions& options)
+} // namespace
+
+double magnification(const PlateInput& input, const fp::PlaneCase& result, const PlateOptions& options)
 {
-    const fp::PlaneModel& mesh = *mesh_of(input);
-    const double factor = magnification(options, mesh, *input.result);
+    const double factor = magnification_of(options, *mesh_of(input), result);
     if (!input.is_compared()) return factor;
-    return std::min(factor, magnification(options, input.kept_results->model(), *input.kept_result));
+    return std::min(factor, magnification_of(options, input.kept_results->model(), *input.kept_result));
 }
 
 PlaceLine displaced(const fp::PlaneModel& mesh, const fp::PlaneCase& result, double factor)

@@ -18,11 +18,8 @@ void draw_mechanism(const PlateScene& scene);
 PlaceLine moved_by(const femoop::plane::PlaneModel& mesh, const std::vector<femoop::NodeVector>& motion, double share);
 
 /// The round factor by which displacements are drawn: the one asked for, else one that makes the largest about a tenth of
-/// the body.
-double magnification(const PlateOptions& options, const femoop::plane::PlaneModel& mesh,
-                     const femoop::plane::PlaneCase& result);
-/// That of a picture: the least that its results and those kept ask for, so that both are drawn alike.
-double magnification(const PlateInput& input, const PlateOptions& options);
+/// the body; of results that are compared with kept ones the least of both, so that they are drawn alike.
+double magnification(const PlateInput& input, const femoop::plane::PlaneCase& result, const PlateOptions& options);
 /// Of all points of the mesh, moved by so many times their displacements.
 PlaceLine displaced(const femoop::plane::PlaneModel& mesh, const femoop::plane::PlaneCase& result, double factor);
 

@@ -139,12 +139,10 @@ private:
         if (input_.motion != nullptr) places_ = moved_by(*mesh_, *input_.motion, state_.phase);
         if (is_beside()) kept_places_ = femoop::plane::positions(input_.kept_results->model());
         if (result_ == nullptr || !shows(PlateShow::Deformed)) return;
-        if (input_.is_compared())
-            kept_places_ = displaced(input_.kept_results->model(), *input_.kept_result,
-                                     magnification(input_, options_) * state_.phase);
-        magnification_ = input_.is_compared() ? magnification(input_, options_)
-                                              : magnification(options_, *mesh_, *result_);
+        magnification_ = magnification(input_, *result_, options_);
         places_ = displaced(*mesh_, *result_, magnification_ * state_.phase);
+        if (input_.is_compared())
+            kept_places_ = displaced(input_.kept_results->model(), *input_.kept_result, magnification_ * state_.phase);
     }
 
     /// Errors in place of bands: both fill the body.
@@ -181,6 +179,29 @@ private:
             if (note == options.tr("fixed range")) note = options.tr("one range for both");
     }
 
+    /// What is drawn of a body.
+    struct Body {
+        const PlateInput& input;
+        const femoop::plane::PlaneModel* mesh;
+        const femoop::plane::PlaneCase* result;
+        const PlaceLine& places;
+    };
+    PlateScene scene_of(const Body& body, const PlateOutline& outline, const ui::PlaneCamera& camera,
+                        drawing::Sketch& sketch) const
+    {
+        return {.input = body.input,
+                .options = options_,
+                .state = state_,
+                .outline = outline,
+                .camera = camera,
+                .units = units_,
+                .sketch = sketch,
+                .mesh = body.mesh,
+                .result = body.result,
+                .places = &body.places,
+                .magnification = magnification_ * state_.phase};
+    }
+
     // ---- two bodies side by side
 
     bool is_beside() const { return options_.is_beside && input_.is_compared(); }
@@ -202,17 +223,7 @@ private:
         const PlateInput kept{
             .model = input_.kept_results->model(), .results = input_.kept_results, .result = input_.kept_result};
         const PlateOutline outline = joined(outline_of(kept, flatness / camera.scale()));
-        const PlateScene scene{.input = kept,
-                               .options = options_,
-                               .state = state_,
-                               .outline = outline,
-                               .camera = camera,
-                               .units = units_,
-                               .sketch = sketch,
-                               .mesh = &kept.model,
-                               .result = kept.result,
-                               .places = &kept_places_,
-                               .magnification = magnification_ * state_.phase};
+        const PlateScene scene = scene_of({kept, &kept.model, kept.result, kept_places_}, outline, camera, sketch);
         if (shows(PlateShow::Regions) && magnification_ == 0.0 && kept_fields_.empty()) draw_regions(scene);
         for (const FieldPicture& field : kept_fields_) draw_field(scene, field);
         if (shows(PlateShow::Mesh)) draw_mesh(scene);
@@ -334,17 +345,7 @@ private:
     void draw_marks(drawing::Sketch& sketch, const ui::PlaneCamera& camera, Pass pass) const
     {
         const PlateOutline outline = outline_of(input_, flatness / camera.scale());
-        const PlateScene scene{.input = input_,
-                               .options = options_,
-                               .state = state_,
-                               .outline = outline,
-                               .camera = camera,
-                               .units = units_,
-                               .sketch = sketch,
-                               .mesh = mesh_,
-                               .result = result_,
-                               .places = &places_,
-                               .magnification = magnification_ * state_.phase};
+        const PlateScene scene = scene_of({input_, mesh_, result_, places_}, outline, camera, sketch);
         const bool is_moved = result_ != nullptr && shows(PlateShow::Deformed);
         const bool is_colored = std::ranges::any_of(
             fields_, [](const FieldPicture& field) { return field.style == FieldStyle::Bands; });
@@ -422,7 +423,7 @@ std::optional<Vector2d> drawn_displacement(const PlateInput& input, const PlateO
     if (input.result == nullptr || !options.show.set.contains(PlateShow::Deformed)) return std::nullopt;
     const auto places = input.results->locator().find(at);
     if (places.empty()) return std::nullopt;
-    const double factor = magnification(input, options);
+    const double factor = magnification(input, *input.result, options);
     return Vector2d(factor * input.result->displacement(places.front()));
 }
 

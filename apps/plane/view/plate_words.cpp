@@ -208,7 +208,7 @@ private:
 
     void write_error()
     {
-        const std::vector<double> errors = result_->element_errors();
+        const std::vector<double>& errors = result_->element_errors();
         const auto worst = std::ranges::max_element(errors);
         const auto percent = [&](double share) {
             return ui::number_text(100.0 * share, {.digits = 3, .mark = options_.numbers.mark});
@@ -299,9 +299,7 @@ private:
     void write_results()
     {
         if (shows(PlateShow::Deformed)) {
-            const std::string scale = ui::number_text(input_.is_compared() ? magnification(input_, options_)
-                                                                           : magnification(options_, *mesh_, *result_),
-                                                      options_.numbers);
+            const std::string scale = ui::number_text(magnification(input_, *result_, options_), options_.numbers);
             line(tr_("displacements × {scale}", {{"scale", scale}}));
         }
         for (const FieldShow& show : options_.show.fields) write_field(show);

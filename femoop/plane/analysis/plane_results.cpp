@@ -281,8 +281,9 @@ double PlaneCase::energy() const
     return 0.5 * twice;
 }
 
-std::vector<double> PlaneCase::element_errors() const
+const std::vector<double>& PlaneCase::element_errors() const
 {
+    if (element_errors_) return *element_errors_;
     const StressState state = structure_->model().analysis;
     std::vector<double> errors;
     double of_whole = 0.0;
@@ -303,7 +304,8 @@ std::vector<double> PlaneCase::element_errors() const
         errors.push_back(std::max(of_error, 0.0));
     }
     for (double& error : errors) error = of_whole > 0.0 ? std::sqrt(error / of_whole) : 0.0;
-    return errors;
+    element_errors_ = std::make_shared<const std::vector<double>>(std::move(errors));
+    return *element_errors_;
 }
 
 double PlaneCase::error_estimate() const

@@ -74,7 +74,7 @@ public:
     double error_estimate() const;
     /// What each element has of it: the norm in energy of its own recovered less element stresses, over that of the
     /// recovered stresses of the whole body; their squares sum to that of the estimate.
-    std::vector<double> element_errors() const;
+    const std::vector<double>& element_errors() const;
 
     /// Of the nodes on an element, K u less what replaces the loads on it; in the order of its points.
     std::vector<Eigen::Vector2d> node_forces(ElementId element) const;
@@ -109,6 +109,7 @@ private:
     std::map<std::size_t, std::vector<ThermalLoad>> heat_; ///< of elements that are warmed
     mutable std::shared_ptr<const Samples> samples_;       ///< made when they are first asked for
     mutable std::shared_ptr<const Recovered> recovered_;
+    mutable std::shared_ptr<const std::vector<double>> element_errors_;
 };
 
 /// The solution of a plane model: all its load cases, then its combinations. Holds what it needs.

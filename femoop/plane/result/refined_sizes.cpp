@@ -15,13 +15,12 @@ constexpr double least_ratio = 0.25, greatest_ratio = 1.5; // of a size to the o
 struct CornerPolygon {
     Eigen::Vector2d centre = Eigen::Vector2d::Zero();
     double area = 0.0;
-    bool is_triangle = false;
 };
 
 CornerPolygon corner_polygon(const PlaneModel& mesh, const PlaneElement& element)
 {
-    const std::size_t n = element.kind == ShapeKind::T3 || element.kind == ShapeKind::T6 ? 3 : 4;
-    CornerPolygon polygon{.is_triangle = n == 3};
+    const std::size_t n = is_triangle(element.kind) ? 3 : 4;
+    CornerPolygon polygon;
     for (std::size_t i = 0; i < n; ++i) {
         const Eigen::Vector2d a = position(mesh[element.points[i]]), b = position(mesh[element.points[(i + 1) % n]]);
         polygon.centre += a / static_cast<double>(n);
@@ -41,7 +40,7 @@ std::vector<RefinedSize> refined_sizes(const PlaneModel& mesh, const std::vector
     const double share = eta / std::sqrt(static_cast<double>(mesh.elements.size())); // that each may have
     for (std::size_t i = 0; i < mesh.elements.size(); ++i) {
         const CornerPolygon polygon = corner_polygon(mesh, mesh.elements[i]);
-        const double of_triangle = polygon.is_triangle ? polygon.area : 0.5 * polygon.area;
+        const double of_triangle = is_triangle(mesh.elements[i].kind) ? polygon.area : 0.5 * polygon.area;
         const double size = std::sqrt(4.0 / std::sqrt(3.0) * of_triangle);
         const double error = element_errors[i];
         const double ratio = error > 0.0 ? std::pow(share / error, 1.0 / complete_degree(mesh.elements[i].kind))

@@ -26,8 +26,8 @@ int complete_degree(ShapeKind kind);
 ///     ||e_i||/||u||  of each element, as PlaneCase::element_errors has them
 ///     n              elements of the mesh;  p  their complete degree
 ///
-/// No element becomes less than a quarter or more than one and a half times as large: beside singular places the exponent is too small,
-/// and what is gained there comes with the meshes that follow.
+/// No element becomes less than a quarter or more than one and a half times as large: beside singular places the exponent
+/// is too small, and what is gained there comes with the meshes that follow.
 ///
 /// Assumes  the error of an element goes with size^p, as it does where the exact stresses are smooth
 /// Source   [ZienkiewiczTaylor2000, ch. 15]
