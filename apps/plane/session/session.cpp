@@ -250,7 +250,6 @@ const Analysed* Session::analysed() const
 void Session::analyse_what_is_shown()
 {
     if (!needs_mesh(look) || !solution_->is_sound() || drawing() == nullptr || analysed() != nullptr) return;
-    constexpr double fast_enough = 0.05, longest = 20.0; // [s]
     const bool is_dragging = history_.is_dragging();
     if (!is_dragging) {
         dragged_.reset();
@@ -258,13 +257,13 @@ void Session::analyse_what_is_shown()
         follow_seconds_ = 0.0;
     }
     const auto seconds = [start = Clock::now()] { return seconds_since(start); };
-    if (is_dragging && follow_seconds_ <= fast_enough && follow_with_mesh()) {
+    if (is_dragging && follow_seconds_ <= patience.of_a_hand && follow_with_mesh()) {
         follow_seconds_ = seconds();
         return;
     }
-    if (is_dragging && last_seconds_ > fast_enough) return;
+    if (is_dragging && last_seconds_ > patience.of_a_hand) return;
     analysed_ = std::make_shared<const Analysed>(
-        solution_, [&] { return seconds() > longest; }, document().sizes());
+        solution_, [&] { return seconds() > patience.at_most; }, document().sizes());
     last_seconds_ = seconds();
 }
 
@@ -359,8 +358,7 @@ void Session::refine_further(double seconds)
 
 std::optional<Message> Session::refine_once()
 {
-    constexpr double longest = 20.0; // [s]
-    const auto is_late = [start = Clock::now()] { return seconds_since(start) > longest; };
+    const auto is_late = [&, start = Clock::now()] { return seconds_since(start) > patience.at_most; };
     if (const auto reason = why_no_results()) return reason;
     const femoop::CaseId shown(load_case);
     discretize::ErrorCycle cycle(shown);

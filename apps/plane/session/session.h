@@ -21,6 +21,12 @@
 
 namespace plane {
 
+/// How long results are waited for [s].
+struct Patience {
+    double of_a_hand = 0.05; ///< what takes longer does not follow one that drags
+    double at_most = 20.0;   ///< then it is given up
+};
+
 /// What is open and how it is looked at: the app without its window. The document changes through `change` alone; its
 /// solution follows, and the regions go with their faces.
 class Session : public ui::EditedDocument<Document> {
@@ -112,6 +118,7 @@ public:
 
     Look look;
     MesherWatch watch;
+    Patience patience{};
     std::size_t load_case = 0;               ///< that is shown
     std::optional<ui::PlaneCamera> camera{}; ///< where the view was moved by hand; else everything is shown
     std::optional<Part> hover{};

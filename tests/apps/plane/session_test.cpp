@@ -144,6 +144,7 @@ TEST_CASE("While a hand drags, elements stay as many as they were; when it lets 
 {
     Workspace workspace = quarter_plate();
     Session& session = workspace.session;
+    session.patience.of_a_hand = 1e3; // [s], however slow the machine is
     session.look.mesh = true;
     session.analyse_what_is_shown();
     REQUIRE(session.analysed() != nullptr);
@@ -157,6 +158,28 @@ TEST_CASE("While a hand drags, elements stay as many as they were; when it lets 
     }
     session.settle();
     CHECK(session.analysed() == nullptr);
+    session.analyse_what_is_shown();
+    REQUIRE(session.analysed() != nullptr);
+    CHECK_FALSE(session.analysed()->is_following());
+}
+
+TEST_CASE("What took too long to follow a hand waits until it lets go")
+{
+    Workspace workspace = quarter_plate();
+    Session& session = workspace.session;
+    session.patience.of_a_hand = 0.0;
+    session.look.mesh = true;
+    session.analyse_what_is_shown();
+    const auto drag = [&](double x) {
+        session.change({"Move", [x](Document& d) { move_point(d, NodeId(1U), {x, 0}); }, Step::Drag});
+        session.analyse_what_is_shown();
+    };
+    drag(11.0);
+    REQUIRE(session.analysed() != nullptr);
+    CHECK(session.analysed()->is_following());
+    drag(13.0);
+    CHECK(session.analysed() == nullptr);
+    session.settle();
     session.analyse_what_is_shown();
     REQUIRE(session.analysed() != nullptr);
     CHECK_FALSE(session.analysed()->is_following());
