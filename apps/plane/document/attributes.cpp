@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "apps/plane/document/fresh_id.h"
 
@@ -13,6 +14,7 @@ using femoop::Quantity;
 using femoop::plane::CurveLoad;
 using femoop::plane::CurveLoadKind;
 using femoop::plane::Field;
+using femoop::plane::RegionLoad;
 
 namespace {
 
@@ -129,14 +131,55 @@ std::size_t some_case(Document& document, std::size_t load_case)
     return std::min(load_case, cases.size() - 1);
 }
 
-std::vector<std::size_t> loads_on(const PlaneModel& model, std::size_t load_case, CurveId curve)
+namespace {
+
+/// Those of a list that have a part among theirs.
+template <class Loads, class Has> std::vector<std::size_t> places_where(const Loads& loads, Has has)
 {
     std::vector<std::size_t> places;
-    if (load_case >= model.load_cases.size()) return places;
-    const auto& loads = model.load_cases[load_case].curves;
     for (std::size_t i = 0; i < loads.size(); ++i)
-        if (std::ranges::find(loads[i].curves, curve) != loads[i].curves.end()) places.push_back(i);
+        if (has(loads[i])) places.push_back(i);
     return places;
+}
+
+template <class Id> bool is_among(const std::vector<Id>& ids, Id id) { return std::ranges::find(ids, id) != ids.end(); }
+
+/// What several parts have becomes that of one of them, and behind it in the list that of the others.
+template <class Load, class Id>
+Load& parted(std::vector<Load>& loads, std::size_t load, std::vector<Id> Load::*parts, Id part)
+{
+    Load& there = loads.at(load);
+    if ((there.*parts).size() < 2) return there;
+    Load others = there;
+    std::erase(others.*parts, part);
+    there.*parts = {part};
+    loads.insert(loads.begin() + static_cast<std::ptrdiff_t>(load) + 1, std::move(others));
+    return loads[load];
+}
+
+std::vector<RegionId> regions_of_material(const PlaneModel& model)
+{
+    std::vector<RegionId> all;
+    for (std::size_t i = 0; i < model.regions.size(); ++i)
+        if (!model.regions[i].is_hole) all.emplace_back(i);
+    return all;
+}
+
+} // namespace
+
+std::vector<std::size_t> loads_on(const PlaneModel& model, std::size_t load_case, CurveId curve)
+{
+    if (load_case >= model.load_cases.size()) return {};
+    return places_where(model.load_cases[load_case].curves,
+                        [curve](const CurveLoad& load) { return is_among(load.curves, curve); });
+}
+
+std::vector<std::size_t> loads_on(const PlaneModel& model, std::size_t load_case, RegionId region)
+{
+    if (load_case >= model.load_cases.size()) return {};
+    return places_where(model.load_cases[load_case].regions, [region](const RegionLoad& load) {
+        return load.regions.empty() || is_among(load.regions, region);
+    });
 }
 
 std::size_t add_load(Document& document, std::size_t load_case, CurveId curve, CurveLoadKind kind)
@@ -149,22 +192,42 @@ std::size_t add_load(Document& document, std::size_t load_case, CurveId curve, C
     return loads.size() - 1;
 }
 
+std::size_t add_load(Document& document, std::size_t load_case, RegionId region, RegionLoadKind kind)
+{
+    const Field nothing{Quantity(0.0)};
+    RegionLoad load{.regions = {region}, .load = femoop::plane::BodyForce{.bx = nothing, .by = nothing}};
+    if (kind == RegionLoadKind::Temperature) load.load = femoop::plane::TemperatureRise{.rise = nothing};
+    if (kind == RegionLoadKind::Rotation)
+        load.load = femoop::plane::SteadyRotation{.omega = Quantity(0.0), .about = {}};
+    auto& loads = document.model.load_cases[some_case(document, load_case)].regions;
+    loads.push_back(std::move(load));
+    return loads.size() - 1;
+}
+
 CurveLoad& own_load(Document& document, std::size_t load_case, std::size_t load, CurveId curve)
 {
-    auto& loads = document.model.load_cases.at(load_case).curves;
-    CurveLoad& there = loads.at(load);
-    if (there.curves.size() < 2) return there;
-    CurveLoad others = there;
-    std::erase(others.curves, curve);
-    there.curves = {curve};
-    loads.insert(loads.begin() + static_cast<std::ptrdiff_t>(load) + 1, std::move(others));
-    return loads[load];
+    return parted(document.model.load_cases.at(load_case).curves, load, &CurveLoad::curves, curve);
+}
+
+RegionLoad& own_load(Document& document, std::size_t load_case, std::size_t load, RegionId region)
+{
+    auto& loads = document.model.load_cases.at(load_case).regions;
+    const std::vector<RegionId> all = regions_of_material(document.model);
+    if (loads.at(load).regions.empty() && all.size() > 1) loads[load].regions = all;
+    return parted(loads, load, &RegionLoad::regions, region);
 }
 
 void erase_load(Document& document, std::size_t load_case, std::size_t load, CurveId curve)
 {
     own_load(document, load_case, load, curve);
     auto& loads = document.model.load_cases[load_case].curves;
+    loads.erase(loads.begin() + static_cast<std::ptrdiff_t>(load));
+}
+
+void erase_load(Document& document, std::size_t load_case, std::size_t load, RegionId region)
+{
+    own_load(document, load_case, load, region);
+    auto& loads = document.model.load_cases[load_case].regions;
     loads.erase(loads.begin() + static_cast<std::ptrdiff_t>(load));
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <optional>
 #include <vector>
 
@@ -36,13 +37,19 @@ void keep_sizes(Document& document, const topology::SizeField& sizes);
 /// The case at this place, made where there is none yet.
 std::size_t some_case(Document& document, std::size_t load_case);
 
-/// The loads of a case on a curve, by their places in the case's list.
+enum class RegionLoadKind : std::uint8_t { Body, Temperature, Rotation }; ///< in the order of RegionLoad's forms
+
+/// The loads of a case on a curve or a region, by their places in the case's list. One that names no region is of all.
 std::vector<std::size_t> loads_on(const PlaneModel& model, std::size_t load_case, CurveId curve);
+std::vector<std::size_t> loads_on(const PlaneModel& model, std::size_t load_case, RegionId region);
 /// Adds a load of no value on a curve: of a pressure 0, of the others qx and qy 0. \returns its place in the list
 std::size_t add_load(Document& document, std::size_t load_case, CurveId curve, femoop::plane::CurveLoadKind kind);
-/// The load for this curve alone: one that other curves have too is parted from theirs.
+std::size_t add_load(Document& document, std::size_t load_case, RegionId region, RegionLoadKind kind);
+/// The load for this part alone: one that other parts have too is parted from theirs.
 femoop::plane::CurveLoad& own_load(Document& document, std::size_t load_case, std::size_t load, CurveId curve);
+femoop::plane::RegionLoad& own_load(Document& document, std::size_t load_case, std::size_t load, RegionId region);
 void erase_load(Document& document, std::size_t load_case, std::size_t load, CurveId curve);
+void erase_load(Document& document, std::size_t load_case, std::size_t load, RegionId region);
 
 /// The force on a point in a direction; nothing takes it away.
 std::optional<femoop::Quantity> force_on(const PlaneModel& model, std::size_t load_case, NodeId point, femoop::Dof dof);

@@ -12,11 +12,14 @@ namespace plane {
 
 using femoop::Dof;
 using femoop::Quantity;
+using femoop::plane::BodyForce;
 using femoop::plane::CurveLoad;
 using femoop::plane::CurveLoadKind;
 using femoop::plane::Division;
 using femoop::plane::DrawnShape;
 using femoop::plane::Field;
+using femoop::plane::SteadyRotation;
+using femoop::plane::TemperatureRise;
 using ui::Measure;
 using ui::Message;
 using ui::translatable;
@@ -164,10 +167,12 @@ void add_shape(std::vector<Number>& all, const PlaneModel& model, CurveId curve)
                             [shape](auto& of) { return &shape(of).angle; }));
 }
 
-/// A field as far as it is one number, or two at the ends of a curve.
-struct FieldNumber {
-    std::optional<Field> CurveLoad::*field;
-    bool is_end;
+/// What a field counts, and how it is called.
+struct FieldName {
+    const char* name;
+    Measure measure = Measure::Plain;
+    std::optional<femoop::Dimension> dimension{};
+    bool has_ends = false; ///< along a curve: another value at its end can be given
 };
 
 Value value_of(const std::optional<Field>& field, bool is_end)
@@ -192,6 +197,59 @@ void set_value(std::optional<Field>& field, bool is_end, const Value& value)
 bool is_in_numbers(const std::optional<Field>& field)
 {
     return !field || std::holds_alternative<Quantity>(field->form) || std::holds_alternative<Field::Ends>(field->form);
+}
+
+/// One number of a field that is the same everywhere; along a curve another one for its end. `own(document)` is the
+/// address of the field.
+template <class Own>
+void add_field(std::vector<Number>& all, const FieldName& of, const std::optional<Field>& shown, Own own)
+{
+    if (!is_in_numbers(shown)) return;
+    for (const bool is_end : {false, true}) {
+        if (is_end && !of.has_ends) continue;
+        const auto sentence = is_end ? translatable("{q} at the end, if another") : std::string_view("{q}");
+        all.push_back({std::string(of.name) + (is_end ? " end" : ""), Message(sentence, {{"q", of.name}}), of.measure,
+                       value_of(shown, is_end), true,
+                       [=](Document& document, const Value& value) -> Objection {
+                           set_value(*own(document), is_end, value);
+                           return std::nullopt;
+                       },
+                       of.dimension});
+    }
+}
+
+/// Where a rotating body turns about: the origin until it is given.
+Number axis_coordinate(const SteadyRotation& shown, std::size_t axis,
+                       const std::function<SteadyRotation&(Document&)>& own)
+{
+    const bool is_given = shown.about.size() == 2;
+    return {axis == 0 ? "about x" : "about y",
+            axis == 0 ? translatable("x of the axis") : translatable("y of the axis"),
+            Measure::Length,
+            is_given ? Value(shown.about[axis]) : std::nullopt,
+            true,
+            [axis, own](Document& document, const Value& value) -> Objection {
+                std::vector<Quantity>& about = own(document).about;
+                about.resize(2, Quantity(0.0));
+                about[axis] = value.value_or(Quantity(0.0));
+                if (about[0].value() == 0.0 && about[1].value() == 0.0) about.clear();
+                return std::nullopt;
+            }};
+}
+
+void add_rotation(std::vector<Number>& all, const PlaneModel& model, const SteadyRotation& shown,
+                  const std::function<SteadyRotation&(Document&)>& own)
+{
+    all.push_back({"omega", translatable("Angular velocity ω"), Measure::Plain, shown.omega, false,
+                   [own](Document& document, const Value& value) -> Objection {
+                       if (!value) return Message(translatable("a value is needed here"));
+                       own(document).omega = *value;
+                       return std::nullopt;
+                   },
+                   femoop::Dimension{.time = -1, .angle = 1}});
+    // the axis of revolution is given; another place, which is a fault, can be taken away
+    if (model.analysis == femoop::StressState::Axisymmetric && shown.about.empty()) return;
+    for (const std::size_t axis : {0U, 1U}) all.push_back(axis_coordinate(shown, axis, own));
 }
 
 } // namespace
@@ -263,16 +321,9 @@ std::vector<Number> numbers(const PlaneModel& model, std::size_t load_case, std:
     const bool is_line = shown.kind == CurveLoadKind::Line;
     std::vector<Number> all;
     const auto add = [&](const char* name, std::optional<Field> CurveLoad::*field) {
-        if (!is_in_numbers(shown.*field)) return;
-        for (const bool is_end : {false, true}) {
-            const auto sentence = is_end ? translatable("{q} at the end, if another") : std::string_view("{q}");
-            all.push_back({std::string(name) + (is_end ? " end" : ""), Message(sentence, {{"q", name}}),
-                           is_line ? Measure::ForcePerLength : Measure::Stress, value_of(shown.*field, is_end), true,
-                           [=](Document& document, const Value& value) -> Objection {
-                               set_value(own_load(document, load_case, load, curve).*field, is_end, value);
-                               return std::nullopt;
-                           }});
-        }
+        add_field(all, {.name = name, .measure = is_line ? Measure::ForcePerLength : Measure::Stress, .has_ends = true},
+                  shown.*field,
+                  [=](Document& document) { return &(own_load(document, load_case, load, curve).*field); });
     };
     if (shown.kind == CurveLoadKind::Pressure) {
         add("p", &CurveLoad::value);
@@ -280,6 +331,33 @@ std::vector<Number> numbers(const PlaneModel& model, std::size_t load_case, std:
     }
     add("qx", &CurveLoad::qx);
     add("qy", &CurveLoad::qy);
+    return all;
+}
+
+std::vector<Number> numbers(const PlaneModel& model, std::size_t load_case, std::size_t load, RegionId region)
+{
+    const auto& shown = model.load_cases[load_case].regions[load].load;
+    const auto form = [=]<class Form>(Form* /*of*/) {
+        return [=](Document& document) -> Form& {
+            return std::get<Form>(own_load(document, load_case, load, region).load);
+        };
+    };
+    std::vector<Number> all;
+    const auto add = [&](const FieldName& of, const auto& load_shown, auto member) {
+        using Form = std::remove_cvref_t<decltype(load_shown)>;
+        add_field(all, of, load_shown.*member, [own = form(static_cast<Form*>(nullptr)), member](Document& document) {
+            return &(own(document).*member);
+        });
+    };
+    constexpr femoop::Dimension body_force{.length = -3, .force = 1};
+    if (const auto* const body = std::get_if<BodyForce>(&shown)) {
+        add({.name = "bx", .dimension = body_force}, *body, &BodyForce::bx);
+        add({.name = "by", .dimension = body_force}, *body, &BodyForce::by);
+    }
+    if (const auto* const heat = std::get_if<TemperatureRise>(&shown))
+        add({.name = "rise", .measure = Measure::Temperature}, *heat, &TemperatureRise::rise);
+    if (const auto* const rotation = std::get_if<SteadyRotation>(&shown))
+        add_rotation(all, model, *rotation, form(static_cast<SteadyRotation*>(nullptr)));
     return all;
 }
 

@@ -37,5 +37,7 @@ std::vector<Number> numbers(const PlaneModel& model, MaterialId material);
 std::vector<Number> numbers_of_case(const PlaneModel& model, std::size_t load_case);
 /// Of a load on a curve, as far as they are the same everywhere or linear along it.
 std::vector<Number> numbers(const PlaneModel& model, std::size_t load_case, std::size_t load, CurveId curve);
+/// Of a load on a region, as far as they are the same everywhere.
+std::vector<Number> numbers(const PlaneModel& model, std::size_t load_case, std::size_t load, RegionId region);
 
 } // namespace plane

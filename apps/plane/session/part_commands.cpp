@@ -136,12 +136,39 @@ constexpr std::array load_entries{
     LoadEntry{CurveLoadKind::Line, "load.line", translatable("Add a force per length")},
 };
 
-Reason why_no_load(const Workspace& workspace)
+using RegionLoadEntry = ui::Choice<RegionLoadKind>;
+constexpr std::array region_load_entries{
+    RegionLoadEntry{RegionLoadKind::Body, "load.body", translatable("Add a body force")},
+    RegionLoadEntry{RegionLoadKind::Temperature, "load.temperature", translatable("Add a rise of temperature")},
+    RegionLoadEntry{RegionLoadKind::Rotation, "load.rotation", translatable("Add a steady rotation")},
+};
+
+Reason why_no_case(const Workspace& workspace)
 {
-    if (selected<CurveId>(workspace) == nullptr) return translatable("select a curve first");
     const std::size_t n = workspace.session.model().load_cases.size();
     if (workspace.session.load_case < std::max<std::size_t>(n, 1)) return std::nullopt;
     return translatable("loads belong to a load case; a combination is shown");
+}
+
+Reason why_no_load(const Workspace& workspace)
+{
+    if (selected<CurveId>(workspace) == nullptr) return translatable("select a curve first");
+    return why_no_case(workspace);
+}
+
+Reason why_no_region_load(const Workspace& workspace)
+{
+    const auto region = workspace.session.selected_region();
+    if (!region || workspace.session.model()[*region].is_hole) return translatable("select a region first");
+    return why_no_case(workspace);
+}
+
+void add_load_to_region(Workspace& workspace, RegionLoadKind kind)
+{
+    const RegionId region = *workspace.session.selected_region();
+    workspace.change({translatable("Add a load"), [=, load_case = workspace.session.load_case](Document& document) {
+                          add_load(document, load_case, region, kind);
+                      }});
 }
 
 void add_load_to_curve(Workspace& workspace, CurveLoadKind kind)
@@ -159,6 +186,10 @@ void add_load_commands(CommandTable& table)
         menu.step(
             {entry.id, entry.label, {}},
             [kind = entry.value](Workspace& workspace) { add_load_to_curve(workspace, kind); }, why_no_load);
+    for (const RegionLoadEntry& entry : region_load_entries)
+        menu.step(
+            {entry.id, entry.label, {}},
+            [kind = entry.value](Workspace& workspace) { add_load_to_region(workspace, kind); }, why_no_region_load);
     menu.step({"case.add", translatable("Add a load case")}, [](Workspace& workspace) {
         workspace.change(
             {translatable("Add a load case"), [](Document& document) {
@@ -248,16 +279,26 @@ Reason select_named(Workspace& workspace, const ui::Argument& argument)
     return std::nullopt;
 }
 
-/// "thickness 12 mm": a number of what is selected, of a region's or of a curve's first load too.
+/// What a face's panel shows besides: of the region's material and of the case.
+void add_numbers_about(std::vector<Number>& all, const Session& session, RegionId region)
+{
+    const PlaneModel& model = session.model();
+    const auto add = [&all](std::vector<Number> more) {
+        for (Number& number : more) all.push_back(std::move(number));
+    };
+    if (!model[region].is_hole && model[region].material.index < model.materials.size())
+        add(numbers(model, model[region].material));
+    if (session.load_case < model.load_cases.size()) add(numbers_of_case(model, session.load_case));
+}
+
+/// "thickness 12 mm": a number of what is selected, of the first load too that has one of the name.
 Reason set_named(Workspace& workspace, const ui::Argument& argument)
 {
     const Part* const part = only_part(workspace);
     if (part == nullptr) return Message(translatable("nothing is selected"));
     std::vector<Number> all = numbers_of(workspace.session, *part);
-    if (const auto* const curve = std::get_if<CurveId>(part))
-        for (const std::size_t load : loads_on(workspace.session.model(), workspace.session.load_case, *curve))
-            for (Number& number : numbers(workspace.session.model(), workspace.session.load_case, load, *curve))
-                all.push_back(std::move(number));
+    for (Number& number : numbers_of_loads(workspace.session, *part)) all.push_back(std::move(number));
+    if (const auto region = workspace.session.selected_region()) add_numbers_about(all, workspace.session, *region);
     std::string known;
     for (const Number& number : all) {
         if (argument.text.starts_with(number.id + " "))
@@ -266,6 +307,13 @@ Reason set_named(Workspace& workspace, const ui::Argument& argument)
         known += (known.empty() ? "" : ", ") + number.id;
     }
     return argument.wanted("one of " + known + " and a number");
+}
+
+std::optional<RegionId> region_of(const Session& session, const Part& part)
+{
+    const auto* const place = std::get_if<FacePlace>(&part);
+    const auto face = place != nullptr ? session.face_of(*place) : std::nullopt;
+    return face ? session.drawing()->faces()[*face].region : std::nullopt;
 }
 
 } // namespace
@@ -287,8 +335,7 @@ Message title(const Session& session, const Part& part)
         return {translatable("Point {id}"), {{"id", model[*point].id}}};
     if (const auto* const curve = std::get_if<CurveId>(&part))
         return {translatable("Curve {id}"), {{"id", model[*curve].id}}};
-    const auto face = session.face_of(std::get<FacePlace>(part));
-    const auto region = face ? session.drawing()->faces()[*face].region : std::nullopt;
+    const auto region = region_of(session, part);
     if (!region) return translatable("Face without a region");
     return {model[*region].is_hole ? translatable("Hole {id}") : translatable("Region {id}"),
             {{"id", model[*region].id}}};
@@ -299,9 +346,21 @@ std::vector<Number> numbers_of(const Session& session, const Part& part)
     const PlaneModel& model = session.model();
     if (const auto* const point = std::get_if<NodeId>(&part)) return numbers(model, *point, session.load_case);
     if (const auto* const curve = std::get_if<CurveId>(&part)) return numbers(model, *curve);
-    const auto face = session.face_of(std::get<FacePlace>(part));
-    const auto region = face ? session.drawing()->faces()[*face].region : std::nullopt;
+    const auto region = region_of(session, part);
     return region ? numbers(model, *region) : std::vector<Number>{};
+}
+
+std::vector<Number> numbers_of_loads(const Session& session, const Part& part)
+{
+    std::vector<Number> all;
+    const auto add = [&](auto holder) {
+        for (const std::size_t load : loads_on(session.model(), session.load_case, holder))
+            for (Number& number : numbers(session.model(), session.load_case, load, holder))
+                all.push_back(std::move(number));
+    };
+    if (const auto* const curve = std::get_if<CurveId>(&part)) add(*curve);
+    if (const auto region = region_of(session, part)) add(*region);
+    return all;
 }
 
 Change change_of(const Message& whose, const Number& number, const std::optional<femoop::Quantity>& value, Step step)

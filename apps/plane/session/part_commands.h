@@ -17,6 +17,8 @@ ui::Message title(const Session& session, const Part& part);
 
 /// The numbers of a part, without those of its loads.
 std::vector<Number> numbers_of(const Session& session, const Part& part);
+/// Those of the loads of the case that is shown on a curve or in a face's region, one load after the other.
+std::vector<Number> numbers_of_loads(const Session& session, const Part& part);
 /// A change of a number, named after whose it is: a part, a material, a case.
 Change change_of(const ui::Message& whose, const Number& number, const std::optional<femoop::Quantity>& value,
                  Step step);

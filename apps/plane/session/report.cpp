@@ -81,9 +81,12 @@ private:
         for (const auto& load_case : model_.load_cases)
             text_ << '\n'
                   << tr_("Load case {id}", {{"id", load_case.id}}) << ": "
-                  << tr_("loads on points: {points}, on curves: {curves}",
+                  << tr_("loads on points: {points}, on curves: {curves}, in regions: {regions}; "
+                         "settlements: {settlements}",
                          {{"points", std::to_string(load_case.points.size())},
-                          {"curves", std::to_string(load_case.curves.size())}})
+                          {"curves", std::to_string(load_case.curves.size())},
+                          {"regions", std::to_string(load_case.regions.size())},
+                          {"settlements", std::to_string(load_case.settlements.size())}})
                   << '\n';
     }
 

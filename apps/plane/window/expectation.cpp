@@ -73,14 +73,19 @@ std::string loads(const Application& application)
     const Session& session = application.session();
     if (session.load_case >= session.model().load_cases.size()) return "nothing";
     std::string text;
-    const auto& loads = session.model().load_cases[session.load_case].curves;
-    for (std::size_t i = 0; i < loads.size(); ++i) {
+    const auto add = [&](std::size_t load, const auto& parts, auto first) {
         std::string names;
-        for (const CurveId curve : loads[i].curves) names += (names.empty() ? "" : "+") + session.model()[curve].id;
-        for (const Number& number : numbers(session.model(), session.load_case, i, loads[i].curves.front()))
+        for (const auto part : parts) names += (names.empty() ? "" : "+") + session.model()[part].id;
+        if (names.empty()) names = "all";
+        for (const Number& number : numbers(session.model(), session.load_case, load, first))
             if (number.value) names += " " + number.id + " " + ui::number_text(*number.value);
         append(text, names);
-    }
+    };
+    const femoop::plane::PlaneLoadCase& shown = session.model().load_cases[session.load_case];
+    for (std::size_t i = 0; i < shown.curves.size(); ++i)
+        add(i, shown.curves[i].curves, shown.curves[i].curves.front());
+    for (std::size_t i = 0; i < shown.regions.size(); ++i) // one without regions is of all
+        add(i, shown.regions[i].regions, RegionId(0U));
     return or_nothing(text);
 }
 

@@ -89,39 +89,63 @@ std::string_view load_word(CurveLoadKind kind)
     return translatable("Pressure");
 }
 
-void load_rows(Workspace& workspace, ui::NumberFields& fields, CurveId curve, std::size_t load)
+std::string load_title(const Session& session, CurveId /*curve*/, std::size_t load)
 {
-    const Session& session = workspace.session;
-    const ui::Catalogue tr = workspace.tr();
-    const std::size_t load_case = session.load_case;
-    const femoop::plane::CurveLoad shown = session.model().load_cases[load_case].curves[load]; // rows change it
-    ImGui::Separator();
-    ImGui::TextUnformatted(tr(load_word(shown.kind)).c_str());
-    number_rows(workspace, fields, title(session, curve), numbers(session.model(), load_case, load, curve));
-    const bool has_axes = shown.kind != CurveLoadKind::Pressure;
+    return session.tr()(load_word(session.model().load_cases[session.load_case].curves[load].kind));
+}
+
+std::string load_title(const Session& session, RegionId /*region*/, std::size_t load)
+{
+    const auto& shown = session.model().load_cases[session.load_case].regions[load];
+    constexpr std::array words{translatable("Body force"), translatable("Rise of temperature"),
+                               translatable("Steady rotation")}; // RegionLoadKind
+    return session.tr()(words.at(shown.load.index()));
+}
+
+void axes_row(Workspace& workspace, CurveId curve, std::size_t load)
+{
+    const std::size_t load_case = workspace.session.load_case;
+    const auto& shown = workspace.session.model().load_cases[load_case].curves[load];
+    if (shown.kind == CurveLoadKind::Pressure) return;
     bool is_local = shown.axes == femoop::LoadAxes::Local;
-    if (has_axes && ImGui::Checkbox(ui::label_beside_box(tr("Axes along the curve"), "load axes").c_str(), &is_local))
+    const std::string label = workspace.tr()("Axes along the curve");
+    if (ImGui::Checkbox(ui::label_beside_box(label, "load axes").c_str(), &is_local))
         workspace.change({translatable("Turn the axes of a load"), [=](Document& document) {
                               own_load(document, load_case, load, curve).axes = is_local ? femoop::LoadAxes::Local
                                                                                          : femoop::LoadAxes::Global;
                           }});
-    if (ui::wrapped_button(tr("Take the load away"), "take load"))
-        workspace.change({translatable("Take a load away"),
-                          [=](Document& document) { erase_load(document, load_case, load, curve); }});
 }
 
-void all_load_rows(Workspace& workspace, const CommandTable& commands, ui::NumberFields& fields, CurveId curve)
+void axes_row(Workspace& /*workspace*/, RegionId /*region*/, std::size_t /*load*/) {}
+
+template <class Id>
+void load_rows(Workspace& workspace, ui::NumberFields& fields, const Part& part, Id holder, std::size_t load)
+{
+    const Session& session = workspace.session;
+    const std::size_t load_case = session.load_case;
+    ImGui::Separator();
+    ImGui::TextUnformatted(load_title(session, holder, load).c_str());
+    number_rows(workspace, fields, title(session, part), numbers(session.model(), load_case, load, holder));
+    axes_row(workspace, holder, load);
+    if (ui::wrapped_button(workspace.tr()("Take the load away"), "take load"))
+        workspace.change({translatable("Take a load away"),
+                          [=](Document& document) { erase_load(document, load_case, load, holder); }});
+}
+
+template <class Id>
+void all_load_rows(Workspace& workspace, const CommandTable& commands, ui::NumberFields& fields, const Part& part,
+                   Id holder, const std::array<const char*, 3>& adding)
 {
     ImGui::Spacing();
-    for (const std::size_t load : loads_on(workspace.session.model(), workspace.session.load_case, curve)) {
-        const auto& now = loads_on(workspace.session.model(), workspace.session.load_case, curve);
+    for (const std::size_t load : loads_on(workspace.session.model(), workspace.session.load_case, holder)) {
+        const auto& now = loads_on(workspace.session.model(), workspace.session.load_case, holder);
         if (std::ranges::find(now, load) == now.end()) break; // it was taken away in this frame
         ImGui::PushID(static_cast<int>(load));
-        load_rows(workspace, fields, curve, load);
+        load_rows(workspace, fields, part, holder, load);
         ImGui::PopID();
     }
     ImGui::Spacing();
-    for (const char* id : {"load.traction", "load.pressure", "load.line"}) ui::command_button(workspace, commands, id);
+    for (const char* id : adding) ui::command_button(workspace, commands, id);
 }
 
 // ---- faces
@@ -158,6 +182,9 @@ void face_rows(Workspace& workspace, const CommandTable& commands, ui::NumberFie
     number_rows(workspace, fields, title(session, place), numbers_of(session, place));
     material_rows(workspace, fields, *region);
     mesh_rows(workspace, *region);
+    ImGui::Separator();
+    case_number_rows(workspace, fields);
+    all_load_rows(workspace, commands, fields, place, *region, {"load.body", "load.temperature", "load.rotation"});
 }
 
 void show_nothing_selected(Workspace& workspace)
@@ -220,6 +247,14 @@ void number_rows(Workspace& workspace, ui::NumberFields& fields, const ui::Messa
     for (const Number& number : all) number_row(workspace, fields, whose, number);
 }
 
+void case_number_rows(Workspace& workspace, ui::NumberFields& fields)
+{
+    const Session& session = workspace.session;
+    if (session.load_case >= session.model().load_cases.size()) return;
+    const ui::Message whose(translatable("Load case {id}"), {{"id", session.model().load_cases[session.load_case].id}});
+    number_rows(workspace, fields, whose, numbers_of_case(session.model(), session.load_case));
+}
+
 void properties_panel(Workspace& workspace, const CommandTable& commands, ui::NumberFields& fields)
 {
     const Session& session = workspace.session;
@@ -240,7 +275,7 @@ void properties_panel(Workspace& workspace, const CommandTable& commands, ui::Nu
     number_rows(workspace, fields, title(session, part), numbers_of(session, part));
     support_rows(workspace, commands, part);
     if (const auto* const curve = std::get_if<CurveId>(&part); curve != nullptr && session.is_selected(part))
-        all_load_rows(workspace, commands, fields, *curve);
+        all_load_rows(workspace, commands, fields, part, *curve, {"load.traction", "load.pressure", "load.line"});
 }
 
 } // namespace plane

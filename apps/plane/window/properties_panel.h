@@ -18,6 +18,9 @@ void name_row(Workspace& workspace, ui::NumberFields& fields, const Named& entry
 void number_rows(Workspace& workspace, ui::NumberFields& fields, const ui::Message& whose,
                  const std::vector<Number>& all);
 
+/// The numbers of the load case that is shown, such as its factor of self-weight; nothing for a combination.
+void case_number_rows(Workspace& workspace, ui::NumberFields& fields);
+
 /// A number as its field shows it: with its unit in the label, rounded, and as it is edited.
 struct ShownNumber {
     std::string label, text, exact;

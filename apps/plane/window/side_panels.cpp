@@ -55,8 +55,7 @@ void shown_case_rows(Workspace& workspace, ui::NumberFields& fields)
     const Session& session = workspace.session;
     if (session.load_case >= session.model().load_cases.size()) return;
     name_row(workspace, fields, femoop::CaseId(session.load_case));
-    const ui::Message whose(translatable("Load case {id}"), {{"id", session.model().load_cases[session.load_case].id}});
-    number_rows(workspace, fields, whose, numbers_of_case(session.model(), session.load_case));
+    case_number_rows(workspace, fields);
 }
 
 /// A line of the list of parts.

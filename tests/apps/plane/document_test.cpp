@@ -3,6 +3,7 @@
 #include "apps/plane/document/attributes.h"
 #include "apps/plane/document/curve_draft.h"
 #include "apps/plane/document/erase.h"
+#include "apps/plane/document/number.h"
 #include "apps/plane/document/outlines.h"
 #include "apps/plane/document/points.h"
 #include "apps/plane/document/regions.h"
@@ -269,6 +270,48 @@ TEST_CASE("A load that several curves share becomes a curve's own where it is ch
     CHECK(std::get<femoop::Quantity>(loads[loads_on(document.model, 0, CurveId(0U))[0]].qy.value().form) == 0.0);
     erase_load(document, 0, loads_on(document.model, 0, CurveId(2U))[0], CurveId(2U));
     CHECK(document.model.load_cases[0].curves.size() == 1);
+}
+
+TEST_CASE("A load of all regions becomes a region's own where it is changed there, and stays with the others")
+{
+    Document document = plate();
+    outline(document, {{70, 0}, {110, 0}, {110, 30}, {70, 30}});
+    make_region(document, {90, 12});
+    const RegionId first(0U), second(document.model.regions.size() - 1);
+    REQUIRE(first != second);
+    const std::size_t load = add_load(document, 0, first, RegionLoadKind::Temperature);
+    document.model.load_cases[0].regions[load].regions.clear(); // of all
+    CHECK(loads_on(document.model, 0, second).size() == 1);
+    numbers(document.model, 0, load, second).front().set(document, femoop::Quantity(25.0));
+    const auto& loads = document.model.load_cases[0].regions;
+    const auto rise_of = [&](RegionId region) {
+        const auto places = loads_on(document.model, 0, region);
+        REQUIRE(places.size() == 1);
+        return numbers(document.model, 0, places.front(), region).front().value.value().value();
+    };
+    CHECK(rise_of(second) == 25.0);
+    CHECK(rise_of(first) == 0.0);
+    erase_load(document, 0, loads_on(document.model, 0, second).front(), second);
+    CHECK(loads.size() == 1);
+    CHECK(loads_on(document.model, 0, second).empty());
+}
+
+TEST_CASE("A body force, a rise of temperature and a rotation are written and read back as they were given")
+{
+    using Named = std::pair<const char*, double>;
+    Document document = plate();
+    for (const auto kind : {RegionLoadKind::Body, RegionLoadKind::Temperature, RegionLoadKind::Rotation})
+        add_load(document, 0, RegionId(0U), kind);
+    const std::size_t last = 2;
+    for (const auto& [name, value] : {Named{"omega", 30.0}, Named{"about x", 4.0}, Named{"about y", -7.0}})
+        for (const Number& number : numbers(document.model, 0, last, RegionId(0U)))
+            if (number.id == name) number.set(document, femoop::Quantity(value));
+    const auto& given = std::get<femoop::plane::SteadyRotation>(document.model.load_cases[0].regions[last].load);
+    CHECK(given.omega.value() == 30.0);
+    REQUIRE(given.about.size() == 2);
+    CHECK(given.about[1].value() == -7.0);
+    const auto read = femoop::plane::examine_plane_model(femoop::plane::write_plane_model(document.model));
+    CHECK((read.model == document.model));
 }
 
 TEST_CASE("A support of the object form begins with what the keyword blocked")
