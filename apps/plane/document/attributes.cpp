@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <type_traits>
 #include <utility>
 
 #include "apps/plane/document/fresh_id.h"
@@ -229,6 +230,71 @@ void erase_load(Document& document, std::size_t load_case, std::size_t load, Reg
     own_load(document, load_case, load, region);
     auto& loads = document.model.load_cases[load_case].regions;
     loads.erase(loads.begin() + static_cast<std::ptrdiff_t>(load));
+}
+
+namespace {
+
+using femoop::plane::PlaneSettlement;
+
+bool moves(const PlaneSettlement& settlement, NodeId point) { return settlement.point == point; }
+bool moves(const PlaneSettlement& settlement, CurveId curve) { return is_among(settlement.curves, curve); }
+
+auto along(Dof dof) { return dof == Dof::ux ? &PlaneSettlement::ux : &PlaneSettlement::uy; }
+
+template <class Id> std::optional<Field> settlement_at(const PlaneModel& model, std::size_t load_case, Id part, Dof dof)
+{
+    if (load_case >= model.load_cases.size()) return std::nullopt;
+    for (const PlaneSettlement& settlement : model.load_cases[load_case].settlements)
+        if (moves(settlement, part) && settlement.*along(dof)) return settlement.*along(dof);
+    return std::nullopt;
+}
+
+/// Where the part's settlement in a direction stands, else one of its own to which it can be given.
+template <class Id> std::size_t place_of_settlement(std::vector<PlaneSettlement>& all, Id part, Dof dof)
+{
+    const auto is_it = [&](const PlaneSettlement& one) { return moves(one, part) && one.*along(dof); };
+    const auto is_own = [&](const PlaneSettlement& one) { return moves(one, part) && one.curves.size() < 2; };
+    auto found = std::ranges::find_if(all, is_it);
+    if (found == all.end()) found = std::ranges::find_if(all, is_own);
+    if (found == all.end()) {
+        PlaneSettlement made;
+        if constexpr (std::is_same_v<Id, NodeId>) made.point = part;
+        else made.curves = {part};
+        found = all.insert(all.end(), std::move(made));
+    }
+    return static_cast<std::size_t>(found - all.begin());
+}
+
+template <class Id>
+void edit_settlement(Document& document, std::size_t load_case, Id part, Dof dof, const FieldEdit& edit)
+{
+    auto& all = document.model.load_cases[some_case(document, load_case)].settlements;
+    const std::size_t place = place_of_settlement(all, part, dof);
+    if constexpr (std::is_same_v<Id, CurveId>) parted(all, place, &PlaneSettlement::curves, part);
+    edit(all[place].*along(dof));
+    if (!all[place].ux && !all[place].uy) all.erase(all.begin() + static_cast<std::ptrdiff_t>(place));
+}
+
+} // namespace
+
+std::optional<Field> settlement_of(const PlaneModel& model, std::size_t load_case, NodeId point, Dof dof)
+{
+    return settlement_at(model, load_case, point, dof);
+}
+
+std::optional<Field> settlement_of(const PlaneModel& model, std::size_t load_case, CurveId curve, Dof dof)
+{
+    return settlement_at(model, load_case, curve, dof);
+}
+
+void change_settlement(Document& document, std::size_t load_case, NodeId point, Dof dof, const FieldEdit& edit)
+{
+    edit_settlement(document, load_case, point, dof, edit);
+}
+
+void change_settlement(Document& document, std::size_t load_case, CurveId curve, Dof dof, const FieldEdit& edit)
+{
+    edit_settlement(document, load_case, curve, dof, edit);
 }
 
 std::optional<Quantity> force_on(const PlaneModel& model, std::size_t load_case, NodeId point, Dof dof)

@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <vector>
 
@@ -50,6 +51,17 @@ femoop::plane::CurveLoad& own_load(Document& document, std::size_t load_case, st
 femoop::plane::RegionLoad& own_load(Document& document, std::size_t load_case, std::size_t load, RegionId region);
 void erase_load(Document& document, std::size_t load_case, std::size_t load, CurveId curve);
 void erase_load(Document& document, std::size_t load_case, std::size_t load, RegionId region);
+
+/// How a support moves in a direction of its axes; nothing: not at all.
+std::optional<femoop::plane::Field> settlement_of(const PlaneModel& model, std::size_t load_case, NodeId point,
+                                                  femoop::Dof dof);
+std::optional<femoop::plane::Field> settlement_of(const PlaneModel& model, std::size_t load_case, CurveId curve,
+                                                  femoop::Dof dof);
+using FieldEdit = std::function<void(std::optional<femoop::plane::Field>&)>;
+/// Edits it for this part alone: one that other curves have too is parted from theirs.
+void change_settlement(Document& document, std::size_t load_case, NodeId point, femoop::Dof dof, const FieldEdit& edit);
+void change_settlement(Document& document, std::size_t load_case, CurveId curve, femoop::Dof dof,
+                       const FieldEdit& edit);
 
 /// The force on a point in a direction; nothing takes it away.
 std::optional<femoop::Quantity> force_on(const PlaneModel& model, std::size_t load_case, NodeId point, femoop::Dof dof);

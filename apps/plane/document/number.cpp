@@ -169,10 +169,13 @@ void add_shape(std::vector<Number>& all, const PlaneModel& model, CurveId curve)
 
 /// What a field counts, and how it is called.
 struct FieldName {
-    const char* name;
+    std::string name; ///< in scenarios
+    std::string q;    ///< its symbol
     Measure measure = Measure::Plain;
     std::optional<femoop::Dimension> dimension{};
     bool has_ends = false; ///< along a curve: another value at its end can be given
+    bool can_go = false;   ///< else what is taken away is 0
+    std::string_view label = "{q}", end_label = translatable("{q} at the end, if another");
 };
 
 Value value_of(const std::optional<Field>& field, bool is_end)
@@ -199,19 +202,22 @@ bool is_in_numbers(const std::optional<Field>& field)
     return !field || std::holds_alternative<Quantity>(field->form) || std::holds_alternative<Field::Ends>(field->form);
 }
 
-/// One number of a field that is the same everywhere; along a curve another one for its end. `own(document)` is the
-/// address of the field.
-template <class Own>
-void add_field(std::vector<Number>& all, const FieldName& of, const std::optional<Field>& shown, Own own)
+/// One number of a field that is the same everywhere; along a curve another one for its end. `change(document, edit)`
+/// edits the field there.
+template <class Change>
+void add_field(std::vector<Number>& all, const FieldName& of, const std::optional<Field>& shown, Change change)
 {
     if (!is_in_numbers(shown)) return;
     for (const bool is_end : {false, true}) {
         if (is_end && !of.has_ends) continue;
-        const auto sentence = is_end ? translatable("{q} at the end, if another") : std::string_view("{q}");
-        all.push_back({std::string(of.name) + (is_end ? " end" : ""), Message(sentence, {{"q", of.name}}), of.measure,
-                       value_of(shown, is_end), true,
-                       [=](Document& document, const Value& value) -> Objection {
-                           set_value(*own(document), is_end, value);
+        const Message label(is_end ? of.end_label : of.label, {{"q", of.q}});
+        all.push_back({of.name + (is_end ? " end" : ""), label, of.measure, value_of(shown, is_end), true,
+                       [=, can_go = of.can_go](Document& document, const Value& value) -> Objection {
+                           change(document, [&](std::optional<Field>& field) {
+                               const bool goes = can_go && !value && !is_end && !value_of(field, true);
+                               if (goes) field.reset();
+                               else set_value(field, is_end, value);
+                           });
                            return std::nullopt;
                        },
                        of.dimension});
@@ -252,6 +258,41 @@ void add_rotation(std::vector<Number>& all, const PlaneModel& model, const Stead
     for (const std::size_t axis : {0U, 1U}) all.push_back(axis_coordinate(shown, axis, own));
 }
 
+/// Of a case; a combination has no loads of its own. Where there is no case yet, the first load makes one.
+bool is_case(const PlaneModel& model, std::size_t load_case)
+{
+    return load_case < std::max<std::size_t>(model.load_cases.size(), 1);
+}
+
+bool is_held(const std::optional<PlaneSupport>& support, Dof dof)
+{
+    return support && (support->blocked().contains(dof) ||
+                       std::ranges::find(support->springs, dof, &femoop::Spring::dof) != support->springs.end());
+}
+
+/// Of the directions that are held, and of others that the file moves: those are faults, and can be taken away.
+template <class Id>
+void add_settlements(std::vector<Number>& all, const PlaneModel& model, Id part, std::size_t load_case)
+{
+    if (!is_case(model, load_case)) return;
+    for (const Dof dof : {Dof::ux, Dof::uy}) {
+        const std::optional<Field> shown = settlement_of(model, load_case, part, dof);
+        if (!shown && !is_held(model[part].support, dof)) continue;
+        const std::string q(femoop::name(dof));
+        add_field(all,
+                  {.name = "settlement " + q,
+                   .q = q,
+                   .measure = Measure::Displacement,
+                   .has_ends = std::is_same_v<Id, CurveId>,
+                   .can_go = true,
+                   .label = translatable("Settlement {q}"),
+                   .end_label = translatable("Settlement {q} at the end, if another")},
+                  shown, [=](Document& document, const FieldEdit& edit) {
+                      change_settlement(document, load_case, part, dof, edit);
+                  });
+    }
+}
+
 } // namespace
 
 std::vector<Number> numbers(const PlaneModel& model, NodeId point, std::size_t load_case)
@@ -259,14 +300,15 @@ std::vector<Number> numbers(const PlaneModel& model, NodeId point, std::size_t l
     std::vector<Number> all{coordinate(model, point, 0), coordinate(model, point, 1)};
     const auto holder = [point](auto& of) -> auto& { return of.points[point.index]; };
     add_support(all, model, holder, femoop::dimension::force_per_length);
-    all.push_back(force(model, point, load_case, Dof::ux));
-    all.push_back(force(model, point, load_case, Dof::uy));
+    add_settlements(all, model, point, load_case);
+    if (is_case(model, load_case))
+        for (const Dof dof : {Dof::ux, Dof::uy}) all.push_back(force(model, point, load_case, dof));
     all.push_back(number_at("size", translatable("Element size"), Measure::Length, model,
                             [holder](auto& of) { return &holder(of).size; }));
     return all;
 }
 
-std::vector<Number> numbers(const PlaneModel& model, CurveId curve)
+std::vector<Number> numbers(const PlaneModel& model, CurveId curve, std::size_t load_case)
 {
     std::vector<Number> all;
     if (!model[curve].shape) return all;
@@ -274,6 +316,7 @@ std::vector<Number> numbers(const PlaneModel& model, CurveId curve)
     all.push_back(parts_number(model, curve));
     all.push_back(ratio_number(model, curve));
     add_support(all, model, [curve](auto& of) -> auto& { return of.curves[curve.index]; }, {.length = -3, .force = 1});
+    add_settlements(all, model, curve, load_case);
     return all;
 }
 
@@ -321,9 +364,12 @@ std::vector<Number> numbers(const PlaneModel& model, std::size_t load_case, std:
     const bool is_line = shown.kind == CurveLoadKind::Line;
     std::vector<Number> all;
     const auto add = [&](const char* name, std::optional<Field> CurveLoad::*field) {
-        add_field(all, {.name = name, .measure = is_line ? Measure::ForcePerLength : Measure::Stress, .has_ends = true},
-                  shown.*field,
-                  [=](Document& document) { return &(own_load(document, load_case, load, curve).*field); });
+        add_field(
+            all,
+            {.name = name, .q = name, .measure = is_line ? Measure::ForcePerLength : Measure::Stress, .has_ends = true},
+            shown.*field, [=](Document& document, const FieldEdit& edit) {
+                edit(own_load(document, load_case, load, curve).*field);
+            });
     };
     if (shown.kind == CurveLoadKind::Pressure) {
         add("p", &CurveLoad::value);
@@ -345,17 +391,18 @@ std::vector<Number> numbers(const PlaneModel& model, std::size_t load_case, std:
     std::vector<Number> all;
     const auto add = [&](const FieldName& of, const auto& load_shown, auto member) {
         using Form = std::remove_cvref_t<decltype(load_shown)>;
-        add_field(all, of, load_shown.*member, [own = form(static_cast<Form*>(nullptr)), member](Document& document) {
-            return &(own(document).*member);
-        });
+        add_field(all, of, load_shown.*member,
+                  [own = form(static_cast<Form*>(nullptr)), member](Document& document, const FieldEdit& edit) {
+                      edit(own(document).*member);
+                  });
     };
     constexpr femoop::Dimension body_force{.length = -3, .force = 1};
     if (const auto* const body = std::get_if<BodyForce>(&shown)) {
-        add({.name = "bx", .dimension = body_force}, *body, &BodyForce::bx);
-        add({.name = "by", .dimension = body_force}, *body, &BodyForce::by);
+        add({.name = "bx", .q = "bx", .dimension = body_force}, *body, &BodyForce::bx);
+        add({.name = "by", .q = "by", .dimension = body_force}, *body, &BodyForce::by);
     }
     if (const auto* const heat = std::get_if<TemperatureRise>(&shown))
-        add({.name = "rise", .measure = Measure::Temperature}, *heat, &TemperatureRise::rise);
+        add({.name = "rise", .q = "ΔT", .measure = Measure::Temperature}, *heat, &TemperatureRise::rise);
     if (const auto* const rotation = std::get_if<SteadyRotation>(&shown))
         add_rotation(all, model, *rotation, form(static_cast<SteadyRotation*>(nullptr)));
     return all;

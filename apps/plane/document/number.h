@@ -27,10 +27,10 @@ struct Number {
     std::optional<femoop::Dimension> dimension{};
 };
 
-/// All the numbers of a point or a curve, in the order in which a person would ask for them, with forces and loads of a
-/// load case. \pre the part is there
+/// All the numbers of a point or a curve, in the order in which a person would ask for them, with the settlements of a
+/// support and the forces of a load case; of a combination without them. \pre the part is there
 std::vector<Number> numbers(const PlaneModel& model, NodeId point, std::size_t load_case);
-std::vector<Number> numbers(const PlaneModel& model, CurveId curve);
+std::vector<Number> numbers(const PlaneModel& model, CurveId curve, std::size_t load_case);
 std::vector<Number> numbers(const PlaneModel& model, RegionId region);
 std::vector<Number> numbers(const PlaneModel& model, MaterialId material);
 /// Of a load case: its factor of self-weight.

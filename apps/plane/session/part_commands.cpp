@@ -299,13 +299,16 @@ Reason set_named(Workspace& workspace, const ui::Argument& argument)
     std::vector<Number> all = numbers_of(workspace.session, *part);
     for (Number& number : numbers_of_loads(workspace.session, *part)) all.push_back(std::move(number));
     if (const auto region = workspace.session.selected_region()) add_numbers_about(all, workspace.session, *region);
+    const Number* meant = nullptr; // "qy end" rather than "qy"
     std::string known;
     for (const Number& number : all) {
-        if (argument.text.starts_with(number.id + " "))
-            return set_typed(workspace, title(workspace.session, *part), number,
-                             argument.text.substr(number.id.size() + 1));
+        const bool is_meant = argument.text.starts_with(number.id + " ");
+        if (is_meant && (meant == nullptr || number.id.size() > meant->id.size())) meant = &number;
         known += (known.empty() ? "" : ", ") + number.id;
     }
+    if (meant != nullptr)
+        return set_typed(workspace, title(workspace.session, *part), *meant,
+                         argument.text.substr(meant->id.size() + 1));
     return argument.wanted("one of " + known + " and a number");
 }
 
@@ -345,7 +348,7 @@ std::vector<Number> numbers_of(const Session& session, const Part& part)
 {
     const PlaneModel& model = session.model();
     if (const auto* const point = std::get_if<NodeId>(&part)) return numbers(model, *point, session.load_case);
-    if (const auto* const curve = std::get_if<CurveId>(&part)) return numbers(model, *curve);
+    if (const auto* const curve = std::get_if<CurveId>(&part)) return numbers(model, *curve, session.load_case);
     const auto region = region_of(session, part);
     return region ? numbers(model, *region) : std::vector<Number>{};
 }

@@ -89,6 +89,30 @@ std::string loads(const Application& application)
     return or_nothing(text);
 }
 
+// "bottom uy 0.25": of the case that is shown
+std::string settlements(const Application& application)
+{
+    const Session& session = application.session();
+    const auto of_part = [](const std::string& id, const std::vector<Number>& numbers) {
+        constexpr std::string_view settlement = "settlement";
+        std::string values;
+        for (const Number& number : numbers)
+            if (number.value && number.id.starts_with(settlement))
+                values += number.id.substr(settlement.size()) + " " + ui::number_text(*number.value);
+        return values.empty() ? values : id + values;
+    };
+    std::string text;
+    const auto add = [&](const std::string& more) {
+        if (!more.empty()) append(text, more);
+    };
+    const PlaneModel& shown = session.model();
+    for (std::size_t i = 0; i < shown.points.size(); ++i)
+        add(of_part(shown.points[i].id, numbers(shown, NodeId(i), session.load_case)));
+    for (std::size_t i = 0; i < shown.curves.size(); ++i)
+        add(of_part(shown.curves[i].id, numbers(shown, CurveId(i), session.load_case)));
+    return or_nothing(text);
+}
+
 std::string gap(const Application& application)
 {
     const auto found = told_gap(application.workspace());
@@ -212,6 +236,7 @@ const ui::Facts<Application>& facts()
             {"selection", selection},
             {"supports", supports},
             {"loads", loads},
+            {"settlements", settlements},
             {"problems", [](const Application& a) { return std::to_string(a.session().solution().faults().size()); }},
             {"gap", gap},
             {"dispute", dispute},

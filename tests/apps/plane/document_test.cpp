@@ -296,6 +296,49 @@ TEST_CASE("A load of all regions becomes a region's own where it is changed ther
     CHECK(loads_on(document.model, 0, second).empty());
 }
 
+TEST_CASE(
+    "A settlement that curves share becomes a curve's own where it is changed there, and goes where nothing is left")
+{
+    Document document = plate();
+    const CurveId below(0U), beside(3U);
+    for (const CurveId curve : {below, beside}) set_support(document, curve, PlaneSupportKind::Fixed);
+    document.model.load_cases.resize(1);
+    auto& settlements = document.model.load_cases[0].settlements;
+    const femoop::plane::Field down{femoop::Quantity(-3.0)};
+    settlements.push_back({.point = {}, .curves = {below, beside}, .ux = {}, .uy = down});
+    const auto give = [&](CurveId curve, std::string_view name, const std::optional<femoop::Quantity>& value) {
+        for (const Number& number : numbers(document.model, curve, 0))
+            if (number.id == name) number.set(document, value);
+    };
+    give(beside, "settlement uy", femoop::Quantity(-5.0));
+    CHECK(settlements.size() == 2);
+    CHECK((settlement_of(document.model, 0, below, femoop::Dof::uy) == down));
+    give(beside, "settlement ux", femoop::Quantity(2.0));
+    give(beside, "settlement uy", std::nullopt);
+    CHECK_FALSE(settlement_of(document.model, 0, beside, femoop::Dof::uy));
+    CHECK(settlement_of(document.model, 0, beside, femoop::Dof::ux));
+    give(beside, "settlement ux", std::nullopt);
+    CHECK(settlements.size() == 1);
+}
+
+TEST_CASE("A support settles in the directions that it holds, and no other is offered")
+{
+    Document document = plate();
+    const auto ids = [&] {
+        std::string all;
+        for (const Number& number : numbers(document.model, NodeId(0U), 0))
+            if (number.id.starts_with("settlement")) all += number.id + ".";
+        return all;
+    };
+    CHECK(ids().empty());
+    set_support(document, NodeId(0U), PlaneSupportKind::Roller);
+    CHECK(ids() == "settlement uy.");
+    set_support(document, NodeId(0U), PlaneSupportKind::Custom);
+    set_hold(document.model.points[0].support.value(), femoop::Dof::uy, Hold::Free);
+    set_spring(document.model.points[0].support.value(), femoop::Dof::ux, femoop::Quantity(40.0));
+    CHECK(ids() == "settlement ux.");
+}
+
 TEST_CASE("A body force, a rise of temperature and a rotation are written and read back as they were given")
 {
     using Named = std::pair<const char*, double>;
