@@ -36,5 +36,8 @@ CurveId draw_curve(Document& document, const CurveDraft& draft);
 
 /// The point at this very place, made where there is none.
 NodeId point_at(Document& document, const DraftPlace& place);
+/// The same, as a further corner of the lines on whose sides it lies: where it is dragged later, they follow. Their
+/// divisions, which are those of every piece, stay; of a list of one for each side, both halves get the side's.
+NodeId corner_at(Document& document, const DraftPlace& place);
 
 } // namespace plane

@@ -212,7 +212,7 @@ void type_place(Workspace& workspace, const FlatPoint& place)
         aim.snap = {place, SnapKind::Free};
         return workspace.draw(hand.click(aim));
     }
-    workspace.change({translatable("Place a point"), [place](Document& document) { point_at(document, {place}); }});
+    workspace.change({translatable("Place a point"), [place](Document& document) { corner_at(document, {place}); }});
 }
 
 } // namespace plane

@@ -214,7 +214,7 @@ void Canvas::press(Workspace& workspace, const Aim& aim)
     if (hand.tool() == ToolKind::Erase && aim.reading) return readings.remove(*aim.reading);
     if (hand.tool() == ToolKind::Point) {
         workspace.change({translatable("Place a point"), [place = DraftPlace{aim.snap.place, aim.snap.point}](
-                                                             Document& document) { point_at(document, place); }});
+                                                             Document& document) { corner_at(document, place); }});
     } else if (hand.tool() == ToolKind::Erase) {
         if (aim.under && !std::holds_alternative<FacePlace>(*aim.under))
             workspace.change({translatable("Erase"),

@@ -250,6 +250,51 @@ TEST_CASE("An outline whose whole side is missing is open there, however wide, a
     CHECK(closed.faces()[0].area == doctest::Approx(0.5 * 70.0 * (30.0 + 31.0))); // nothing moved: a line was drawn
 }
 
+TEST_CASE("A point on a side is a corner of it: dragged, the line bends, and goes back where the point is erased")
+{
+    Document document = plate(); // 70 by 30
+    const double whole = Drawing(document.model).faces()[0].area;
+    const std::size_t load = add_load(document, 0, CurveId(2U), femoop::plane::CurveLoadKind::Pressure);
+    const NodeId corner = corner_at(document, {{31, 30}});
+    CHECK(document.model.curves.size() == 4);
+    REQUIRE(document.model.curves[2].shape.value().places.size() == 3);
+    CHECK(Drawing(document.model).faces()[0].area == doctest::Approx(whole));
+    move_point(document, corner, {31, 38});
+    CHECK(Drawing(document.model).faces()[0].area == doctest::Approx(whole + 0.5 * 70.0 * 8.0));
+    CHECK(document.model.load_cases[0].curves[load].curves.front() == CurveId(2U));
+    const std::array gone{Part(corner)};
+    erase_parts(document, gone);
+    CHECK(document.model.curves[2].shape.value().places.size() == 2);
+    CHECK(Drawing(document.model).faces()[0].area == doctest::Approx(whole));
+}
+
+TEST_CASE("A closed line gets a corner in its last side too, and both halves of a side the division that it had")
+{
+    Document document = new_document();
+    const CurveId line = draw_curve(document, {.places = {{{0, 0}}, {{70, 0}}, {{35, 60}}}, .is_closed = true});
+    auto& shape = document.model.curves[line.index].shape.value();
+    shape.divide = {{.n = 3}, {.n = 5}, {.n = 7}};
+    shape.is_divided_by_piece = true;
+    const NodeId corner = corner_at(document, {{17.5, 30}});
+    REQUIRE(shape.places.size() == 4);
+    CHECK(shape.places[3].point == corner);
+    REQUIRE(shape.divide.size() == 4);
+    CHECK(shape.divide[3].n == 7);
+    CHECK(corner_at(document, {{17.5, 30}}) == corner); // once is enough
+    CHECK(shape.places.size() == 4);
+}
+
+TEST_CASE("A point on a circle is no corner, and one beside a side is none either")
+{
+    Document document = plate();
+    corner_at(document, {{31, 30.5}});
+    CHECK(document.model.curves[2].shape.value().places.size() == 2);
+    const CurveId circle = draw_curve(document,
+                                      {.kind = DrawnKind::Circle, .center = DraftPlace{{20, 15}}, .radius = 5.0});
+    corner_at(document, {{25, 15}});
+    CHECK(document.model.curves[circle.index].shape.value().places.empty());
+}
+
 TEST_CASE("A line that stands alone leaves no gap")
 {
     Document document = new_document();
