@@ -15,31 +15,6 @@ using ui::Measure;
 
 namespace {
 
-Dimension dimension_measured(Measure measure)
-{
-    switch (measure) {
-    case Measure::Plain: break;
-    case Measure::Length:
-    case Measure::Displacement:
-    case Measure::SectionLength: return dimension::length;
-    case Measure::Rotation:
-    case Measure::Angle: return dimension::angle;
-    case Measure::Force: return dimension::force;
-    case Measure::Moment: return dimension::moment;
-    case Measure::ForcePerLength: return dimension::force_per_length;
-    case Measure::MomentPerLength: return dimension::moment_per_length;
-    case Measure::MomentPerAngle: return dimension::moment_per_angle;
-    case Measure::Stress:
-    case Measure::FoundationModulus: return dimension::stress;
-    case Measure::Area: return dimension::area;
-    case Measure::SecondMoment: return dimension::second_moment;
-    case Measure::Density: return dimension::density;
-    case Measure::Temperature: return dimension::temperature;
-    case Measure::Expansion: return dimension::expansion;
-    }
-    return dimension::none;
-}
-
 /// A number with a unit as files have it: calculated, with a decimal point, the unit as it is shown or as files have
 /// it.
 std::string as_in_file(std::string_view text)
@@ -67,6 +42,31 @@ std::variant<Quantity, Fault> typed_quantity(std::string_view text, Dimension di
 }
 
 } // namespace
+
+Dimension dimension_measured(Measure measure)
+{
+    switch (measure) {
+    case Measure::Plain: break;
+    case Measure::Length:
+    case Measure::Displacement:
+    case Measure::SectionLength: return dimension::length;
+    case Measure::Rotation:
+    case Measure::Angle: return dimension::angle;
+    case Measure::Force: return dimension::force;
+    case Measure::Moment: return dimension::moment;
+    case Measure::ForcePerLength: return dimension::force_per_length;
+    case Measure::MomentPerLength: return dimension::moment_per_length;
+    case Measure::MomentPerAngle: return dimension::moment_per_angle;
+    case Measure::Stress:
+    case Measure::FoundationModulus: return dimension::stress;
+    case Measure::Area: return dimension::area;
+    case Measure::SecondMoment: return dimension::second_moment;
+    case Measure::Density: return dimension::density;
+    case Measure::Temperature: return dimension::temperature;
+    case Measure::Expansion: return dimension::expansion;
+    }
+    return dimension::none;
+}
 
 std::variant<Quantity, Fault> quantity_typed(std::string_view text, Measure measure, const Units& file,
                                              const ui::DisplayUnits& shown)

@@ -21,6 +21,9 @@ std::variant<femoop::Quantity, femoop::Fault> quantity_typed(std::string_view te
 std::variant<femoop::Quantity, femoop::Fault> quantity_typed(std::string_view text, femoop::Dimension dimension,
                                                              const femoop::Units& file, const ui::DisplayUnit& shown);
 
+/// That of what is measured; none of a plain number.
+femoop::Dimension dimension_measured(ui::Measure measure);
+
 /// The names and sizes of the file's base units, for ui::DisplayUnits.
 ui::BaseUnits base_units(const femoop::Units& units);
 

@@ -202,25 +202,35 @@ bool is_in_numbers(const std::optional<Field>& field)
     return !field || std::holds_alternative<Quantity>(field->form) || std::holds_alternative<Field::Ends>(field->form);
 }
 
-/// One number of a field that is the same everywhere; along a curve another one for its end. `change(document, edit)`
-/// edits the field there.
+/// One number of a field that is the same everywhere, along a curve another one for its end, or the field that varies
+/// otherwise. `change(document, edit)` edits it there.
 template <class Change>
 void add_field(std::vector<Number>& all, const FieldName& of, const std::optional<Field>& shown, Change change)
 {
-    if (!is_in_numbers(shown)) return;
+    const bool is_plain = is_in_numbers(shown);
     for (const bool is_end : {false, true}) {
-        if (is_end && !of.has_ends) continue;
+        if (is_end && !(of.has_ends && is_plain)) continue;
         const Message label(is_end ? of.end_label : of.label, {{"q", of.q}});
-        all.push_back({of.name + (is_end ? " end" : ""), label, of.measure, value_of(shown, is_end), true,
-                       [=, can_go = of.can_go](Document& document, const Value& value) -> Objection {
-                           change(document, [&](std::optional<Field>& field) {
-                               const bool goes = can_go && !value && !is_end && !value_of(field, true);
-                               if (goes) field.reset();
-                               else set_value(field, is_end, value);
-                           });
-                           return std::nullopt;
-                       },
-                       of.dimension});
+        Number number{of.name + (is_end ? " end" : ""),
+                      label,
+                      of.measure,
+                      value_of(shown, is_end),
+                      true,
+                      [=, can_go = of.can_go](Document& document, const Value& value) -> Objection {
+                          change(document, [&](std::optional<Field>& field) {
+                              const bool goes = can_go && !value && !is_end && !value_of(field, true);
+                              if (goes) field.reset();
+                              else set_value(field, is_end, value);
+                          });
+                          return std::nullopt;
+                      },
+                      of.dimension};
+        if (!is_end)
+            number.set_field = [change](Document& document, const Field& given) {
+                change(document, [&](std::optional<Field>& field) { field = given; });
+            };
+        if (!is_plain) number.field = shown;
+        all.push_back(std::move(number));
     }
 }
 
@@ -294,6 +304,19 @@ void add_settlements(std::vector<Number>& all, const PlaneModel& model, Id part,
 }
 
 } // namespace
+
+Message form_of(const Field& field)
+{
+    if (const auto* const terms = std::get_if<Field::Polynomial>(&field.form))
+        return {translatable("polynomial, terms: {count}"), {{"count", std::to_string(terms->size())}}};
+    if (const auto* const table = std::get_if<Field::Table>(&field.form)) {
+        constexpr const char* along[] = {"x", "y", "r", "s"}; // Field::Along
+        return {
+            translatable("table along {along}, rows: {count}"),
+            {{"along", along[static_cast<std::size_t>(table->along)]}, {"count", std::to_string(table->rows.size())}}};
+    }
+    return translatable("a number");
+}
 
 std::vector<Number> numbers(const PlaneModel& model, NodeId point, std::size_t load_case)
 {

@@ -9,6 +9,7 @@
 #include "apps/plane/document/part.h"
 #include "femoop/model/quantity/dimension.h"
 #include "femoop/model/quantity/quantity.h"
+#include "femoop/plane/model/field.h"
 #include "ui/text/display_units.h"
 #include "ui/text/message.h"
 
@@ -25,7 +26,13 @@ struct Number {
     std::function<std::optional<ui::Message>(Document&, const std::optional<femoop::Quantity>&)> set;
     /// Of what has no measure: shown in the file's own units.
     std::optional<femoop::Dimension> dimension{};
+    /// Where a field may stand: gives it. Empty elsewhere.
+    std::function<void(Document&, const femoop::plane::Field&)> set_field{};
+    std::optional<femoop::plane::Field> field{}; ///< in place of the value: one that varies otherwise
 };
+
+/// "polynomial, terms: 2": how a field varies, to be translated.
+ui::Message form_of(const femoop::plane::Field& field);
 
 /// All the numbers of a point or a curve, in the order in which a person would ask for them, with the settlements of a
 /// support and the forces of a load case; of a combination without them. \pre the part is there
@@ -35,9 +42,9 @@ std::vector<Number> numbers(const PlaneModel& model, RegionId region);
 std::vector<Number> numbers(const PlaneModel& model, MaterialId material);
 /// Of a load case: its factor of self-weight.
 std::vector<Number> numbers_of_case(const PlaneModel& model, std::size_t load_case);
-/// Of a load on a curve, as far as they are the same everywhere or linear along it.
+/// Of a load on a curve.
 std::vector<Number> numbers(const PlaneModel& model, std::size_t load_case, std::size_t load, CurveId curve);
-/// Of a load on a region, as far as they are the same everywhere.
+/// Of a load on a region.
 std::vector<Number> numbers(const PlaneModel& model, std::size_t load_case, std::size_t load, RegionId region);
 
 } // namespace plane

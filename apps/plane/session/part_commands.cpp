@@ -9,6 +9,7 @@
 #include "apps/plane/document/erase.h"
 #include "apps/plane/document/fresh_id.h"
 #include "apps/plane/document/regions.h"
+#include "femoop/io/plane/field_text.h"
 #include "ui/scenario/words.h"
 
 namespace plane {
@@ -374,6 +375,13 @@ Change change_of(const Message& whose, const Number& number, const std::optional
 
 namespace {
 
+std::string reason_of(const Session& session, const femoop::Fault& fault)
+{
+    std::string reason = femoop::message(fault, [&](std::string_view words) { return session.tr()(words); });
+    if (reason.starts_with(": ")) reason.erase(0, 2); // the place, which the field itself shows
+    return reason;
+}
+
 /// What is typed, or what is wrong with it.
 std::variant<std::optional<femoop::Quantity>, Message> read_number(const Session& session, const Number& number,
                                                                    std::string_view text)
@@ -385,10 +393,32 @@ std::variant<std::optional<femoop::Quantity>, Message> read_number(const Session
                                                                   {femoop::unit_text(*number.dimension, units), 1.0})
                                         : drawing::quantity_typed(text, number.measure, units, session.units());
     if (const auto* const quantity = std::get_if<femoop::Quantity>(&typed)) return std::optional(*quantity);
-    std::string reason = femoop::message(std::get<femoop::Fault>(typed),
-                                         [&](std::string_view words) { return session.tr()(words); });
-    if (reason.starts_with(": ")) reason.erase(0, 2); // the place, which the field itself shows
-    return Message(reason);
+    return Message(reason_of(session, std::get<femoop::Fault>(typed)));
+}
+
+} // namespace
+
+namespace {
+
+/// What is typed as files have it: `[1, 3]` or an object.
+bool is_field_typed(const Number& number, std::string_view text)
+{
+    const std::size_t begin = text.find_first_not_of(' ');
+    return number.set_field && begin != std::string_view::npos && (text[begin] == '[' || text[begin] == '{');
+}
+
+std::optional<Message> set_field_typed(Session& session, const Message& whose, const Number& number,
+                                       std::string_view text)
+{
+    const femoop::Dimension dimension = number.dimension.value_or(drawing::dimension_measured(number.measure));
+    const auto read = femoop::plane::read_field(text, dimension, session.model().units);
+    if (const auto* const faults = std::get_if<std::vector<femoop::Fault>>(&read))
+        return Message(reason_of(session, faults->front()));
+    return session.change(
+        {Message(translatable("Change {number}: {part}"), {{"number", number.label}, {"part", whose}}),
+         [set = number.set_field, field = std::get<femoop::plane::Field>(read)](Document& document) {
+             set(document, field);
+         }});
 }
 
 } // namespace
@@ -397,6 +427,7 @@ std::optional<Message> set_typed(Workspace& workspace, const Message& whose, con
                                  std::string_view text)
 {
     Session& session = workspace.session;
+    if (is_field_typed(number, text)) return set_field_typed(session, whose, number, text);
     const auto read = read_number(session, number, text);
     if (const auto* const reason = std::get_if<Message>(&read)) return *reason;
     const auto& value = std::get<std::optional<femoop::Quantity>>(read);

@@ -8,6 +8,7 @@
 #include "apps/plane/session/drawing_commands.h"
 #include "apps/plane/session/part_commands.h"
 #include "apps/plane/view/probe_values.h"
+#include "femoop/io/plane/field_text.h"
 #include "ui/app/expectation.h"
 #include "ui/scenario/words.h"
 #include "ui/text/number_format.h"
@@ -68,6 +69,14 @@ std::string supports(const Application& application)
     return or_nothing(text);
 }
 
+/// " qx 100", or a field as files have it; nothing where it is not given.
+std::string given(const Number& number, std::string_view name)
+{
+    const std::string before = " " + std::string(name) + " ";
+    if (number.field) return before + femoop::plane::field_text(*number.field);
+    return number.value ? before + ui::number_text(*number.value) : "";
+}
+
 std::string loads(const Application& application)
 {
     const Session& session = application.session();
@@ -78,7 +87,7 @@ std::string loads(const Application& application)
         for (const auto part : parts) names += (names.empty() ? "" : "+") + session.model()[part].id;
         if (names.empty()) names = "all";
         for (const Number& number : numbers(session.model(), session.load_case, load, first))
-            if (number.value) names += " " + number.id + " " + ui::number_text(*number.value);
+            names += given(number, number.id);
         append(text, names);
     };
     const femoop::plane::PlaneLoadCase& shown = session.model().load_cases[session.load_case];
@@ -94,11 +103,11 @@ std::string settlements(const Application& application)
 {
     const Session& session = application.session();
     const auto of_part = [](const std::string& id, const std::vector<Number>& numbers) {
-        constexpr std::string_view settlement = "settlement";
+        constexpr std::string_view settlement = "settlement ";
         std::string values;
         for (const Number& number : numbers)
-            if (number.value && number.id.starts_with(settlement))
-                values += number.id.substr(settlement.size()) + " " + ui::number_text(*number.value);
+            if (number.id.starts_with(settlement))
+                values += given(number, std::string_view(number.id).substr(settlement.size()));
         return values.empty() ? values : id + values;
     };
     std::string text;

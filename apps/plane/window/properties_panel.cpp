@@ -12,6 +12,7 @@
 #include "apps/plane/session/part_commands.h"
 #include "apps/plane/window/material_rows.h"
 #include "apps/plane/window/mesh_rows.h"
+#include "femoop/io/plane/field_text.h"
 #include "ui/text/number_format.h"
 #include "ui/widgets/command_combo.h"
 #include "ui/widgets/command_menu.h"
@@ -219,6 +220,10 @@ ShownNumber shown(const Session& session, const Number& number)
     const std::string own_unit = number.dimension ? femoop::unit_text(*number.dimension, session.model().units) : "";
     row.label = number.dimension ? name + " [" + own_unit + "]" : units.label(name, number.measure);
     row.text = tr(number.is_optional ? translatable("not given") : "");
+    if (number.field) {
+        row.text = tr(form_of(*number.field));
+        row.exact = femoop::plane::field_text(*number.field);
+    }
     if (!number.value) return row;
     row.value = number.dimension ? number.value->value() : units.shown(*number.value, number.measure);
     row.text = ui::number_text(*row.value, units.format());

@@ -86,20 +86,6 @@ Combination PlaneReader::own_combination(JsonValue value, const Place& place)
     return combination(value, model.n_cases(), place);
 }
 
-std::vector<Quantity> PlaneReader::location(JsonValue value, const Place& place)
-{
-    std::vector<Quantity> at;
-    if (!value.is_present()) return at;
-    if (!value.is(JsonKind::Array) || value.size() != 2) {
-        reader_.add({FaultKind::CheckPlaceSize, {place.text(value.key())}});
-        return at;
-    }
-    const Place here = place.key(value.key());
-    for (std::size_t i = 0; const JsonValue entry : value)
-        at.push_back(reader_.quantity(entry, dimension::length, here.entry(i++)).value_or(no_number));
-    return at;
-}
-
 PlanePoint PlaneReader::point(JsonValue value, const Place& place)
 {
     const auto [id, at, support_value, size] = reader_.fields(value, point_keys, place);

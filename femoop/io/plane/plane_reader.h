@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "femoop/io/json/json_document.h"
-#include "femoop/io/reader/file_reader.h"
+#include "femoop/io/plane/field_reader.h"
 #include "femoop/plane/check/plane_check.h"
 #include "femoop/plane/model/plane_model.h"
 
@@ -15,7 +15,7 @@ namespace femoop::plane {
 
 /// Reads a plane model in the order in which its parts refer to each other, as `ModelReader` does one of members: what
 /// cannot be understood is noted and reading goes on. \pre the file is an object
-class PlaneReader : private FileReader {
+class PlaneReader : private FieldReader {
 public:
     PlaneReader(JsonValue file, std::vector<Fault> faults);
 
@@ -36,7 +36,6 @@ private:
     MeshOptions mesh_options(JsonValue value, const Place& place);
     enum class Holder : std::uint8_t { Point, Curve };
     std::optional<PlaneSupport> support(JsonValue value, Holder holder, const Place& place);
-    std::vector<Quantity> location(JsonValue value, const Place& place); ///< x and y; empty when absent
     template <class Id> std::vector<Id> references(JsonValue value, NameTable& names, const Place& place);
 
     // drawing_reader.cpp
@@ -56,11 +55,6 @@ private:
     CurveLoad curve_load(JsonValue value, const Place& place);
     RegionLoad region_load(JsonValue value, const Place& place);
     PlaneSettlement settlement(JsonValue value, const Place& place);
-    std::optional<Field> field_value(JsonValue value, Dimension dimension, const Place& place);
-    Field::Ends ends(JsonValue value, Dimension dimension, const Place& place);
-    Field::Polynomial polynomial(JsonValue value, Dimension dimension, const Place& place);
-    std::optional<Field::Term> term(JsonValue value, Dimension dimension, const Place& place);
-    Field::Table table(JsonValue object, JsonValue along, JsonValue rows, Dimension dimension, const Place& place);
 
     // plane_expected_reader.cpp
     PlaneExpected expected(JsonValue value, const Place& place);

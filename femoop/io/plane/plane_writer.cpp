@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "femoop/io/plane/curve_runs.h"
+#include "femoop/io/plane/field_text.h"
 #include "femoop/io/plane/plane_file.h"
 #include "femoop/io/plane/plane_names.h"
 #include "femoop/io/reader/names.h"
@@ -37,28 +38,9 @@ void add_location(ObjectText& object, std::string_view key, const std::vector<Qu
     if (!at.empty()) object.add(key, list_of(at));
 }
 
-std::string form_text(const Quantity& constant) { return json_text(constant); }
-std::string form_text(const Field::Ends& ends) { return json_list({json_text(ends.start), json_text(ends.end)}); }
-std::string form_text(const Field::Polynomial& terms)
-{
-    Lines texts;
-    for (const Field::Term& term : terms)
-        texts.push_back(json_list({json_text(term.factor), std::to_string(term.i), std::to_string(term.j)}));
-    return ObjectText().add("polynomial", json_list(texts)).str();
-}
-std::string form_text(const Field::Table& table)
-{
-    Lines rows;
-    for (const auto& [at, value] : table.rows) rows.push_back(json_list({json_text(at), json_text(value)}));
-    ObjectText object;
-    object.add("along", word(names::along, table.along));
-    add_location(object, "about", table.about);
-    return object.add("table", json_list(rows)).str();
-}
-
 void add_field(ObjectText& object, std::string_view key, const std::optional<Field>& field)
 {
-    if (field) object.add(key, std::visit([](const auto& form) { return form_text(form); }, field->form));
+    if (field) object.add(key, field_text(*field));
 }
 
 std::string text_of(const PlaneSupport& support)

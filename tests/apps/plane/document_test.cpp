@@ -8,7 +8,9 @@
 #include "apps/plane/document/points.h"
 #include "apps/plane/document/regions.h"
 #include "apps/plane/document/solution.h"
+#include "femoop/io/plane/field_text.h"
 #include "femoop/io/plane/plane_file.h"
+#include "ui/text/catalogue.h"
 
 #include <doctest/doctest.h>
 
@@ -382,6 +384,47 @@ TEST_CASE("A support settles in the directions that it holds, and no other is of
     set_hold(document.model.points[0].support.value(), femoop::Dof::uy, Hold::Free);
     set_spring(document.model.points[0].support.value(), femoop::Dof::ux, femoop::Quantity(40.0));
     CHECK(ids() == "settlement ux.");
+}
+
+TEST_CASE("A field is read as it is written, and refused where it is none")
+{
+    using namespace femoop::plane;
+    const femoop::Units units{};
+    for (const char* text : {"5", "\"5 kN/m^2\"", "[1.5, 3]", R"({"polynomial": [[2, 1, 0], [-3, 0, 2]]})",
+                             R"({"along": "y", "table": [[0, 4], [7, 9]]})",
+                             R"({"along": "r", "about": [3, 8], "table": [[2, 4], [7, 9]]})"}) {
+        CAPTURE(text);
+        const auto read = read_field(text, femoop::dimension::stress, units);
+        REQUIRE(std::holds_alternative<Field>(read));
+        CHECK(field_text(std::get<Field>(read)) == text);
+    }
+    for (const char* text :
+         {"2x + 3y", "[1]", "{}", R"({"polynomial": [[2, 1]]})", R"({"polynomial": []})", R"(["5 m", 1])",
+          R"({"along": "y", "table": [[7, 4], [0, 9]]})", R"({"along": "z", "table": [[0, 4]]})"}) {
+        CAPTURE(text);
+        const auto read = read_field(text, femoop::dimension::stress, units);
+        REQUIRE(std::holds_alternative<std::vector<femoop::Fault>>(read));
+        CHECK_FALSE(std::get<std::vector<femoop::Fault>>(read).empty());
+    }
+}
+
+TEST_CASE("A load that varies otherwise is told by its form, and a number takes its place")
+{
+    using femoop::plane::Field;
+    Document document = plate();
+    const CurveId curve(0U);
+    add_load(document, 0, curve, femoop::plane::CurveLoadKind::Traction);
+    const auto qx = [&] { return numbers(document.model, 0, 0, curve).front(); };
+    CHECK(numbers(document.model, 0, 0, curve).size() == 4); // each of two at both ends
+    const Field slope{Field::Polynomial{{femoop::Quantity(2.0), 1, 0}, {femoop::Quantity(-3.0), 0, 2}}};
+    qx().set_field(document, slope);
+    REQUIRE(qx().field);
+    CHECK((*qx().field == slope));
+    CHECK(ui::Catalogue()(form_of(*qx().field)) == "polynomial, terms: 2");
+    CHECK(numbers(document.model, 0, 0, curve).size() == 3);
+    qx().set(document, femoop::Quantity(4.0));
+    CHECK_FALSE(qx().field);
+    CHECK(qx().value.value().value() == 4.0);
 }
 
 TEST_CASE("A body force, a rise of temperature and a rotation are written and read back as they were given")
