@@ -11,7 +11,6 @@
 #include "apps/cli/console.h"
 #include "apps/cli/help.h"
 #include "apps/cli/subcommands.h"
-#include "femoop/analysis/mechanism.h"
 #include "femoop/model/check/suggestion.h"
 
 namespace cli {
@@ -100,10 +99,16 @@ private:
 
     ExitStatus run_one(Subcommand& subcommand)
     {
+        const std::string who = "cremona " + std::string(subcommand.name()) + ": ";
         try {
             return subcommand.run(console_);
         } catch (const UsageError& error) {
-            throw UsageError("cremona " + std::string(subcommand.name()) + ": " + error.what());
+            throw UsageError(who + error.what());
+        } catch (const femoop::ModelError& error) { // of what an option asks of the model
+            std::string lines;
+            for (const femoop::Fault& fault : error.faults())
+                lines += (lines.empty() ? "" : "\n") + who + console_.sentence(fault);
+            throw UsageError(lines);
         }
     }
 

@@ -96,6 +96,19 @@ TEST_CASE("Help and messages speak Portuguese with --lang pt, before or after th
     CHECK(cremona({"--lang", "pt"}).err == "nenhum comando foi dado; veja cremona --help\n");
 }
 
+TEST_CASE("A place beyond the end of a member is told in the user's language, by whatever option asks for it")
+{
+    for (const char* option : {"--why", "--virtual-work", "--force-method"}) {
+        CAPTURE(option);
+        const std::vector<std::string> words{"solve", "-", option, "member=AB,at=150%,component=M", "--lang", "pt"};
+        const Run run = cremona(words, cli_test::cantilever());
+        CHECK(run.status == 2);
+        CHECK(run.out.empty());
+        CHECK(run.err.starts_with("cremona solve: " + std::string(option) +
+                                  " member: \"at\" é 150%, além do fim da barra"));
+    }
+}
+
 TEST_CASE("A language that is not there is refused")
 {
     const Run run = cremona({"solve", "x.json", "--lang", "xx"});
