@@ -25,12 +25,14 @@ void draw_dashed_line(const Scene& scene, const MemberShape& member, double offs
     const double end = std::min(sketch.px(10.0), 0.1 * length);
     sketch.line(f(end, offset), f(length - end, offset), sketch.stroke(ui::Role::Temperature));
     if (!scene.shows(Show::Values)) return;
+    const ui::Point outward = offset > 0.0 ? f.y : -f.y;
     sketch.caption({.text = text,
                     .role = ui::Role::Temperature,
                     .target = f(0.5 * length, offset),
-                    .toward = offset > 0.0 ? f.y : -f.y,
+                    .toward = outward,
                     .rank = Rank::Load,
-                    .others = {f(0.35 * length, offset), f(0.65 * length, offset)}});
+                    .others = {f(0.35 * length, offset), f(0.65 * length, offset)},
+                    .side = ui::HalfPlane{f.origin, outward}}); // on the other side it would be the other fibre's
 }
 
 const ui::DashPattern imposed{4.0, 3.0}; // a displacement, not a force

@@ -29,6 +29,11 @@ view_test::Marks crowded_picture(const ui::Fonts& fonts, ShowSet show)
     return marks;
 }
 
+auto text_of(const view_test::Marks& marks, std::string_view begin)
+{
+    return std::ranges::find_if(marks.texts, [&](const auto& text) { return text.words.starts_with(begin); });
+}
+
 bool crosses(const ui::Box& box, ui::Point a, ui::Point b)
 {
     double from = 0.0;
@@ -60,8 +65,7 @@ TEST_CASE("The count of labels without room covers no label")
               .layout = Layout::Overlay});
         view_test::Marks marks(fonts);
         painter.picture().draw_on(marks);
-        const auto count = std::ranges::find_if(
-            marks.texts, [](const auto& text) { return text.words.starts_with("labels without room"); });
+        const auto count = text_of(marks, "labels without room");
         REQUIRE(count != marks.texts.end());
         CHECK(std::ranges::count_if(marks.texts, [&](const auto& text) { return text.box.overlaps(count->box); }) == 1);
     }
@@ -86,6 +90,27 @@ TEST_CASE("Why there are no results stands below the structure, and leaves it mo
             CAPTURE(text.words);
             const bool is_beside = text.box.min.x > first->box.max.x; // the count of labels that found no room
             CHECK((is_reason(text) || is_beside || text.box.max.y <= first->box.min.y));
+        }
+    }
+}
+
+TEST_CASE("The warmth of a fibre is written on its own side of the member, however crowded it is there")
+{
+    const ui::Fonts fonts;
+    for (const double q : {10.0, -10.0}) {
+        femoop::Model model = view_test::simple_beam(5.0, q);
+        model.load_cases[0].members.push_back({femoop::MemberId(0U), femoop::TemperatureLoad{30.0, 10.0}});
+        for (const double height : {200.0, 300.0, 700.0}) {
+            CAPTURE(q);
+            CAPTURE(height);
+            ui::Painter painter({450.0, height}, fonts);
+            draw(painter, {.model = model}, {.show = parse_show("loads,values"), .layout = Layout::Overlay});
+            view_test::Marks marks(fonts);
+            painter.picture().draw_on(marks);
+            const auto top = text_of(marks, "ΔT = +30"), bottom = text_of(marks, "ΔT = +10");
+            REQUIRE(top != marks.texts.end());
+            REQUIRE(bottom != marks.texts.end());
+            CHECK(top->box.max.y < bottom->box.min.y);
         }
     }
 }
