@@ -39,6 +39,17 @@ double Projection::nearness(const Eigen::Vector3d& place) const
     return std::get<ui::OrbitCamera>(camera_).nearness({place.x(), place.y(), place.z()});
 }
 
+std::optional<double> Projection::nearest_share(const Eigen::Vector3d& start, const Eigen::Vector3d& end,
+                                                ui::Point at) const
+{
+    constexpr double shortest = 1.0; // [px]
+    const ui::Point from = (*this)(start);
+    const ui::Point run = (*this)(end)-from;
+    const double square = dot(run, run);
+    if (square < shortest * shortest) return std::nullopt;
+    return dot(at - from, run) / square;
+}
+
 Eigen::Vector3d Projection::toward_eye() const
 {
     if (is_plane()) return Eigen::Vector3d::UnitZ();

@@ -4,6 +4,7 @@
 #include "ui/canvas/plane_camera.h"
 
 #include <Eigen/Core>
+#include <optional>
 #include <variant>
 
 namespace drawing {
@@ -36,6 +37,9 @@ public:
     /// Larger is nearer to the eye; 0 in the plane.
     double nearness(const Eigen::Vector3d& place) const;
     bool is_plane() const { return std::holds_alternative<ui::PlaneCamera>(camera_); }
+    /// Where a straight from `start` to `end` is seen nearest to a place of the sheet: a share of its length, beyond 0 to 1
+    /// beside it; nothing where the straight is seen end-on.
+    std::optional<double> nearest_share(const Eigen::Vector3d& start, const Eigen::Vector3d& end, ui::Point at) const;
     /// Unit vector from the model to the eye.
     Eigen::Vector3d toward_eye() const;
     const Camera& camera() const { return camera_; }

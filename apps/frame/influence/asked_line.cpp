@@ -181,19 +181,19 @@ bool AskedLine::stands_at(const AskedTrain::Place& place) const
            std::abs(*placing.position - place.position) <= near * found_.picture->path.length();
 }
 
-double AskedLine::nearest_on_path(const Eigen::Vector3d& place) const
+double AskedLine::nearest_on_path(const drawing::Projection& projection, ui::Point at) const
 {
     const std::vector<femoop::influence::PathMember>& path = found_.picture->path.members;
     double nearest = 0.0, least = std::numeric_limits<double>::infinity();
     for (const femoop::influence::PathMember& on : path) {
-        const femoop::MemberGeometry member = femoop::geometry_of(*found_.model, (*found_.model)[on.member]);
-        double s = on.s_of((place - member.start).dot(member.axes.row(0).transpose()));
+        const auto [start, end] = femoop::ends_of(*found_.model, (*found_.model)[on.member]);
+        const double length = (end - start).norm();
+        double s = on.s_of(projection.nearest_share(start, end, at).value_or(0.0) * length);
         if (&on != &path.front()) s = std::max(s, on.begin);
         if (&on != &path.back()) s = std::min(s, on.end());
-        const Eigen::Vector3d there = member.start + on.x_of(s) * member.axes.row(0).transpose();
-        const double distance = (place - there).norm();
-        if (distance >= least) continue;
-        least = distance;
+        const double away = ui::distance(projection(start + on.x_of(s) / length * (end - start)), at);
+        if (away >= least) continue;
+        least = away;
         nearest = s;
     }
     return nearest;

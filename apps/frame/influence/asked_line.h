@@ -1,6 +1,5 @@
 #pragma once
 
-#include <Eigen/Core>
 #include <cstdint>
 #include <memory>
 #include <optional>
@@ -9,6 +8,7 @@
 
 #include "apps/drawing/cut.h"
 #include "apps/drawing/draw_options.h"
+#include "apps/drawing/geometry/projection.h"
 #include "apps/drawing/results/influence_picture.h"
 #include "apps/drawing/results/train_picture.h"
 #include "apps/frame/document/named_effect.h"
@@ -114,8 +114,9 @@ public:
     const femoop::Model& loaded() const { return *found_.loaded; }
     /// Where its leading axle may be put. \pre it stands, and has axles
     femoop::influence::Stretch positions(bool reversed) const { return found_.search->positions(reversed); }
-    /// Of the place of the last picture's path, or of its straight prolongations, that is nearest. \pre there was one
-    double nearest_on_path(const Eigen::Vector3d& place) const;
+    /// Of the place of the last picture's path, or of its straight prolongations, that is seen nearest to one of the
+    /// sheet. \pre there was one
+    double nearest_on_path(const drawing::Projection& projection, ui::Point at) const;
 
 private:
     /// As the reader knows it.

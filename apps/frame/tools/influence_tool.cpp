@@ -23,11 +23,13 @@ std::optional<Change> InfluenceTool::press(const Work& work, const Aim& at)
     return std::nullopt;
 }
 
+bool InfluenceTool::takes_hold(const Work&, const Aim& at) const { return at.is_on_train || at.points_at_section(); }
+
 std::optional<InfluenceTool::Pull> InfluenceTool::pull_of(const AskedLine& line, const Aim& at)
 {
     const drawing::StandingTrain* const train = line.standing();
-    if (train == nullptr || !train->placing.position || !at.may_drag()) return std::nullopt;
-    return Pull{*train->placing.position - line.nearest_on_path({at.pointer.x(), at.pointer.y(), 0.0})};
+    if (train == nullptr || !train->placing.position) return std::nullopt;
+    return Pull{*train->placing.position - line.nearest_on_path(at.projection, at.on_sheet)};
 }
 
 // To the critical place where the leading axle comes near to it, else to round ones; Alt takes the place as it is.
@@ -35,7 +37,7 @@ void InfluenceTool::pull_train(AskedLine& line, const Pull& pull, const Aim& to)
 {
     constexpr double fine = 2.0, reach = 6.0; // [px]
     const bool is_reversed = line.standing()->placing.reversed;
-    double position = line.nearest_on_path({to.pointer.x(), to.pointer.y(), 0.0}) + pull.ahead;
+    double position = line.nearest_on_path(to.projection, to.on_sheet) + pull.ahead;
     const std::optional<AskedTrain::Place> worst = line.worst_place();
     if (!to.is_exact) {
         const double step = round_grid(fine * to.pixel);

@@ -32,11 +32,12 @@ double round_section(double x, double length, const Aim& at)
 
 std::optional<Cut> section_under(const femoop::Model& model, femoop::MemberId member, const Aim& to)
 {
-    if (!to.may_drag() || member.index >= model.members.size()) return std::nullopt;
-    const femoop::MemberGeometry geometry = femoop::geometry_of(model, model[member]);
-    const Eigen::Vector3d pointer(to.pointer.x(), to.pointer.y(), 0.0);
-    const double x = std::clamp((pointer - geometry.start).dot(geometry.axes.row(0).transpose()), 0.0, geometry.length);
-    return Cut{member, round_section(x, geometry.length, to)};
+    if (member.index >= model.members.size()) return std::nullopt;
+    const auto [start, end] = femoop::ends_of(model, model[member]);
+    const std::optional<double> share = to.projection.nearest_share(start, end, to.on_sheet);
+    if (!share) return std::nullopt;
+    const double length = (end - start).norm();
+    return Cut{member, round_section(std::clamp(*share, 0.0, 1.0) * length, length, to)};
 }
 
 } // namespace frame

@@ -63,6 +63,7 @@ struct Aim {
 
     /// Of what comes to cross: Alt holds off the cutting too.
     femoop::Crossings crossings() const { return is_exact ? femoop::Crossings::Keep : femoop::Crossings::Cut; }
+    bool points_at_section() const { return cut && !node; }
     bool points_at_support() const { return support && !node && !cut; } ///< at its symbol, not at its node
     /// The place that is meant, in space: that of the snap in a plane model.
     Eigen::Vector3d place() const { return in_space.value_or(Eigen::Vector3d(snap.place.x(), snap.place.y(), 0.0)); }
@@ -76,8 +77,8 @@ struct Aim {
 
 /// A place of a member, a twentieth of it where the hand is near to one; Alt takes the place as it is.
 double round_section(double x, double length, const Aim& at);
-/// The section of a member that the hand has come along to; nothing where the model has it no more, or is not seen in
-/// its plane.
+/// The section of a member that the hand has come along to; nothing where the model has it no more, or it is seen
+/// end-on.
 std::optional<Cut> section_under(const femoop::Model& model, femoop::MemberId member, const Aim& to);
 
 /// What tools work on.
@@ -130,7 +131,9 @@ public:
     /// Gives up what was begun; false where nothing was, so that the tool itself is left.
     virtual bool escape() { return false; }
 
-    virtual bool is_done() const { return false; }                               ///< the hand may lay it down
+    virtual bool is_done() const { return false; } ///< the hand may lay it down
+    /// Whether a press here takes hold of what then follows the hand; any other press turns a model in space.
+    virtual bool takes_hold(const Work&, const Aim&) const { return false; }
     virtual bool snaps() const { return true; }                                  ///< a place is drawn to what is there
     virtual bool draws() const { return false; }                                 ///< places that are snapped and typed
     virtual std::optional<Eigen::Vector2d> from() const { return std::nullopt; } ///< where drawing began

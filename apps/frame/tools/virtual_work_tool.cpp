@@ -19,6 +19,11 @@ std::optional<Change> VirtualWorkTool::press(const Work& work, const Aim& at)
     return std::nullopt;
 }
 
+bool VirtualWorkTool::takes_hold(const Work& work, const Aim& at) const
+{
+    return at.points_at_section() && work.virtual_work->is_on(work.document.model);
+}
+
 std::optional<Change> VirtualWorkTool::move(const Work& work, const Aim& to)
 {
     if (const auto section = held_ ? section_under(work.document.model, *held_, to) : std::nullopt)

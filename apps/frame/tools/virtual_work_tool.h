@@ -13,6 +13,7 @@ public:
     std::optional<Change> press(const Work& work, const Aim& at) override;
     std::optional<Change> move(const Work& work, const Aim& to) override;
     std::optional<Change> release(const Work& work, const Aim& at) override;
+    bool takes_hold(const Work& work, const Aim& at) const override;
     bool snaps() const override { return false; }
 
 private:

@@ -545,11 +545,15 @@ std::optional<ui::Message> why_not_press(const Workspace& workspace, const Aim& 
 
 } // namespace
 
-// The left button: the tool's in the hand. In space it turns the model but for a window, which begins with Shift.
+// The left button: the tool's in the hand. In space it turns the model but for what takes hold of something and for a
+// window, which begins with Shift.
 void Canvas::work(Workspace& workspace, const Aim& aim, const Pick& under)
 {
     const bool is_window = is_pressed() && aim.adds && workspace.tool_controller.kind() == ToolKind::Select;
-    const bool turns = is_seen_in_space(workspace.session.model().analysis) && !is_window && !is_working_;
+    const Tool& tool = workspace.tool_controller.tool();
+    const bool takes_hold = is_pressed() && tool.takes_hold(work_in_hand(workspace.session), aim);
+    const bool turns = is_seen_in_space(workspace.session.model().analysis) && !is_window && !takes_hold &&
+                       !is_working_;
     if (turns) return click_in_space(workspace, aim, under);
     if (is_pressed()) press(workspace, aim);
     carry_out(workspace.session, workspace.tool_controller.tool().move(work_in_hand(workspace.session), aim));
