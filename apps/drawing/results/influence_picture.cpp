@@ -28,7 +28,8 @@ using femoop::influence::LinePiece;
 using femoop::influence::MotionPiece;
 using femoop::influence::PathMember;
 
-constexpr double square_enough = 1e-6; // of the load: what of it lies across the member
+constexpr double square_enough = 1e-6;  // of the load: what of it lies across the member
+constexpr double clearly_across = 0.25; // likewise: along the load its ordinates can still be told apart
 
 /// The part of a line over one member of the path, or over a part of it.
 class LineOnMember final : public LineFunction {
@@ -291,7 +292,9 @@ void draw_influence(const Scene& scene, const InfluencePicture& picture, const I
 
 Vector3d ordinate_side(const femoop::NodeVector& load, const femoop::MemberGeometry& member, bool is_flat)
 {
-    const Vector3d force(load[0], load[1], load[2]), y = member.axes.row(1), z = member.axes.row(2);
+    const Vector3d force(load[0], load[1], load[2]), x = member.axes.row(0), y = member.axes.row(1),
+                                                     z = member.axes.row(2);
+    if (force.cross(x).norm() > clearly_across * force.norm()) return force.normalized();
     const double along_y = force.dot(y), along_z = is_flat ? 0.0 : force.dot(z);
     const bool is_y = std::abs(along_y) >= std::abs(along_z);
     const double across = is_y ? along_y : along_z;

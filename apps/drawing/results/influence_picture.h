@@ -36,14 +36,15 @@ struct InfluenceScale {
 };
 InfluenceScale influence_scale(const Scene& scene, const InfluencePicture& picture, ui::Size panel);
 
-/// The line, filled, on the members of its path; behind it the structure as it moves, to the same scale: where the load
-/// is square to the path the one lies on the other. A mark stands at the section.
+/// The line, filled, on the members of its path; behind it the structure as it moves, to the same scale: where it moves
+/// along the load alone the one lies on the other. A mark stands at the section.
 ///
-/// Sides  positive ordinates on the side to which the unit load points: for a load that points down, below
+/// Sides  positive ordinates to where the unit load points, along it: for a load that points down, below
 void draw_influence(const Scene& scene, const InfluencePicture& picture, const InfluenceScale& scale);
 
-/// The side of a member on which positive ordinates are drawn: that to which the unit load points; below a beam where
-/// it points along the member, or is a couple.
+/// The direction in which positive ordinates are drawn, a unit vector: that of the unit load, also over an inclined
+/// member, so that the line goes on over the joints of an arch. Square to a member that the load points along within 15
+/// degrees, to the load's side; under a couple below a beam.
 /// \param is_flat  the structure is seen in its plane
 Eigen::Vector3d ordinate_side(const femoop::NodeVector& load, const femoop::MemberGeometry& member, bool is_flat);
 

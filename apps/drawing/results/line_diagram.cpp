@@ -155,12 +155,13 @@ private:
     Caption value_at(double x, double value) const
     {
         const ui::Point toward = value < 0.0 ? -look_.frame.y : look_.frame.y;
+        const ui::Point normal = ui::left_normal(look_.frame.x);
         return {.text = look_.text(value),
                 .role = look_.role,
                 .target = at(x, value),
                 .toward = toward,
                 .gap = 4.5,
-                .side = ui::HalfPlane{at(x, 0.0), toward},
+                .side = ui::HalfPlane{at(x, 0.0), dot(normal, toward) < 0.0 ? -normal : normal},
                 .number = look_.number ? std::optional(look_.number(x, value)) : std::nullopt};
     }
 

@@ -153,11 +153,12 @@ Vector3d moment_side(const femoop::MemberGeometry& member, MomentSide side)
 std::vector<StrokePoint> stroke_along(const femoop::MemberGeometry& member, const Vector3d& side,
                                       std::span<const Vector2d> path)
 {
-    const Vector3d x = member.axes.row(0);
+    const Vector3d x = member.axes.row(0), y = member.axes.row(1);
     std::vector<StrokePoint> stroke;
     for (const Vector2d& place : path) {
         const Vector3d from_start = Vector3d(place.x(), place.y(), 0.0) - member.start;
-        stroke.push_back({from_start.dot(x) / member.length, from_start.dot(side) / member.length});
+        const double ordinate = from_start.dot(y) / side.dot(y);
+        stroke.push_back({(from_start.dot(x) - ordinate * side.dot(x)) / member.length, ordinate / member.length});
     }
     return stroke;
 }

@@ -42,7 +42,8 @@ std::optional<femoop::MemberId> member_beside(const femoop::Model& model, std::s
 /// The side of a member on which positive moments are drawn.
 Eigen::Vector3d moment_side(const femoop::MemberGeometry& member, MomentSide side);
 
-/// A path in the plane of the model as ordinates along a member, positive to that side. \pre the member has a length
+/// A path in the plane of the model as ordinates along a member, positive in the direction of `side`, a unit vector that
+/// need not be square to it. \pre the member has a length
 std::vector<StrokePoint> stroke_along(const femoop::MemberGeometry& member, const Eigen::Vector3d& side,
                                       std::span<const Eigen::Vector2d> path);
 

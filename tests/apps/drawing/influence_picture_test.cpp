@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <doctest/doctest.h>
+#include <numbers>
 
 #include "apps/drawing/draw.h"
 #include "apps/drawing/results/train_picture.h"
@@ -95,6 +96,22 @@ TEST_CASE("Positive ordinates stand on the side to which the load points")
     const view_test::Marks up = marks_of(model, picture_of(model, beam, M, {{.dof = femoop::Dof::uy, .value = 1.0}}),
                                          fonts);
     CHECK(height_of(up, "−1.5") > height_of(up, "A")); // negative, so on the side from which the load comes
+}
+
+TEST_CASE("Ordinates stand along the load over inclined members, and square to those that it points along")
+{
+    const Eigen::Vector3d origin = Eigen::Vector3d::Zero(), down = -Eigen::Vector3d::UnitY();
+    const femoop::NodeVector load = femoop::influence::unit_load(femoop::AnalysisKind::Frame2d, {});
+    for (const double degrees : {-70.0, -30.0, 0.0, 45.0, 70.0, 80.0, 90.0, 135.0}) {
+        CAPTURE(degrees);
+        const double angle = degrees * std::numbers::pi / 180.0;
+        const Eigen::Vector3d end(std::cos(angle), std::sin(angle), 0.0);
+        const auto member = femoop::member_geometry(femoop::AnalysisKind::Frame2d, origin, end, origin);
+        const Eigen::Vector3d side = ordinate_side(load, member, true);
+        CHECK(side.norm() == doctest::Approx(1.0));
+        const bool is_steep = std::abs(std::cos(angle)) < 0.25;
+        CHECK((is_steep ? std::abs(side.dot(end)) : (side - down).norm()) == doctest::Approx(0.0));
+    }
 }
 
 TEST_CASE("The head tells extremes, their places, and the areas of either sign")

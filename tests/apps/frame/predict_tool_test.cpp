@@ -70,6 +70,17 @@ TEST_SUITE("frame model")
         CHECK(along(column, MomentSide::Tension, Path{{1.0, 1.0}}).at(0).value == doctest::Approx(0.25));
     }
 
+    TEST_CASE("An ordinate that is drawn down from a rafter belongs to the place above it")
+    {
+        const femoop::MemberGeometry rafter = femoop::member_geometry(femoop::AnalysisKind::Frame2d, {1.0, 1.0, 0.0},
+                                                                      {5.0, 4.0, 0.0}, Eigen::Vector3d::Zero());
+        const auto stroke = stroke_along(rafter, {0.0, -1.0, 0.0}, Path{{2.0, 1.25}, {3.0, 3.0}});
+        CHECK(stroke.at(0).x == doctest::Approx(0.25));
+        CHECK(stroke.at(0).value == doctest::Approx(0.1)); // 0.5 below (2, 1.75), of 5
+        CHECK(stroke.at(1).x == doctest::Approx(0.5));
+        CHECK(stroke.at(1).value == doctest::Approx(-0.1));
+    }
+
     TEST_CASE("The tool draws on the prediction and changes nothing of the document")
     {
         Workspace workspace;
