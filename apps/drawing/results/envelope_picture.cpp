@@ -51,7 +51,8 @@ private:
     {
         return frame_(x * scene_.projection.scale(), value * diagram_.pixels_per_unit);
     }
-    double rounding() const { return 1e-4 * diagram_.largest; }
+    double unseen() const { return 1e-4 * diagram_.largest; }
+    double rounding() const { return 1e-9 * diagram_.largest; }
     double outward(const Line& line, std::size_t i) const { return line.sign * (band_[i].*line.bound).value; }
 
     // The ends, and every place from which the line falls back on both sides.
@@ -68,7 +69,7 @@ private:
         for (std::size_t i = 1; i < band_.size(); ++i)
             if (outward(line, i) > outward(line, peak) + rounding()) peak = i;
         for (std::size_t i = 0; i < band_.size(); ++i) {
-            const bool is_closed = band_[i].most.value - band_[i].least.value < rounding();
+            const bool is_closed = band_[i].most.value - band_[i].least.value < unseen();
             const bool is_said_by_other = is_closed && line.sign < 0.0;
             if (i == peak || (is_marked(line, i) && !is_said_by_other))
                 write(band_[i].x, band_[i].*line.bound, line, i == peak ? Rank::Extreme : Rank::Value);
@@ -77,7 +78,7 @@ private:
 
     void write(double x, const Bound& bound, const Line& line, Rank rank) const
     {
-        if (std::abs(bound.value) < rounding()) return;
+        if (std::abs(bound.value) < unseen()) return;
         const bool is_largest = std::abs(bound.value) > diagram_.largest - rounding();
         scene_.sketch.caption({.text = words(bound),
                                .role = role_of(diagram_.component),

@@ -12,6 +12,7 @@
 #include "femoop/analysis/mechanism.h"
 #include "femoop/result/envelope.h"
 #include "tests/apps/drawing/view_model.h"
+#include "tests/frame_maker.h"
 #include "ui/paint/label/oriented_box.h"
 
 #include <algorithm>
@@ -367,6 +368,21 @@ TEST_CASE("An envelope of a model without cases is the structure alone")
     const DrawOptions options{.show = {Show::M, Show::Reactions, Show::Values}, .is_envelope = true};
     const view_test::Marks marks = marks_of(model, options, fonts);
     CHECK(!marks.has_text("kN"));
+}
+
+TEST_CASE("The largest value of an envelope is written exactly where a place beside it has nearly the same")
+{
+    // A span l with an overhang a: the largest moment is p x^2 / 2 at x = l / 2 - a^2 / (2 l), hardly more than at 3.75.
+    constexpr double span = 10.0, load = 1.0002, x = 3.785;
+    const ui::Fonts fonts;
+    FrameMaker made;
+    made.node("A", 0, 0, femoop::SupportKind::Pin).node("B", span, 0, femoop::SupportKind::Roller);
+    made.node("C", span + std::sqrt(span * span - 2.0 * span * x), 0).member("A", "B").member("B", "C");
+    made.uniform("AB", -load).uniform("BC", -load);
+    const DrawOptions options{.show = {Show::M, Show::Values}, .is_envelope = true};
+    const view_test::Marks marks = marks_of(made.model, options, fonts);
+    CHECK(marks.has_text("7.165"));
+    CHECK_FALSE(marks.has_text("7.164"));
 }
 
 TEST_CASE("The band of an envelope has the extremes of all cases")
