@@ -2,7 +2,7 @@
 
 #include <variant>
 
-#include "femoop/model/quantity/number_text.h"
+#include "femoop/model/quantity/six_digits.h"
 
 namespace femoop::influence {
 
@@ -10,10 +10,10 @@ namespace {
 
 std::string place_text(const Position& at, const Units& units, const Translator& tr)
 {
-    if (const auto* percent = std::get_if<Percent>(&at)) return localized(number_text(percent->value), tr) + "%";
+    if (const auto* percent = std::get_if<Percent>(&at)) return six_digits(percent->value, tr) + "%";
     const Quantity& length = std::get<Quantity>(at);
     const bool has_unit = length.text().find_last_not_of("0123456789.+-eE") != std::string_view::npos;
-    return has_unit ? std::string(length.text()) : localized(quantity_text(length, dimension::length, units), tr);
+    return has_unit ? std::string(length.text()) : six_digits(length, tr) + " " + unit_text(dimension::length, units);
 }
 
 } // namespace
