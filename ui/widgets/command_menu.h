@@ -58,6 +58,7 @@ template <class Session> void show_menus(const CommandTable<Session>& table, Ses
     for (std::size_t i = 0; i < menus.size(); ++i) {
         const std::string_view menu = menus[i];
         ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, spacing);
+        keep_next_menu_below();
         const bool is_open = ImGui::BeginMenu((names[i] + "###" + std::string(menu)).c_str());
         ImGui::PopStyleVar();
         if (!is_open) continue;

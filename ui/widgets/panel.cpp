@@ -1,6 +1,7 @@
 #include "ui/widgets/panel.h"
 
 #include <algorithm>
+#include <cfloat>
 #include <cmath>
 
 #include "ui/widgets/wrapped_text.h"
@@ -104,6 +105,12 @@ MenuRow menu_row(const std::vector<std::string>& names)
     const float least = words + n_gaps * least_gap * ImGui::GetFontSize();
     const float type = std::min(1.0F, room / least);
     return {std::clamp(std::floor((room - type * words) / n_gaps), 1.0F, ImGui::GetStyle().ItemSpacing.x), type};
+}
+
+void keep_next_menu_below()
+{
+    const float bar = ImGui::GetWindowPos().y + ImGui::GetWindowHeight();
+    ImGui::SetNextWindowSizeConstraints({0.0F, 0.0F}, {FLT_MAX, ImGui::GetMainViewport()->Size.y - bar});
 }
 
 void menu_bar_title(const std::string& name)

@@ -69,6 +69,10 @@ struct MenuRow {
 };
 MenuRow menu_row(const std::vector<std::string>& names);
 
+/// The menu that begins next is scrolled where it is higher than the room below its bar: laid over the bar it would take
+/// the click that opens it. \pre within a menu bar
+void keep_next_menu_below();
+
 /// The document's name at the right of the menu bar, where the menus leave room for it.
 void menu_bar_title(const std::string& name);
 

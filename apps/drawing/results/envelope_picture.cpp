@@ -14,9 +14,13 @@ using femoop::MemberComponent;
 
 class BandPicture {
 public:
-    BandPicture(const Scene& scene, const std::vector<BandSection>& band, const std::vector<std::string>& names,
-                const SymbolFrame& frame, const Diagram& diagram)
-        : scene_(scene), band_(band), names_(names), frame_(frame), diagram_(diagram)
+    BandPicture(const Scene& scene, const EnvelopePicture& envelope, femoop::MemberId member, const Diagram& diagram)
+        : scene_(scene),
+          member_(member),
+          band_(envelope.find(diagram.component)->members[member.index]),
+          names_(envelope.names),
+          frame_(diagram_frame(scene, scene.shape[member], diagram.component)),
+          diagram_(diagram)
     {}
 
     void draw() const
@@ -36,14 +40,15 @@ public:
         }
         sketch.polyline(area, sketch.stroke(role), Clearance::Hard, ui::PathEnds::Closed);
         if (!scene_.shows(Show::Values)) return;
-        write_marks({&BandSection::most, 1.0});
-        write_marks({&BandSection::least, -1.0});
+        write_marks({&BandSection::most, femoop::ExtremeKind::Max, 1.0});
+        write_marks({&BandSection::least, femoop::ExtremeKind::Min, -1.0});
     }
 
 private:
     /// One of the two lines of the band; the sign is that of the way out of it.
     struct Line {
         Bound BandSection::*bound;
+        femoop::ExtremeKind kind;
         double sign;
     };
 
@@ -79,13 +84,16 @@ private:
     void write(double x, const Bound& bound, const Line& line, Rank rank) const
     {
         if (std::abs(bound.value) < unseen()) return;
+        const double length = scene_.shape[member_].length;
         const bool is_largest = std::abs(bound.value) > diagram_.largest - rounding();
         scene_.sketch.caption({.text = words(bound),
                                .role = role_of(diagram_.component),
                                .target = at(x, bound.value),
                                .toward = line.sign * frame_.y,
                                .gap = 4.5,
-                               .rank = is_largest ? Rank::Largest : rank});
+                               .rank = is_largest ? Rank::Largest : rank,
+                               .number = number_at_section({member_, x}, diagram_.component, length),
+                               .end = RangeEnd{line.kind, bound.made_by}});
     }
 
     // "58.5 (G)"
@@ -96,9 +104,10 @@ private:
     }
 
     const Scene& scene_;
+    femoop::MemberId member_;
     const std::vector<BandSection>& band_;
     const std::vector<std::string>& names_;
-    const SymbolFrame& frame_;
+    SymbolFrame frame_;
     const Diagram& diagram_;
 };
 
@@ -108,10 +117,8 @@ void draw_envelope(const Scene& scene, const EnvelopePicture& envelope, const Di
 {
     const EnvelopeBands* const bands = envelope.find(diagram.component);
     if (diagram.is_zero() || bands == nullptr) return;
-    for (std::size_t i = 0; i < bands->members.size(); ++i) {
-        const SymbolFrame frame = diagram_frame(scene, scene.shape[femoop::MemberId(i)], diagram.component);
-        BandPicture(scene, bands->members[i], envelope.names, frame, diagram).draw();
-    }
+    for (std::size_t i = 0; i < bands->members.size(); ++i)
+        BandPicture(scene, envelope, femoop::MemberId(i), diagram).draw();
 }
 
 } // namespace drawing

@@ -24,15 +24,20 @@ public:
         const std::vector<ReactionBand>& all = envelope_.reactions;
         for (auto begin = all.begin(); begin != all.end();) {
             const auto end = std::find_if(begin, all.end(), [&](const auto& one) { return one.node != begin->node; });
-            std::vector<std::string> lines;
+            std::vector<Line> lines;
             for (auto band = begin; band != end; ++band)
-                if (std::string words = range_of(*band); !words.empty()) lines.push_back(std::move(words));
+                if (std::string words = range_of(*band); !words.empty()) lines.push_back({&*band, std::move(words)});
             if (!lines.empty()) write(begin->node, lines);
             begin = end;
         }
     }
 
 private:
+    struct Line {
+        const ReactionBand* band;
+        std::string words;
+    };
+
     // "fy 42 (G) … 56.7 (U) kN"; nothing where there is no reaction.
     std::string range_of(const ReactionBand& band) const
     {
@@ -45,7 +50,7 @@ private:
     }
 
     // One line under the other beyond the support's symbol, farther off where another support's stand already.
-    void write(femoop::NodeId node, const std::vector<std::string>& lines)
+    void write(femoop::NodeId node, const std::vector<Line>& lines)
     {
         Sketch& sketch = scene_.sketch;
         ui::TextStyle style = sketch.theme().text(ui::Role::Reaction, ui::Anchor::Center);
@@ -53,8 +58,8 @@ private:
         style.plate = sketch.theme().background(); // bands may lie behind
         const double line = 1.35 * style.size;
         ui::Size size{0.0, line * static_cast<double>(lines.size())};
-        for (const std::string& words : lines)
-            size.width = std::max(size.width, sketch.painter().measure(words, style).width);
+        for (const Line& one : lines)
+            size.width = std::max(size.width, sketch.painter().measure(one.words, style).width);
         const ui::Point away = support_side(scene_, node).value_or(ui::Point{0.0, 1.0});
         const double half = 0.5 * (std::abs(away.x) * size.width + std::abs(away.y) * size.height);
         ui::Point center = scene_.place(node) + (support_reach(sketch) + half) * away;
@@ -68,10 +73,22 @@ private:
         sketch.include(taken.max);
         const ui::LayerScope layer(sketch.painter(), ui::Layer::Labels);
         double y = box().min.y + 0.5 * line;
-        for (const std::string& words : lines) {
-            sketch.painter().text({center.x, y}, words, style);
+        for (const Line& one : lines) {
+            sketch.painter().text({center.x, y}, one.words, style);
+            mark(*one.band, {{box().min.x, y - 0.5 * line}, {box().max.x, y + 0.5 * line}});
             y += line;
         }
+    }
+
+    // The left half of a range is its least value.
+    void mark(const ReactionBand& band, const ui::Box& box) const
+    {
+        const femoop::MovingEffect number{
+            .quantity = femoop::ExpectedQuantity::Reaction, .node = band.node, .dof = band.dof};
+        ui::Box left = box, right = box;
+        left.max.x = right.min.x = 0.5 * (box.min.x + box.max.x);
+        scene_.sketch.mark(NumberMark{left, number, RangeEnd{femoop::ExtremeKind::Min, band.least.made_by}});
+        scene_.sketch.mark(NumberMark{right, number, RangeEnd{femoop::ExtremeKind::Max, band.most.made_by}});
     }
 
     std::string words(const Bound& bound, Dof dof) const

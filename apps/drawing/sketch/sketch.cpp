@@ -193,7 +193,7 @@ void Sketch::mark_number(const Request& request, const ui::PlacedLabel& place)
     const double c = std::abs(std::cos(place.rotation)), s = std::abs(std::sin(place.rotation));
     const auto [width, height] = request.size;
     const ui::Point half = 0.5 * ui::Point{c * width + s * height, s * width + c * height};
-    grips_.numbers.push_back({{place.center - half, place.center + half}, *request.caption.number});
+    mark(NumberMark{{place.center - half, place.center + half}, *request.caption.number, request.caption.end});
 }
 
 void Sketch::sign(SignMark mark)

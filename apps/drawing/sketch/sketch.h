@@ -23,6 +23,12 @@ namespace drawing {
 /// is drawn as lines of its own: they keep clear of what lies within, if they can.
 enum class Clearance : std::uint8_t { None, Inside, Soft, Hard };
 
+/// Of a number of an envelope: which end of its range it is, and the place of what makes it among the envelope's names.
+struct RangeEnd {
+    femoop::ExtremeKind kind = femoop::ExtremeKind::Max;
+    std::size_t made_by = 0;
+};
+
 /// A string that is put near what it speaks of, wherever there is room.
 struct Caption {
     std::string text;
@@ -40,6 +46,7 @@ struct Caption {
     std::optional<ui::HalfPlane> side{}; ///< where it means nothing else; it stands on no other
     bool is_repeat = false; ///< the same is said nearby: written where there is room, and missed by nobody else
     std::optional<femoop::MovingEffect> number{}; ///< of the results that it writes
+    std::optional<RangeEnd> end{};                ///< that the number is
     std::optional<std::size_t> load_mark{};       ///< of the load whose value it is: a hand takes hold of it there too
 };
 
@@ -76,6 +83,7 @@ struct DimensionMark {
 struct NumberMark {
     ui::Box box; ///< around it
     femoop::MovingEffect number;
+    std::optional<RangeEnd> end{};
 };
 
 /// What of a picture a hand can take hold of, or point at.
@@ -135,6 +143,7 @@ public:
     /// Put where no line runs, on a disc that hides what lies below it; labels keep clear of it.
     void sign(SignMark mark);
 
+    void mark(const NumberMark& mark) { grips_.numbers.push_back(mark); } ///< of one that no caption writes
     std::size_t mark(LoadMark mark); ///< \returns its number, for the caption with the load's value
     void mark(const SupportMark& mark) { grips_.supports.push_back(mark); }
     void mark(const DimensionMark& mark) { grips_.dimensions.push_back(mark); }

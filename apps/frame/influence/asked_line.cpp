@@ -146,6 +146,12 @@ void AskedLine::trace()
     begin_trace();
 }
 
+void AskedLine::put_unit_load(double s)
+{
+    train_ = {.is_unit_load = true, .place = AskedTrain::Place{.position = s}, .beside = train_.beside};
+    traced_to_ = std::numeric_limits<double>::infinity();
+}
+
 // Another line is traced from its beginning.
 void AskedLine::begin_trace()
 {

@@ -95,6 +95,7 @@ public:
     /// A unit load at the beginning of the path; it draws the line as far as it is put.
     void trace();
     bool is_traced() const { return train_.is_unit_load; }
+    void put_unit_load(double s); ///< there, where the whole line has been traced
 
     /// How the structure bears the unit load. \pre it stands
     const femoop::Results& results() const { return *found_.results; }

@@ -57,7 +57,6 @@ void add_file_commands(CommandTable& table)
         {"file.report_matrices", translatable("Matrices in the report")},
         [](auto& workspace) -> auto& { return workspace.session.reports_matrices; });
     ui::standard::add_copy_and_describe(table, translatable("Model and results in words"));
-    add_method_commands(table);
     menu.step({"file.close", translatable("Close"), {{Key::W, ui::ctrl}}}, leave_tab);
     menu.step(
         {"file.next_tab", translatable("Next tab"), {{Key::Tab, ui::ctrl}}},
@@ -313,6 +312,7 @@ CommandTable command_table()
     add_show_commands(table);
     add_camera_commands(table);
     add_view_commands(table);
+    add_method_tools(table);
     add_predict_commands(table);
     add_influence_commands(table);
     add_free_body_commands(table);
@@ -321,6 +321,7 @@ CommandTable command_table()
     add_train_commands(table);
     add_truss_commands(table);
     add_derivation_commands(table);
+    add_method_commands(table);
     add_panel_commands(table);
     add_table_commands(table);
     add_solver_commands(table);

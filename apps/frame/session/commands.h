@@ -15,6 +15,7 @@
 #include "apps/frame/session/derivation_show.h"
 #include "apps/frame/session/design_draft.h"
 #include "apps/frame/session/distribution_check.h"
+#include "apps/frame/session/pointed_number.h"
 #include "apps/frame/session/section_draft.h"
 #include "apps/frame/session/session.h"
 #include "apps/frame/session/solver_show.h"
@@ -85,14 +86,10 @@ struct Workspace : ui::Workspace {
     DesignDraft design{};
     TrainDraft trains{};
     std::vector<Request> requests{};
-    std::optional<Cut> menu_cut{};                        ///< where the context menu was asked for, on a member
-    std::optional<femoop::MovingEffect> menu_number{};    ///< on which number of the results it was asked for
-    std::optional<femoop::MovingEffect> pointed_number{}; ///< under the pointer, in the picture or in a table
-    /// Of a number that a table shows: the case that it is of; else it is of what is shown.
-    std::optional<femoop::CaseId> menu_case{}, pointed_case{};
-    /// Of a number of an envelope of trains: the extreme that it is; else the one of the greater magnitude is meant.
-    std::optional<femoop::ExtremeKind> menu_extreme{}, pointed_extreme{};
-    std::optional<NamedEffect> asked_number{}; ///< that W or Shift+W was pressed at, until the pointer moves
+    std::optional<Cut> menu_cut{};                 ///< where the context menu was asked for, on a member
+    std::optional<PointedNumber> menu_number{};    ///< on which number of the results it was asked for
+    std::optional<PointedNumber> pointed_number{}; ///< under the pointer, in the picture or in a table
+    std::optional<NamedEffect> asked_number{};     ///< that W or Shift+W was pressed at, until the pointer moves
     Topic topic = Topic::Properties;
     BottomView bottom{};
     SolverShow solver{};                             ///< what the panel at the bottom shows of it

@@ -25,51 +25,88 @@ std::optional<femoop::MovingEffect> pinned_number(const Session& session)
     return session.pin ? foremost_effect(session.model(), *session.pin) : std::nullopt;
 }
 
+const std::optional<PointedNumber>& under_pointer(const Workspace& workspace)
+{
+    return workspace.menu_number ? workspace.menu_number : workspace.pointed_number;
+}
+
 std::optional<femoop::MovingEffect> meant_number(const Workspace& workspace)
 {
-    if (workspace.menu_number) return workspace.menu_number;
-    if (workspace.pointed_number) return workspace.pointed_number;
+    if (const auto& number = under_pointer(workspace)) return number->effect;
     // The panel that opened may have pushed the picture away from under the pointer.
     if (workspace.asked_number)
         if (auto asked = effect_in(workspace.session.model(), *workspace.asked_number)) return asked;
     return pinned_number(workspace.session);
 }
 
-/// Of the number that is meant, where a table says so.
-std::optional<femoop::CaseId> meant_case(const Workspace& workspace)
+/// The number is of an influence line, of what stands on it or will: nothing else is pointed at.
+bool is_on_line(const Workspace& workspace)
 {
-    return workspace.menu_number ? workspace.menu_case : workspace.pointed_case;
+    const auto& number = under_pointer(workspace);
+    return workspace.session.shown_line() != nullptr && (!number || number->under);
 }
 
 /// The number is one of an envelope of trains: it is of a train that stands somewhere.
 bool is_of_trains(const Workspace& workspace)
 {
-    return workspace.session.shows_train_envelope() && !meant_case(workspace) &&
+    const auto& number = under_pointer(workspace);
+    return workspace.session.shows_train_envelope() && !(number && number->of) &&
            !workspace.session.influence.is_on(workspace.session.model());
 }
 
-std::optional<femoop::MovingEffect> train_number(const Workspace& workspace)
+bool has_train_number(const Workspace& workspace)
 {
-    const auto number = workspace.menu_number ? workspace.menu_number : workspace.pointed_number;
     const Session& session = workspace.session;
     const bool has_values = session.train_envelope.picture(session.model(), session.generation(),
                                                            session.results_view()) != nullptr;
-    return has_values ? number : std::nullopt;
+    return has_values && under_pointer(workspace);
+}
+
+void open_player(Workspace& workspace)
+{
+    const BottomView& now = workspace.bottom;
+    const bool is_derivation = now.shows(BottomContent::Derivation);
+    std::optional<BottomContent> under = is_derivation ? now.under : std::nullopt;
+    if (now.is_open && is_table_or_member(now.content)) under = now.content;
+    workspace.bottom = {.is_open = true,
+                        .table = now.table,
+                        .content = BottomContent::Derivation,
+                        .asks_for_keyboard = true,
+                        .under = under};
+}
+
+/// Under the load that stands on the line, or is put at the ordinate that is pointed at.
+void explain_on_line(Workspace& workspace)
+{
+    AskedLine& line = workspace.session.influence;
+    if (const auto& number = under_pointer(workspace)) {
+        if (number->under->is_unit_load) line.put_unit_load(number->under->place.position);
+        else line.put_train(number->under->place);
+    }
+    workspace.refused_release.reset();
+    workspace.asked_number.reset();
+    workspace.derivation.ask_standing(workspace.session);
+    open_player(workspace);
 }
 
 /// Of an envelope of trains the train that governs is stood on the influence line, with the sum of its forces times the
 /// ordinates.
 void explain_meant(Workspace& workspace)
 {
-    if (!is_of_trains(workspace)) return explain(workspace, *meant_number(workspace), meant_case(workspace));
-    ask_governing(workspace, *train_number(workspace),
-                  workspace.menu_number ? workspace.menu_extreme : workspace.pointed_extreme);
+    if (is_on_line(workspace)) return explain_on_line(workspace);
+    const std::optional<PointedNumber> number = under_pointer(workspace);
+    if (is_of_trains(workspace)) return ask_governing(workspace, number->effect, number->extreme);
+    explain(workspace, *meant_number(workspace), number ? number->of : std::nullopt);
 }
 
 Reason why_not_explain(const Workspace& workspace)
 {
     if (const auto reason = workspace.session.why_no_results()) return reason;
-    if (is_of_trains(workspace) && train_number(workspace)) return std::nullopt;
+    if (is_on_line(workspace)) {
+        if (under_pointer(workspace) || workspace.session.influence.standing() != nullptr) return std::nullopt;
+        return translatable("point at an ordinate of the line, or put a load on it (U, R)");
+    }
+    if (is_of_trains(workspace) && has_train_number(workspace)) return std::nullopt;
     if (is_of_trains(workspace))
         return translatable("an envelope of trains has section forces and reactions; point at one of them first");
     if (meant_number(workspace)) return std::nullopt;
@@ -132,19 +169,6 @@ void release_or_hold(Workspace& workspace)
     explain_force_method(workspace, redundants);
 }
 
-void open_player(Workspace& workspace)
-{
-    const BottomView& now = workspace.bottom;
-    const bool is_derivation = now.shows(BottomContent::Derivation);
-    std::optional<BottomContent> under = is_derivation ? now.under : std::nullopt;
-    if (now.is_open && is_table_or_member(now.content)) under = now.content;
-    workspace.bottom = {.is_open = true,
-                        .table = now.table,
-                        .content = BottomContent::Derivation,
-                        .asks_for_keyboard = true,
-                        .under = under};
-}
-
 std::function<void(Workspace&)> on_show(void (*move)(DerivationShow&))
 {
     return [move](Workspace& workspace) {
@@ -186,7 +210,7 @@ void close_derivation(Workspace& workspace)
 
 void add_derivation_commands(CommandTable& table)
 {
-    Menu menu(table, translatable("View"));
+    Menu menu(table, translatable("Methods"));
     menu.step({"view.why", translatable("Why this number?"), {{Key::W, {}}}}, explain_meant, why_not_explain);
     menu.step({"view.release", translatable("Release this force, or hold it again"), {{Key::W, ui::shift}}},
               release_or_hold, why_not_release_force);

@@ -61,6 +61,12 @@ std::optional<ui::Message> why_no_numbers(const Session& session)
     return std::nullopt;
 }
 
+/// What stands on the influence line that is looked at; null where nothing does.
+const drawing::StandingTrain* standing_on(const Session& session)
+{
+    return session.shown_line() != nullptr ? session.influence.standing() : nullptr;
+}
+
 /// The force method is of one case.
 std::optional<ui::Message> why_no_states(const Session& session)
 {
@@ -117,6 +123,7 @@ std::optional<femoop::CaseId> DerivationShow::asked_case(const femoop::Model& mo
 void DerivationShow::ask(const Session& session, const MovingEffect& effect, std::optional<femoop::CaseId> of)
 {
     redundants_.reset();
+    is_of_standing_ = false;
     asked_case_ = of ? std::optional(session.model().case_name(*of)) : std::nullopt;
     asked_ = NamedEffect(session.model(), effect);
     session_ = session.number();
@@ -125,9 +132,18 @@ void DerivationShow::ask(const Session& session, const MovingEffect& effect, std
     follow(session);
 }
 
+void DerivationShow::ask_standing(const Session& session)
+{
+    ask(session, *session.influence.effect(session.model()));
+    is_of_standing_ = true;
+    made_for_.reset();
+    follow(session);
+}
+
 void DerivationShow::ask_force_method(const Session& session, std::span<const MovingEffect> redundants)
 {
     asked_.reset();
+    is_of_standing_ = false;
     redundants_.emplace();
     for (const MovingEffect& one : redundants) redundants_->emplace_back(session.model(), one);
     session_ = session.number();
@@ -142,13 +158,19 @@ std::optional<ui::Message> DerivationShow::why_not_derive(const Session& session
 {
     if (!is_asked()) return translatable("Point at a number of the results and press W.");
     if (session_ != session.number()) return translatable("The number that is explained belongs to another tab.");
-    return redundants_ ? why_no_states(session) : why_no_numbers(session);
+    if (redundants_) return why_no_states(session);
+    if (!is_of_standing_) return why_no_numbers(session);
+    if (standing_on(session) != nullptr) return std::nullopt;
+    return translatable("The load is gone from the influence line; point at an ordinate and press W.");
 }
 
-DerivationShow::MadeFor DerivationShow::state_of(const Session& session)
+DerivationShow::MadeFor DerivationShow::state_of(const Session& session) const
 {
-    return {session.number(), session.generation(), session.view.load_case.index, session.view.is_envelope,
-            session.hidden.has_value()};
+    std::optional<Standing> standing;
+    if (const auto* const load = is_of_standing_ ? standing_on(session) : nullptr)
+        standing = {load->name, load->placing.position, load->placing.reversed};
+    return {session.number(),         session.generation(),       session.view.load_case.index,
+            session.view.is_envelope, session.hidden.has_value(), standing};
 }
 
 void DerivationShow::follow(const Session& session)
@@ -175,6 +197,11 @@ void DerivationShow::derive_number(const Session& session)
     if (effect) choices_ = numbers_beside(session.model(), *effect);
     is_lost_ = !effect || std::ranges::find(choices_, *effect) == choices_.end();
     if (is_lost_ || why_none_) return;
+    if (is_of_standing_) {
+        const femoop::Model& loaded = session.influence.loaded();
+        derivation_ = femoop::derivation::derive(loaded, femoop::analyse(loaded), femoop::CaseId(0), *effect);
+        return;
+    }
     const femoop::Model model = solved_model(session.model(), session.solution());
     const femoop::Results& results = *session.solution().results;
     const auto of = asked_case(model);

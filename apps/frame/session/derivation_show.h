@@ -24,6 +24,9 @@ public:
     /// From its first step. \param of  its case; nothing: that which is shown, of an envelope the one that governs
     /// \pre the effect is one of the session's model
     void ask(const Session& session, const femoop::MovingEffect& effect, std::optional<femoop::CaseId> of = {});
+    /// Of the effect that the influence line is of, as it is under what stands on the line; it follows that load.
+    /// \pre something stands on the session's line
+    void ask_standing(const Session& session);
     std::optional<femoop::CaseId> asked_case(const femoop::Model& model) const; ///< if one was named
     /// The force method with these redundants, from its first step; none: those that the program chooses.
     /// \pre they are forces of the session's model
@@ -38,6 +41,12 @@ public:
 
     /// Null where nothing is explained: `why_none` says why.
     const femoop::derivation::Derivation* derivation() const { return derivation_ ? &*derivation_ : nullptr; }
+    /// What it was derived of: the session's model, or that with what stands on the influence line as its only load case.
+    /// \pre it is at the session
+    const femoop::Model& model(const Session& session) const
+    {
+        return is_of_standing_ && derivation_ ? session.influence.loaded() : session.model();
+    }
     /// With its states; null where a number is explained, or nothing.
     const femoop::force_method::ForceMethod* force_method() const { return force_method_.get(); }
     const std::optional<ui::Message>& why_none() const { return why_none_; }
@@ -63,10 +72,12 @@ public:
     void go_back() { go_to(step_ == 0 ? 0 : step_ - 1); }
 
 private:
-    /// What it was derived from: session, generation, case, envelope, whether results are hidden.
-    using MadeFor = std::tuple<std::uint64_t, std::uint64_t, std::size_t, bool, bool>;
+    /// What stands on a line: its name, the place of its leading axle, whether it runs backwards.
+    using Standing = std::tuple<std::string, std::optional<double>, bool>;
+    /// What it was derived from: session, generation, case, envelope, whether results are hidden, what stands on the line.
+    using MadeFor = std::tuple<std::uint64_t, std::uint64_t, std::size_t, bool, bool, std::optional<Standing>>;
 
-    static MadeFor state_of(const Session& session);
+    MadeFor state_of(const Session& session) const;
     bool is_asked() const { return asked_ || redundants_; }
     std::optional<ui::Message> why_not_derive(const Session& session);
     void derive_number(const Session& session);
@@ -74,6 +85,7 @@ private:
     void choose(std::size_t forward);
 
     std::optional<NamedEffect> asked_;
+    bool is_of_standing_ = false;                        ///< of the load on the influence line, not of a case
     std::optional<std::string> asked_case_;              ///< its name
     std::optional<std::vector<NamedEffect>> redundants_; ///< of the force method; empty: the program chooses
     std::optional<NamedEffect> gone_;                    ///< the redundant whose part is lost

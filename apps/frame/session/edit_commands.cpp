@@ -28,6 +28,7 @@ namespace {
 using ui::standard::edit_menu;
 constexpr std::string_view draw_menu = translatable("Draw");
 
+constexpr std::size_t n_drawing_tools = 8; // the rest ask for methods
 constexpr std::array tool_entries{
     ToolEntry{ToolKind::Select, "draw.select", translatable("Select and move"), {{Key::Q, {}}}},
     ToolEntry{ToolKind::Member, "draw.member", translatable("Member"), {{Key::M, {}}}},
@@ -271,13 +272,28 @@ template <class Draft> CommandTable::RunWith run_command(Draft Workspace::*draft
 
 } // namespace
 
-void add_tool_commands(CommandTable& table)
+namespace {
+
+void add_tools(Menu& menu, std::span<const ToolEntry> entries)
 {
-    Menu menu(table, draw_menu);
-    for (const ToolEntry& entry : tool_entries)
+    for (const ToolEntry& entry : entries)
         menu.choice(
             entry, [](const Workspace& workspace) { return workspace.tool_controller.kind(); }, choose_tool,
             [tool = entry.value](const Workspace& workspace) { return why_not_choose_tool(workspace, tool); });
+}
+
+} // namespace
+
+void add_method_tools(CommandTable& table)
+{
+    Menu menu(table, translatable("Methods"));
+    add_tools(menu, std::span(tool_entries).subspan(n_drawing_tools));
+}
+
+void add_tool_commands(CommandTable& table)
+{
+    Menu menu(table, draw_menu);
+    add_tools(menu, std::span(tool_entries).first(n_drawing_tools));
     menu.toggles(
         snap_switches, [](auto& workspace, auto item) -> auto& { return workspace.tool_controller.settings().*item; });
 }

@@ -5,7 +5,8 @@
 namespace frame {
 
 /// The commands that draw and change: tools, selection, undo, delete, nudges.
-void add_tool_commands(CommandTable& table);
+void add_tool_commands(CommandTable& table); ///< that draw
+void add_method_tools(CommandTable& table);  ///< that ask for methods
 void add_edit_commands(CommandTable& table);
 
 /// Begins, ends or gives up a transformation of the selection by numbers.

@@ -160,10 +160,12 @@ void Application::copy_derivation(DerivationWriter* writer)
 {
     const femoop::derivation::Derivation* const derivation = workspace().derivation.derivation();
     if (derivation == nullptr) return;
-    ImGui::SetClipboardText(writer(*derivation, session().model(), session().tr()).c_str());
-    workspace().notify(
-        {translatable("the steps of {number} were copied"),
-         {{"number", femoop::influence::effect_name(session().model(), derivation->effect, session().tr())}}});
+    const femoop::Model& model = workspace().derivation.model(session());
+    ImGui::SetClipboardText(writer(*derivation, model, session().tr()).c_str());
+    if (workspace().derivation.force_method() != nullptr)
+        return workspace().notify(translatable("the steps of the force method were copied"));
+    workspace().notify({translatable("the steps of {number} were copied"),
+                        {{"number", femoop::influence::effect_name(model, derivation->effect, session().tr())}}});
 }
 
 // ---- other programs
@@ -206,8 +208,6 @@ void Application::show_status() const { status_bar(workspace()); }
 void Application::show_body()
 {
     workspace().pointed_number.reset(); // who shows the one under the pointer says so
-    workspace().pointed_case.reset();
-    workspace().pointed_extreme.reset();
     if (ImGui::GetIO().MouseDelta.x != 0.0F || ImGui::GetIO().MouseDelta.y != 0.0F) workspace().asked_number.reset();
     const float below = tables_.height(workspace(), ImGui::GetContentRegionAvail().y);
     show_panels_and_canvas_above(below, [this] { tables_.show(workspace(), commands(), gui(), fonts()); });
@@ -278,7 +278,7 @@ std::string Application::words() const
     const femoop::derivation::Derivation* const derivation = workspace().derivation.derivation();
     if (!workspace().bottom.shows(BottomContent::Derivation) || derivation == nullptr) return description(session());
     return description(session()) + "\n" +
-           femoop::derivation::derivation_text(*derivation, session().model(), session().tr());
+           femoop::derivation::derivation_text(*derivation, workspace().derivation.model(session()), session().tr());
 }
 
 void Application::show_beside_words()

@@ -31,7 +31,7 @@
 #include "apps/frame/window/blank_picture.h"
 #include "apps/frame/window/explained_step.h"
 #include "apps/frame/window/hand_picture.h"
-#include "apps/frame/window/pointed_number.h"
+#include "apps/frame/window/number_of_picture.h"
 #include "apps/frame/window/train_envelope_panel.h"
 #include "femoop/result/components.h"
 
@@ -47,9 +47,11 @@ void hold_train(Aim& aim)
 }
 
 // The panel of a number that was asked after may push the picture away from under a pointer that rests.
-std::optional<femoop::MovingEffect> still_meant(const Workspace& workspace)
+std::optional<PointedNumber> still_meant(const Workspace& workspace)
 {
-    return workspace.asked_number ? effect_in(workspace.session.model(), *workspace.asked_number) : std::nullopt;
+    const auto& asked = workspace.asked_number;
+    const auto effect = asked ? effect_in(workspace.session.model(), *asked) : std::nullopt;
+    return effect ? std::optional(PointedNumber{*effect}) : std::nullopt;
 }
 
 // While a line is kept from sight nothing stands on it.
@@ -465,7 +467,7 @@ void Canvas::follow(Workspace& workspace, const Pointer& pointer)
     Aim aim = aim_at(work_in_hand(session).document, workspace.tool_controller, projection, pointer, under,
                      drawn_.grips);
     if (session.influence.standing() != nullptr) hold_train(aim);
-    if (auto number = pointed_number(session, {plan_, drawn_.grips}, pointer.at, under, aim))
+    if (const auto number = number_of_picture(session, {plan_, drawn_.grips}, pointer.at, under, aim))
         workspace.pointed_number = still_meant(workspace).value_or(*number);
     workspace.tool_controller.point_at(aim);
     if (asks_for_menu) ask_for_menu(workspace, aim);
@@ -520,8 +522,6 @@ void Canvas::ask_for_menu(Workspace& workspace, const Aim& aim)
     else if (!selection.contains(*part)) selection = *part;
     workspace.menu_cut = aim.cut;
     workspace.menu_number = workspace.pointed_number;
-    workspace.menu_case.reset();
-    workspace.menu_extreme.reset();
     if (aim.cut) workspace.session.pin = aim.cut; // "at this section" is said of it
     workspace.requests.push_back(Request::ContextMenu);
 }

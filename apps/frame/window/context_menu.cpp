@@ -64,7 +64,6 @@ void forget_place(Workspace& workspace)
 {
     workspace.menu_cut.reset();
     workspace.menu_number.reset();
-    workspace.menu_extreme.reset();
 }
 
 } // namespace

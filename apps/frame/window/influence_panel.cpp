@@ -72,12 +72,13 @@ void choose_train(Session& session)
 /// The line's numbers and its train's.
 class InfluenceTables {
 public:
-    InfluenceTables(Session& session, const InfluencePicture& picture)
-        : session_(session),
+    InfluenceTables(Workspace& workspace, const InfluencePicture& picture)
+        : workspace_(workspace),
+          session_(workspace.session),
           picture_(picture),
-          units_(session.units()),
+          units_(session_.units()),
           unit_(ordinate_unit(units_, picture)),
-          effect_(effect_text(session.model(), units_, picture.line.effect))
+          effect_(effect_text(session_.model(), units_, picture.line.effect))
     {}
 
     void title() const { ImGui::TextDisabled("%s", tr()("Influence line of {effect}", {{"effect", effect_}}).c_str()); }
@@ -97,7 +98,8 @@ public:
             place_cell({all[i].position, all[i].reversed});
             name_cell(all[i].reversed ? "<" : ">");
             name_cell(tr()(name_of(all[i].kind)));
-            number_cell(text(all[i].value, measure));
+            number_cell(workspace_, text(all[i].value, measure),
+                        under({.place = {all[i].position, all[i].reversed}, .is_unit_load = false}));
         });
         ui::wrapped_text(tr()(
             "s is the place of the leading axle. At a break an axle passes an end of a piece of the line (− before "
@@ -115,7 +117,8 @@ public:
         result_list("ordinates", {units_.label("s", ui::Measure::Length), heading}, all.size(), [&](std::size_t i) {
             ImGui::TextUnformatted(text(all[i].s, ui::Measure::Length).c_str());
             const double value = std::abs(all[i].value) > rounding ? all[i].value : 0.0;
-            number_cell(text(value * unit_.factor, ui::Measure::Plain));
+            number_cell(workspace_, text(value * unit_.factor, ui::Measure::Plain),
+                        under({.place = {.position = all[i].s}, .is_unit_load = true}));
         });
         if (picture_.line.ordinates.largest() > 0.0) ui::wrapped_text(areas_text(units_, picture_, tr()));
     }
@@ -130,6 +133,9 @@ private:
     {
         return femoop::influence::component_name(session_.model().analysis, picture_.line.effect);
     }
+
+    /// The effect as it is under such a load.
+    PointedNumber under(const LoadOnLine& load) const { return {.effect = picture_.line.effect, .under = load}; }
 
     static std::vector<CandidatePosition> worst_first(std::vector<CandidatePosition> all, bool is_max)
     {
@@ -158,6 +164,7 @@ private:
         return translatable("root");
     }
 
+    Workspace& workspace_;
     Session& session_;
     const InfluencePicture& picture_;
     ui::DisplayUnits units_;
@@ -200,7 +207,7 @@ void influence_panel(Workspace& workspace)
     if (picture == nullptr) return ui::wrapped_text(session.tr()("the model has no results"));
     if (session.hidden)
         return ui::wrapped_text(session.tr()("Sketch the line with the pencil (K); H reveals it, with its ordinates."));
-    const InfluenceTables tables(session, *picture);
+    const InfluenceTables tables(workspace, *picture);
     tables.title();
     const bool is_traced = session.influence.is_traced();
     if (session.influence.standing() != nullptr && !is_traced) tables.candidates();

@@ -62,21 +62,19 @@ void number_cell(const std::string& text)
     right_aligned(text);
 }
 
-bool number_cell(Workspace& workspace, const std::string& text, const femoop::MovingEffect& number, const Part& part)
+void number_cell(Workspace& workspace, const std::string& text, const PointedNumber& number,
+                 const std::optional<Part>& part)
 {
     ImGui::TableNextColumn();
     const ImVec2 corner = ImGui::GetCursorScreenPos();
     const ImVec2 end{corner.x + ImGui::GetContentRegionAvail().x, corner.y + ImGui::GetTextLineHeight()};
     right_aligned(text);
-    if (!ImGui::IsWindowHovered() || !ImGui::IsMouseHoveringRect(corner, end)) return false;
+    if (!ImGui::IsWindowHovered() || !ImGui::IsMouseHoveringRect(corner, end)) return;
     workspace.pointed_number = number;
-    if (!ImGui::IsMouseReleased(ImGuiMouseButton_Right)) return true;
-    workspace.session.selection = part;
+    if (!ImGui::IsMouseReleased(ImGuiMouseButton_Right)) return;
+    if (part) workspace.session.selection = *part;
     workspace.menu_number = number;
-    workspace.menu_case.reset();
-    workspace.menu_extreme.reset();
     workspace.requests.push_back(Request::ContextMenu);
-    return true;
 }
 
 void name_cell(const std::string& text)

@@ -16,8 +16,9 @@ void result_list(const char* id, const std::vector<std::string>& headings, std::
 /// The first cell of a row: names a part, and selects it when it is clicked.
 void part_cell(Session& session, const Part& part, const std::string& name);
 void number_cell(const std::string& text); ///< at the right
-/// Of the results: it can be asked where it comes from. \param part  of its row  \returns whether the pointer is on it
-bool number_cell(Workspace& workspace, const std::string& text, const femoop::MovingEffect& number, const Part& part);
+/// Of the results: it can be asked where it comes from. \param part  of its row, if that has one
+void number_cell(Workspace& workspace, const std::string& text, const PointedNumber& number,
+                 const std::optional<Part>& part = {});
 void name_cell(const std::string& text); ///< at the left
 
 /// A heading that folds what stands under it. \returns whether it is unfolded

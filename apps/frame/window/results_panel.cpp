@@ -58,7 +58,7 @@ void displacements(const ShownCase& shown)
         const NodeVector u = shown.result.displacement(NodeId(i));
         for (const Dof dof : list)
             number_cell(shown.workspace, shown.numbers.number(u[index(dof)], displacement_measures.of(dof)),
-                        {.quantity = ExpectedQuantity::Displacement, .node = NodeId(i), .dof = dof}, NodeId(i));
+                        {{.quantity = ExpectedQuantity::Displacement, .node = NodeId(i), .dof = dof}}, NodeId(i));
     });
 }
 
@@ -78,7 +78,7 @@ void reactions(const ShownCase& shown)
         const NodeVector r = shown.result.reaction(supported[i]);
         for (const Dof dof : list)
             number_cell(shown.workspace, shown.numbers.number(r[index(dof)], force_measures.of(dof)),
-                        {.quantity = ExpectedQuantity::Reaction, .node = supported[i], .dof = dof}, supported[i]);
+                        {{.quantity = ExpectedQuantity::Reaction, .node = supported[i], .dof = dof}}, supported[i]);
         if (!has_slanting) return;
         const bool is_slanting = drawing::slanting_normal(shown.model(), supported[i]).has_value();
         number_cell(is_slanting ? shown.numbers.number(drawing::resultant(r), ui::Measure::Force) : "");
@@ -138,7 +138,7 @@ void member_forces(const ShownCase& shown, MemberComponent component, const std:
         const auto texts = force_texts(shown, component, i);
         const auto numbers = force_numbers(shown, component, i);
         for (std::size_t j = has_ends ? 0 : 2; j < texts.size(); ++j)
-            number_cell(shown.workspace, texts[j], numbers[j], MemberId(i));
+            number_cell(shown.workspace, texts[j], {numbers[j]}, MemberId(i));
     });
 }
 

@@ -220,8 +220,9 @@ void TablesPanel::point_at_number(Workspace& workspace)
 {
     const auto under_mouse = number_in(grid_.cell_under_mouse());
     const auto point_at = [&](const std::optional<std::pair<std::size_t, std::size_t>>& cell) {
-        workspace.pointed_number = number_in(cell);
-        if (workspace.pointed_number) workspace.pointed_case = case_in(*cell, workspace.session);
+        workspace.pointed_number.reset();
+        if (const auto number = number_in(cell))
+            workspace.pointed_number = {.effect = *number, .of = case_in(*cell, workspace.session)};
     };
     if (under_mouse) point_at(grid_.cell_under_mouse());
     else if (has_keyboard_ && !workspace.pointed_number) point_at(grid_.cell_of_cursor());
@@ -229,9 +230,7 @@ void TablesPanel::point_at_number(Workspace& workspace)
     has_keyboard_ = true;
     grid_.go_to_mouse();
     select_rows(workspace);
-    workspace.menu_number = under_mouse;
-    workspace.menu_case = workspace.pointed_case;
-    workspace.menu_extreme.reset();
+    workspace.menu_number = workspace.pointed_number;
     workspace.requests.push_back(Request::ContextMenu);
 }
 

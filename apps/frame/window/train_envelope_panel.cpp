@@ -138,10 +138,10 @@ private:
             units_.number(worst.placing.value, drawing::measure_of(component_)));
         if (worst.sections.empty()) return number_cell(text);
         const double length = femoop::geometry_of(session_.model(), session_.model()[member]).length;
-        const auto number = number_at_section({member, worst.sections.front()}, component_, length);
-        if (!number_cell(workspace_, text, number, member)) return;
-        workspace_.pointed_extreme = kind;
-        if (workspace_.menu_number) workspace_.menu_extreme = kind;
+        number_cell(
+            workspace_, text,
+            {.effect = number_at_section({member, worst.sections.front()}, component_, length), .extreme = kind},
+            member);
     }
 
     Workspace& workspace_;

@@ -55,7 +55,7 @@ TEST_SUITE("frame session")
         Workspace workspace = workspace_with("portal.json");
         CHECK(run(workspace, "derivation.next") == "no number is explained; point at one and press W");
         CHECK(run(workspace, "view.why") == "point at a number of the picture or of a table of results first");
-        workspace.pointed_number = moment(workspace.session, "BC", 3.0);
+        workspace.pointed_number = {moment(workspace.session, "BC", 3.0)};
         CHECK(!run(workspace, "view.why"));
         CHECK(explained(workspace) == "M(BC, 3 m)");
         CHECK(workspace.derivation.n_steps() == 11);
@@ -139,13 +139,50 @@ TEST_SUITE("frame session")
         CHECK(show.force_method() == nullptr);
     }
 
+    TEST_CASE("An ordinate is explained as the effect under a unit load there, and follows the load")
+    {
+        Workspace workspace = workspace_with("bridge.json");
+        Session& session = workspace.session;
+        session.influence.ask(session.model(), drawing::Cut{*session.model().find_member("BC"), 40.0});
+        REQUIRE(session.shown_line() != nullptr);
+        const auto line = session.shown_line()->line;
+        CHECK(run(workspace, "view.why") == "point at an ordinate of the line, or put a load on it (U, R)");
+        workspace.pointed_number = {.effect = line.effect,
+                                    .under = LoadOnLine{.place = {.position = 80.0}, .is_unit_load = true}};
+        CHECK(!run(workspace, "view.why"));
+        REQUIRE(workspace.derivation.derivation() != nullptr);
+        CHECK(workspace.derivation.derivation()->value == doctest::Approx(line.ordinates.value(80.0)));
+        session.influence.put_train({.position = 150.0});
+        workspace.derivation.follow(session);
+        CHECK(workspace.derivation.derivation()->value == doctest::Approx(line.ordinates.value(150.0)));
+        session.influence.clear();
+        CHECK(refusal(workspace) == "The load is gone from the influence line; point at an ordinate and press W.");
+    }
+
+    TEST_CASE("Of a train on the line its effect is explained where it stands, and at each candidate")
+    {
+        Workspace workspace = workspace_with("bridge.json");
+        Session& session = workspace.session;
+        session.influence.ask(session.model(), drawing::Cut{*session.model().find_member("BC"), 40.0});
+        session.influence.choose_train("HS20");
+        REQUIRE(session.shown_line() != nullptr);
+        CHECK(!run(workspace, "view.why"));
+        REQUIRE(workspace.derivation.derivation() != nullptr);
+        CHECK(workspace.derivation.derivation()->value == doctest::Approx(session.influence.standing()->placing.value));
+        const CandidatePosition candidate = session.influence.candidates().front();
+        workspace.pointed_number = {.effect = session.shown_line()->line.effect,
+                                    .under = LoadOnLine{{candidate.position, candidate.reversed}}};
+        CHECK(!run(workspace, "view.why"));
+        CHECK(workspace.derivation.derivation()->value == doctest::Approx(candidate.value));
+    }
+
     TEST_CASE("Forces are released one by one where the pointer is, held again, and refused with the motion")
     {
         Workspace workspace = workspace_with("portal.json");
         const Session& session = workspace.session;
         CHECK(run(workspace, "view.release") == "point at a support, or at a section of a diagram first");
         const auto release = [&](const MovingEffect& force) {
-            workspace.pointed_number = force;
+            workspace.pointed_number = {force};
             CHECK(!run(workspace, "view.release"));
         };
         const auto released = [&] { return workspace.derivation.force_method()->redundants; };

@@ -1,0 +1,29 @@
+#pragma once
+
+#include <optional>
+
+#include "apps/frame/influence/asked_line.h"
+#include "femoop/model/expected.h"
+#include "femoop/model/ids.h"
+#include "femoop/model/moving_load.h"
+
+namespace frame {
+
+/// What stands on an influence line, and where.
+struct LoadOnLine {
+    AskedTrain::Place place;
+    bool is_unit_load = false; ///< in place of the line's train
+
+    friend bool operator==(const LoadOnLine&, const LoadOnLine&) = default;
+};
+
+/// A number under the pointer, and what it is of where that is not what is shown.
+struct PointedNumber {
+    femoop::MovingEffect effect;
+    std::optional<femoop::CaseId> of{}; ///< its case, where a table or an envelope says so
+    std::optional<femoop::ExtremeKind>
+        extreme{};                     ///< of an envelope; nothing: the one of the greater magnitude is meant
+    std::optional<LoadOnLine> under{}; ///< of an influence line: under this load it is the effect's value
+};
+
+} // namespace frame
