@@ -43,6 +43,8 @@ std::vector<double> compared_shares(const Curve& now, const std::optional<Curve>
     return shares;
 }
 
+constexpr double same_length = 1e-9; // of it
+
 /// Of two sections the one where more has changed, else where there is more now.
 bool is_larger(const Difference& a, const Difference& b)
 {
@@ -91,6 +93,7 @@ Difference Differences::force(MemberId member, MemberComponent component) const
         one.now = without_rounding(curve.value(component, share * curve.length(), side), now_size);
         if (past) one.then = without_rounding(past->value(component, share * past->length(), side), then_size);
         one.share = share;
+        one.is_as_long = !past || std::abs(past->length() - curve.length()) <= same_length * curve.length();
         one.size = std::max(now_size, then_size);
         return one;
     };

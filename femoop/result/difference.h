@@ -27,7 +27,8 @@ struct Difference {
     double now = 0.0;
     std::optional<double> then{};  ///< absent where there was no such part, or no support there
     std::optional<double> share{}; ///< of a section force: the section, as a share of the member's length
-    double size = 0.0;             ///< of such values: what is rounding beside it is no change
+    bool is_as_long = true; ///< of a section force: the member was as long, so that the section stood where it does
+    double size = 0.0;      ///< of such values: what is rounding beside it is no change
 
     std::optional<double> change() const
     {

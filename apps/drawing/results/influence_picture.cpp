@@ -109,17 +109,22 @@ public:
 
     void draw() const
     {
-        if (!picture_.traced) draw_moved();
-        for (const PathMember& on : picture_.path.members) draw_on(on);
-        write_end(picture_.path.members.front(), 0.0);
-        write_end(picture_.path.members.back(), picture_.path.length());
-        for (const auto& force : picture_.forces) draw_ordinate(force);
+        if (scale_.largest > 0.0) draw_line();
         const ui::LayerScope layer(sketch().painter(), ui::Layer::Symbols);
         mark_section();
     }
 
 private:
     Sketch& sketch() const { return scene_.sketch; }
+
+    void draw_line() const
+    {
+        if (!picture_.traced) draw_moved();
+        for (const PathMember& on : picture_.path.members) draw_on(on);
+        write_end(picture_.path.members.front(), 0.0);
+        write_end(picture_.path.members.back(), picture_.path.length());
+        for (const auto& force : picture_.forces) draw_ordinate(force);
+    }
 
     std::string text(double ordinate) const { return scene_.number(ordinate * unit_.factor, ui::Measure::Plain); }
 
@@ -287,7 +292,7 @@ InfluenceScale influence_scale(const Scene& scene, const InfluencePicture& pictu
 
 void draw_influence(const Scene& scene, const InfluencePicture& picture, const InfluenceScale& scale)
 {
-    if (scale.largest > 0.0) InfluenceDrawing(scene, picture, scale).draw();
+    InfluenceDrawing(scene, picture, scale).draw();
 }
 
 Vector3d ordinate_side(const femoop::NodeVector& load, const femoop::MemberGeometry& member, bool is_flat)

@@ -102,7 +102,8 @@ std::vector<MovingEffect> AskedLine::choices(const Model& model) const
     };
     if (now->member) {
         for (const MemberComponent component : femoop::section_force_components(model.analysis))
-            add(ExpectedQuantity::SectionForce, component, std::nullopt);
+            if (!is_truss(model.analysis) || component == MemberComponent::N) // loads come onto its joints alone
+                add(ExpectedQuantity::SectionForce, component, std::nullopt);
         return choices;
     }
     choices = femoop::influence::reactions_at(model, *now->node);

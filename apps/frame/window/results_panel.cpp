@@ -177,11 +177,12 @@ Measure measure_of_difference(const Difference& one)
     return one.quantity == ComparedQuantity::Reaction ? force_measures.of(dof) : displacement_measures.of(dof);
 }
 
-/// " (3.2 m)" of a section force.
+/// " (3.2 m)" of a section force; " (40%)" where the member had another length.
 std::string section_text(const ShownCase& shown, const Difference& one)
 {
     const auto* const member = std::get_if<femoop::MemberId>(&one.part);
     if (member == nullptr || !one.share) return "";
+    if (!one.is_as_long) return " (" + shown.units.number(100.0 * *one.share, Measure::Plain) + "%)";
     const double x = *one.share * geometry_of(shown.model(), shown.model()[*member]).length;
     return " (" + shown.units.text(x, Measure::Length) + ")";
 }

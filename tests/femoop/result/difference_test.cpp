@@ -47,6 +47,7 @@ TEST_SUITE("differences")
         CHECK(M.now == doctest::Approx(-28.0));
         CHECK(*M.then == doctest::Approx(-21.0));
         CHECK(*M.change() == doctest::Approx(-7.0));
+        CHECK_FALSE(M.is_as_long);
         CHECK(*of(all, ComparedQuantity::SectionForce, MemberComponent::Vy).change() == doctest::Approx(0.0));
         CHECK(*of(all, ComparedQuantity::Reaction, Dof::rz).change() == doctest::Approx(7.0));
     }
@@ -57,7 +58,10 @@ TEST_SUITE("differences")
         const Results results = analyse(model);
         const Differences none({&model, results.at("P")}, {&model, results.at("P")});
         CHECK(none.size() == 12); // 3 section forces, 3 reactions, 2 x 3 displacements
-        for (std::size_t i = 0; i < none.size(); ++i) CHECK(*none[i].change() == 0.0);
+        for (std::size_t i = 0; i < none.size(); ++i) {
+            CHECK(*none[i].change() == 0.0);
+            CHECK(none[i].is_as_long);
+        }
         const Differences all({&model, results.at("H")}, {&model, results.at("P")});
         CHECK(*of(all, ComparedQuantity::SectionForce, MemberComponent::N).change() == doctest::Approx(5.0));
         CHECK(of(all, ComparedQuantity::SectionForce, MemberComponent::Mz).now == 0.0);
