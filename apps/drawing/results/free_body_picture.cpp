@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <string_view>
 
 namespace drawing {
 
@@ -71,26 +70,13 @@ private:
                                .weight = ui::Weight::Bold});
     }
 
-    void draw_force(const Force& force)
+    /// Section forces in the member's own axes, by the names that diagrams have.
+    void draw_force(Force force)
     {
-        if (force.kind == ForceKind::SectionForces) return draw_section(force);
-        for (Eigen::Index i = 0; i < 3; ++i) draw_component(force, Vector3d::Unit(i), force.force[i], {});
-        for (Eigen::Index i = 0; i < 3; ++i) draw_couple(force, Vector3d::Unit(i), force.moment[i], {});
-    }
-
-    /// In the member's own axes, by the names that diagrams have.
-    void draw_section(Force force)
-    {
-        draw_stub(force);
-        const MemberShape& member = scene_.shape[*force.member];
-        const double sign = force.is_on_plus_face ? 1.0 : -1.0;
-        const femoop::SectionForces& s = force.section;
-        draw_component(force, sign * member.x(), s.N, MemberComponent::N);
-        draw_component(force, -sign * member.y(), s.Vy, MemberComponent::Vy);
-        draw_component(force, -sign * member.z(), s.Vz, MemberComponent::Vz);
-        draw_couple(force, sign * member.x(), s.T, MemberComponent::T);
-        draw_couple(force, -sign * member.y(), s.My, MemberComponent::My);
-        draw_couple(force, sign * member.z(), s.Mz, MemberComponent::Mz);
+        if (force.kind == ForceKind::SectionForces) draw_stub(force);
+        for (const ForceComponent& one : components(force))
+            if (one.is_moment) draw_couple(force, one.direction, one.value, one.of);
+            else draw_component(force, one.direction, one.value, one.of);
     }
 
     void draw_component(const Force& force, const Vector3d& axis, double value,

@@ -3,6 +3,7 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <utility>
 
 #include "femoop/geometry/plane_vectors.h"
@@ -177,7 +178,9 @@ const drawing::FreeBodyPicture* AskedBody::picture(const femoop::Model& model, c
     const Vector3d about = about_.value_or(usual_moment_point(lifted, model));
     std::vector<std::string> equations = equation_lines(lifted, model, about, options.tr);
     const auto ritter = at_place(lifted.ritter_points, about);
-    if (ritter) equations.push_back(ritter_line(lifted, model, lifted.ritter_points[*ritter], options.tr));
+    if (ritter)
+        std::ranges::move(ritter_lines(lifted, model, lifted.ritter_points[*ritter], options.tr),
+                          std::back_inserter(equations));
     picture_ = drawing::FreeBodyPicture{.lifted = std::move(lifted),
                                         .aside = aside(model, body),
                                         .about = about,

@@ -39,11 +39,27 @@ void write_force(JsonWriter& json, const Force& force, const Model& model)
     json.end();
 }
 
-void write_equation(JsonWriter& json, const Equation& equation)
+void write_moment(JsonWriter& json, const MomentTerm& term, AnalysisKind kind)
+{
+    json.begin_object()
+        .member("force", static_cast<double>(term.force))
+        .member("of", term.of ? name(*term.of, kind) : force_name(term.dof))
+        .member("value", term.value);
+    if (term.arm) json.member("arm", *term.arm);
+    json.member("moment", term.moment).end();
+}
+
+void write_equation(JsonWriter& json, const Equation& equation, AnalysisKind kind)
 {
     json.begin_object().member("of", force_name(equation.dof)).key("terms").begin_array();
     for (const double term : equation.terms) json.value(term);
-    json.end().member("sum", equation.sum).end();
+    json.end();
+    if (is_rotation(equation.dof)) {
+        json.key("moments").begin_array();
+        for (const MomentTerm& one : equation.moments) write_moment(json, one, kind);
+        json.end();
+    }
+    json.member("sum", equation.sum).end();
 }
 
 void write_ritter_point(JsonWriter& json, const RitterPoint& point, const FreeBody& body, const Model& model)
@@ -71,7 +87,8 @@ void write_free_body(JsonWriter& json, const FreeBody& body, const Model& model,
     json.key("forces").begin_array(Layout::Block);
     for (const Force& force : body.forces) write_force(json, force, model);
     json.end().key("equations").begin_array(Layout::Block);
-    for (const Equation& equation : equations(body, model.analysis, about)) write_equation(json, equation);
+    for (const Equation& equation : equations(body, model.analysis, about))
+        write_equation(json, equation, model.analysis);
     json.end();
     if (body.ritter_points.empty()) return;
     json.key("ritter_points").begin_array(Layout::Block);

@@ -1,7 +1,11 @@
 #include "femoop/io/free_body/free_body_text.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <functional>
+#include <numeric>
+#include <span>
 #include <string_view>
 
 #include "femoop/methods/free_body/ritter.h"
@@ -10,6 +14,7 @@
 #include "femoop/model/quantity/number_text.h"
 #include "femoop/model/quantity/six_digits.h"
 #include "femoop/model/quantity/unit_signs.h"
+#include "femoop/tabular/halves.h"
 #include "femoop/tabular/plain_text.h"
 
 namespace femoop::free_body {
@@ -44,48 +49,141 @@ std::string symbol(Dof dof, AnalysisKind kind)
     return is_plane(kind) ? "ΣM" : "ΣM" + axis;
 }
 
+/// Numbers that balance, with as many decimals as give the largest six digits, so that they add up to nothing as printed
+/// too: each one is off by less than a unit of its last place. Those that do not balance are rounded and no more.
+std::vector<double> balanced(const std::vector<double>& numbers)
+{
+    constexpr int n_digits = 6;
+    double largest = 0.0;
+    for (const double one : numbers) largest = std::max(largest, std::abs(one));
+    if (largest == 0.0) return numbers;
+    const double decimals = n_digits - 1 - std::floor(std::log10(largest));
+    const auto in_units = [&](double value) { return value * std::pow(10.0, decimals); };
+    std::vector<double> rounded;
+    for (const double one : numbers) rounded.push_back(std::round(tabular::off_half(in_units(one))));
+    const double left = std::accumulate(rounded.begin(), rounded.end(), 0.0), way = left > 0.0 ? -1.0 : 1.0;
+    std::vector<std::size_t> order(numbers.size());
+    std::iota(order.begin(), order.end(), 0);
+    std::ranges::stable_sort(order, std::greater(),
+                             [&](std::size_t i) { return way * (in_units(numbers[i]) - rounded[i]); });
+    const auto n = static_cast<std::size_t>(std::abs(left));
+    if (n < order.size())
+        for (std::size_t i = 0; i < n; ++i) rounded[order[i]] += way;
+    for (double& one : rounded) one /= std::pow(10.0, decimals);
+    return rounded;
+}
+
+/// "− 30 kN · 1 m" on the way through a sum, "−30 kN · 1 m" at its beginning.
+std::string signed_term(double value, const std::string& size, bool is_first)
+{
+    if (value < 0.0) return (is_first ? "−" : " − ") + size;
+    return (is_first ? "" : " + ") + size;
+}
+
 /// "60 + 54 − 114" without what is nothing; empty where all is.
 std::string added(const std::vector<double>& terms, const Translator& tr)
 {
     std::string text;
-    for (const double term : terms) {
-        if (term == 0.0) continue;
-        text += term < 0.0 ? (text.empty() ? "−" : " − ") : (text.empty() ? "" : " + ");
-        text += six_digits(std::abs(term), tr);
-    }
+    for (const double term : terms)
+        if (term != 0.0) text += signed_term(term, six_digits(std::abs(term), tr), text.empty());
     return text;
+}
+
+std::vector<double> shown_terms(const Equation& equation)
+{
+    std::vector<double> terms;
+    if (is_rotation(equation.dof))
+        for (const MomentTerm& one : equation.moments) terms.push_back(one.moment);
+    else
+        for (const double term : equation.terms) terms.push_back(without_rounding(term, equation));
+    return balanced(terms);
 }
 
 std::string sum_text(const Equation& equation, const Translator& tr)
 {
-    std::vector<double> terms;
-    for (const double term : equation.terms) terms.push_back(without_rounding(term, equation));
-    const std::string text = added(terms, tr);
+    const std::string text = added(shown_terms(equation), tr);
     const std::string sum = six_digits(without_rounding(equation.sum, equation), tr);
     return text.empty() ? sum : text + " = " + sum;
 }
 
-tabular::Column column(Dof dof, const Model& model)
+/// "−30 kN · 1 m + 84 kN·m"; empty where no force has an arm.
+std::string arms_text(std::span<const MomentTerm> terms, const Model& model, const Translator& tr)
 {
-    const Dimension dimension = is_rotation(dof) ? dimension::moment : dimension::force;
-    return {symbol(dof, model.analysis).substr(std::string_view("Σ").size()), unit(dimension, model)};
+    if (std::ranges::none_of(terms, [](const MomentTerm& one) { return one.arm.has_value(); })) return {};
+    std::string text;
+    for (const MomentTerm& one : terms) {
+        std::string size = six_digits(std::abs(one.arm ? one.value : one.moment), tr) + " " +
+                           unit(one.arm ? dimension::force : dimension::moment, model);
+        if (one.arm) size += " · " + length_text(std::abs(*one.arm), model, tr);
+        text += signed_term(one.moment, size, text.empty());
+    }
+    return text;
 }
 
-tabular::Table table(const FreeBody& body, const Model& model, const std::vector<Equation>& equations,
-                     const Translator& tr)
+/// "Fx", "M" about the point.
+std::string summed(Dof dof, const Model& model)
+{
+    return symbol(dof, model.analysis).substr(std::string_view("Σ").size());
+}
+
+std::string equation_name(const Equation& equation, const Model& model, const Eigen::Vector3d& about,
+                          const Translator& tr)
+{
+    return symbol(equation.dof, model.analysis) +
+           (is_rotation(equation.dof) ? point_text(about, model, tr) : std::string());
+}
+
+void add_sums(tabular::Table& table, std::vector<tabular::Cell> sums)
+{
+    table.add_row(std::move(sums));
+    table.n_sums = 1;
+}
+
+/// A column for each equation of forces.
+tabular::Table force_table(const FreeBody& body, const Model& model, std::span<const Equation> equations,
+                           const Translator& tr)
 {
     std::vector<tabular::Column> columns{tabular::Column(tr("acts on the body"))};
-    for (const Equation& equation : equations) columns.push_back(column(equation.dof, model));
+    std::vector<std::vector<double>> terms;
+    for (const Equation& equation : equations) {
+        columns.emplace_back(summed(equation.dof, model), unit(dimension::force, model));
+        terms.push_back(shown_terms(equation));
+    }
     tabular::Table table(columns);
     for (std::size_t i = 0; i < body.forces.size(); ++i) {
         std::vector<tabular::Cell> cells{force_text(body.forces[i], model, tr)};
-        for (const Equation& equation : equations) cells.emplace_back(without_rounding(equation.terms[i], equation));
+        for (const std::vector<double>& one : terms) cells.emplace_back(one[i]);
         table.add_row(std::move(cells));
     }
     std::vector<tabular::Cell> sums{tr("sum")};
     for (const Equation& equation : equations) sums.emplace_back(without_rounding(equation.sum, equation));
-    table.add_row(std::move(sums));
-    table.n_sums = 1;
+    add_sums(table, std::move(sums));
+    return table;
+}
+
+/// "V" of a section, "fx" of what else.
+std::string component_text(const MomentTerm& term, const Model& model)
+{
+    return std::string(term.of ? name(*term.of, model.analysis) : force_name(term.dof));
+}
+
+/// Of what has a moment about the point: each force with its arm, and the moments by themselves.
+tabular::Table moment_table(const FreeBody& body, const Model& model, const Equation& equation, const Translator& tr)
+{
+    tabular::Table table({tr("turns the body"),
+                          {std::string(), {}, tabular::Alignment::Left},
+                          {tr("force"), unit(dimension::force, model)},
+                          {tr("arm"), unit(dimension::length, model)},
+                          {summed(equation.dof, model), unit(dimension::moment, model)}});
+    const std::vector<double> moments = shown_terms(equation);
+    for (std::size_t i = 0; i < moments.size(); ++i) {
+        const MomentTerm& one = equation.moments[i];
+        const auto nothing = tabular::Cell();
+        table.add_row({force_text(body.forces[one.force], model, tr), component_text(one, model),
+                       one.arm ? tabular::Cell(one.value) : nothing, one.arm ? tabular::Cell(*one.arm) : nothing,
+                       moments[i]});
+    }
+    add_sums(table, {tr("sum"), {}, {}, {}, without_rounding(equation.sum, equation)});
     return table;
 }
 
@@ -130,36 +228,56 @@ std::vector<std::string> equation_lines(const FreeBody& body, const Model& model
     std::vector<std::string> lines;
     for (const Equation& equation : equations(body, model.analysis, about)) {
         const bool is_moment = is_rotation(equation.dof);
-        const std::string name = symbol(equation.dof, model.analysis) +
-                                 (is_moment ? point_text(about, model, tr) : std::string());
-        const std::string in = unit(is_moment ? dimension::moment : dimension::force, model);
-        lines.push_back(name + " = " + sum_text(equation, tr) + "  [" + in + "]");
+        const std::string arms = is_moment ? arms_text(equation.moments, model, tr) : std::string();
+        const std::string name = equation_name(equation, model, about, tr);
+        if (!arms.empty()) lines.push_back(name + " = " + arms);
+        lines.push_back((arms.empty() ? name : std::string()) + (arms.empty() ? " = " : "= ") + sum_text(equation, tr) +
+                        "  [" + unit(is_moment ? dimension::moment : dimension::force, model) + "]");
     }
     return lines;
 }
 
-std::string ritter_line(const FreeBody& body, const Model& model, const RitterPoint& point, const Translator& tr)
+std::vector<std::string> ritter_lines(const FreeBody& body, const Model& model, const RitterPoint& point,
+                                      const Translator& tr)
 {
     RitterForce found = ritter_force(body, point);
-    for (double& moment : found.moments) moment *= point.arm < 0.0 ? 1.0 : -1.0; // to the other side of the equation
-    std::string moments = added(found.moments, tr);
-    if (found.moments.size() > 1) moments = "(" + moments + ")";
-    const std::string by_arm = moments.empty() ? "" : moments + " / " + six_digits(std::abs(point.arm), tr) + " = ";
-    return fill(tr("N of {0} = {1}  [{2}]  about {3}, where the other bars meet"),
-                {model[point.bar].id, by_arm + (found.force == 0.0 ? "0" : added({found.force}, tr)),
-                 unit(dimension::force, model), point_text(point.at, model, tr)});
+    std::vector<double> moments;
+    for (MomentTerm& one : found.moments) {
+        one.moment *= point.arm < 0.0 ? 1.0 : -1.0; // to the other side of the equation
+        moments.push_back(one.moment);
+    }
+    const auto by_arm = [&](const std::string& sum, const std::string& arm) {
+        if (sum.empty()) return sum;
+        return (moments.size() > 1 ? "(" + sum + ")" : sum) + " / " + arm;
+    };
+    const double arm = std::abs(point.arm);
+    const std::string arms = by_arm(arms_text(found.moments, model, tr), length_text(arm, model, tr));
+    const std::string sum = by_arm(added(moments, tr), six_digits(arm, tr));
+    const std::string force = found.force == 0.0 ? "0" : added({found.force}, tr);
+    std::vector<std::string> lines{fill(tr("N of {0} = {1}"), {model[point.bar].id, arms.empty() ? sum : arms})};
+    if (sum.empty()) lines.back() += force;
+    else lines.push_back((arms.empty() ? "" : "= " + sum + " ") + "= " + force);
+    lines.back() += fill(tr("  [{0}]  about {1}, where the other bars meet"),
+                         {unit(dimension::force, model), point_text(point.at, model, tr)});
+    return lines;
 }
 
 std::string free_body_text(const FreeBody& body, const Model& model, const Eigen::Vector3d& about, const Translator& tr)
 {
     const std::vector<Equation> equations = free_body::equations(body, model.analysis, about);
+    const auto first_moment = std::ranges::find_if(equations, [](const Equation& one) { return is_rotation(one.dof); });
+    const auto plain = [&](const tabular::Table& table) {
+        return tabular::plain_text(table, {indent, decimal_mark(tr)}) + "\n";
+    };
     std::string text = body_text(body.body, model, tr) + "\n" +
                        fill(tr("Moments about {0} {1}"),
                             {point_text(about, model, tr), unit(dimension::length, model)}) +
-                       "\n\n" + tabular::plain_text(table(body, model, equations, tr), {indent, decimal_mark(tr)}) +
-                       "\n";
+                       "\n\n" + plain(force_table(body, model, {equations.begin(), first_moment}, tr));
+    for (const Equation& equation : std::span(first_moment, equations.end()))
+        if (!equation.moments.empty()) text += plain(moment_table(body, model, equation, tr));
     for (const std::string& line : equation_lines(body, model, about, tr)) text += line + "\n";
-    for (const RitterPoint& point : body.ritter_points) text += ritter_line(body, model, point, tr) + "\n";
+    for (const RitterPoint& point : body.ritter_points)
+        for (const std::string& line : ritter_lines(body, model, point, tr)) text += line + "\n";
     return text;
 }
 

@@ -13,14 +13,19 @@ namespace femoop::free_body {
 /// What a force is and where: "load on AB at x = 2.5 m", "section of BC at x = 0 m", "reaction at A".
 std::string force_text(const Force& force, const Model& model, const Translator& tr);
 
-/// The equations of equilibrium with their numbers, a line each: "ΣFy = 36 + 30 − 66 = 0  [kN]".
+/// The equations of equilibrium with their numbers, which add up to nothing as they are printed, a line each:
+/// "ΣFy = 36 + 30 − 66 = 0  [kN]"; of moments with forces that have arms two:
+/// "ΣM(2, 0) = −30 kN · 1 m − 36 kN · 1.5 m + 84 kN·m", "= −30 − 54 + 84 = 0  [kN·m]".
 std::vector<std::string> equation_lines(const FreeBody& body, const Model& model, const Eigen::Vector3d& about,
                                         const Translator& tr);
 
-/// The force of a bar alone: "N of U1U2 = −270 / 4 = −67.5  [kN]  about (6, 0), where the other bars meet".
-std::string ritter_line(const FreeBody& body, const Model& model, const RitterPoint& point, const Translator& tr);
+/// The force of a bar alone: "N of U1U2 = −90 kN · 3 m / 4 m", "= −270 / 4 = −67.5  [kN]  about (6, 0), where the other
+/// bars meet".
+std::vector<std::string> ritter_lines(const FreeBody& body, const Model& model, const RitterPoint& point,
+                                      const Translator& tr);
 
-/// The body, a table of the forces on it with their moments about the point, the equations, and the Ritter points.
+/// The body, a table of the forces on it, one of their arms and moments about the point, the equations, and the Ritter
+/// points.
 std::string free_body_text(const FreeBody& body, const Model& model, const Eigen::Vector3d& about,
                            const Translator& tr);
 

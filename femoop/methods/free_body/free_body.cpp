@@ -251,7 +251,8 @@ private:
              .force = sign * geometry.axes.transpose() * Vector3d(s.N, -s.Vy, -s.Vz),
              .moment = sign * geometry.axes.transpose() * Vector3d(s.T, -s.My, s.Mz),
              .section = s,
-             .is_on_plus_face = is_on_plus_face});
+             .is_on_plus_face = is_on_plus_face,
+             .axes = geometry.axes});
     }
 
     Discretisation structure_;
@@ -272,6 +273,22 @@ std::vector<Dof> axes(AnalysisKind kind)
 
 Vector3d Force::moment_about(const Vector3d& point) const { return moment + (at - point).cross(force); }
 
+std::vector<ForceComponent> components(const Force& force)
+{
+    std::vector<ForceComponent> list;
+    if (force.kind != ForceKind::SectionForces) {
+        for (Eigen::Index i = 0; i < 3; ++i) list.push_back({{}, Vector3d::Unit(i), force.force[i], false});
+        for (Eigen::Index i = 0; i < 3; ++i) list.push_back({{}, Vector3d::Unit(i), force.moment[i], true});
+        return list;
+    }
+    using enum MemberComponent;
+    const double sign = force.is_on_plus_face ? 1.0 : -1.0;
+    const Vector3d x = sign * force.axes.row(0), y = sign * force.axes.row(1), z = sign * force.axes.row(2);
+    const SectionForces& s = force.section;
+    return {{N, x, s.N, false}, {Vy, -y, s.Vy, false}, {Vz, -z, s.Vz, false},
+            {T, x, s.T, true},  {My, -y, s.My, true},  {Mz, z, s.Mz, true}};
+}
+
 FreeBody lift_out(const Model& model, const Results& results, CaseId load_case, const Body& body)
 {
     return Gatherer(model, results, load_case).of(body);
@@ -284,6 +301,22 @@ Vector3d usual_moment_point(const FreeBody& body, const Model& model)
     if (section != body.forces.end()) return section->at;
     return body.body.nodes.empty() ? Vector3d(Vector3d::Zero()) : position_of(model, body.body.nodes.front());
 }
+
+namespace {
+
+void add_moments(Equation& equation, std::size_t i, const Force& force, const Vector3d& about)
+{
+    const auto axis = static_cast<Eigen::Index>(index(equation.dof)) - 3;
+    std::size_t dof = 0;
+    for (const ForceComponent& one : components(force)) {
+        const Vector3d turn = one.is_moment ? one.direction : (force.at - about).cross(one.direction);
+        const double moment = one.value * turn[axis];
+        const auto arm = one.is_moment ? std::nullopt : std::optional(turn[axis]);
+        equation.moments.push_back({i, one.of, all_dofs[dof++], one.value, arm, moment});
+    }
+}
+
+} // namespace
 
 std::vector<Equation> equations(const FreeBody& body, AnalysisKind kind, const Vector3d& about)
 {
@@ -298,7 +331,10 @@ std::vector<Equation> equations(const FreeBody& body, AnalysisKind kind, const V
             const double arm = (force.at - about).norm();
             const double whole = is_rotation(dof) ? force.moment.norm() + arm * force.force.norm() : force.force.norm();
             equation.size = std::max(equation.size, whole);
+            if (is_rotation(dof)) add_moments(equation, equation.terms.size() - 1, force, about);
         }
+        std::erase_if(equation.moments,
+                      [&](const MomentTerm& one) { return std::abs(one.moment) <= rounding * equation.size; });
         list.push_back(std::move(equation));
     }
     return list;

@@ -7,6 +7,7 @@
 
 #include "femoop/methods/free_body/body.h"
 #include "femoop/model/model.h"
+#include "femoop/result/components.h"
 #include "femoop/result/results.h"
 
 namespace femoop::free_body {
@@ -35,9 +36,22 @@ struct Force {
     /// they act the other way).
     SectionForces section{};
     bool is_on_plus_face = true;
+    /// Of section forces: the member's axes, in rows.
+    Eigen::Matrix3d axes = Eigen::Matrix3d::Identity();
 
     Eigen::Vector3d moment_about(const Eigen::Vector3d& point) const;
 };
+
+/// One of the arrows that a force is drawn with: along a global axis, or of section forces along an axis of the member,
+/// with the sign that the analysis gives it.
+struct ForceComponent {
+    std::optional<MemberComponent> of{}; ///< of section forces: N, Vy, ..
+    Eigen::Vector3d direction;           ///< in which it acts on the body if it is positive
+    double value;
+    bool is_moment;
+};
+/// The three forces, then the three moments.
+std::vector<ForceComponent> components(const Force& force);
 
 /// Of a body that is cut off through bars: the point in which the lines of all bars meet but one. Moments about it leave
 /// the force of that bar alone unknown.
@@ -64,12 +78,23 @@ FreeBody lift_out(const Model& model, const Results& results, CaseId load_case, 
 /// the first section, so that its forces have no arm; else that of the first node.
 Eigen::Vector3d usual_moment_point(const FreeBody& body, const Model& model);
 
+/// What a component of a force adds to the sum of moments about an axis through a point.
+struct MomentTerm {
+    std::size_t force;                   ///< of those on the body
+    std::optional<MemberComponent> of{}; ///< of section forces
+    Dof dof;                             ///< of other forces: its axis, ux .. rz
+    double value;                        ///< of the component
+    std::optional<double> arm{};         ///< of a force, positive where a positive one turns as the axis does
+    double moment;                       ///< value times arm; of a moment its part about the axis
+};
+
 /// An equation of equilibrium of a body: along an axis, or about it through a point.
 struct Equation {
     Dof dof = Dof::ux;
-    std::vector<double> terms; ///< of each of the forces
-    double sum = 0.0;          ///< 0 but for rounding
-    double size = 0.0;         ///< of the largest force, or of the largest moment about the point, in any direction
+    std::vector<double> terms;       ///< of each of the forces
+    std::vector<MomentTerm> moments; ///< of an equation of moments: what the terms consist of, without round-off
+    double sum = 0.0;                ///< 0 but for rounding
+    double size = 0.0; ///< of the largest force, or of the largest moment about the point, in any direction
 };
 
 /// All that a model of this kind has: in the plane along x and y and about the point, of a grillage along z and about x

@@ -3,8 +3,8 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 #include <optional>
+#include <utility>
 
 namespace femoop::free_body {
 
@@ -90,15 +90,15 @@ std::vector<RitterPoint> ritter_points(const Discretisation& structure, const Bo
 
 RitterForce ritter_force(const FreeBody& body, const RitterPoint& point)
 {
-    const Equation about = equations(body, AnalysisKind::Truss2d, point.at).back();
-    const auto is_rounding = [&](double moment) { return std::abs(moment) <= negligible * about.size; };
-    RitterForce found{.moments = about.terms};
-    for (std::size_t i = 0; i < body.forces.size(); ++i)
-        if (body.forces[i].kind == ForceKind::SectionForces && body.forces[i].member == point.bar)
-            found.moments[i] -= body.forces[i].section.N * point.arm;
-    std::erase_if(found.moments, is_rounding);
-    const double sum = std::accumulate(found.moments.begin(), found.moments.end(), 0.0);
-    found.force = is_rounding(sum) ? 0.0 : -sum / point.arm;
+    Equation about = equations(body, AnalysisKind::Truss2d, point.at).back();
+    RitterForce found{.moments = std::move(about.moments)};
+    std::erase_if(found.moments, [&](const MomentTerm& term) {
+        const Force& force = body.forces[term.force];
+        return force.member == point.bar && term.of == MemberComponent::N;
+    });
+    double sum = 0.0;
+    for (const MomentTerm& term : found.moments) sum += term.moment;
+    found.force = std::abs(sum) <= negligible * about.size ? 0.0 : -sum / point.arm;
     return found;
 }
 

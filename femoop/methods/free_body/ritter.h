@@ -13,8 +13,8 @@ std::vector<RitterPoint> ritter_points(const Discretisation& structure, const Bo
 
 /// The force of its bar, tension positive, from the moments of all else about the point.
 struct RitterForce {
-    std::vector<double> moments; ///< of what has an arm, in the order of the body's forces
-    double force = 0.0;          ///< minus their sum, by the arm
+    std::vector<MomentTerm> moments; ///< of what has an arm, in the order of the body's forces
+    double force = 0.0;              ///< minus their sum, by the arm
 };
 RitterForce ritter_force(const FreeBody& body, const RitterPoint& point);
 

@@ -3,8 +3,11 @@
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <numbers>
+#include <string>
+#include <vector>
 
 using doctest::Approx;
 
@@ -50,6 +53,35 @@ TEST_CASE("No line of a broken text begins with the dot that parts two words, an
         std::erase(letters, ' ');
         std::erase(all, ' ');
         CHECK(all == letters);
+    }
+}
+
+TEST_CASE("A number stays with its unit, and a sign with its term, on whatever line")
+{
+    const ui::Fonts fonts;
+    const ui::TextStyle style{.size = 13.0};
+    const std::vector<std::string> terms{"ΣM ",  "= −40.7825 kN · 1.61 m ", "+ 3.2 kN · 4 m ", "− 54.7 kN·m ", "= M4 ",
+                                         "on it"};
+    std::string text;
+    double widest = 0.0;
+    for (const std::string& term : terms) {
+        text += term;
+        widest = std::max(widest, fonts.measure(term, style).width);
+    }
+    for (double width = widest; width < 400.0; width += 1.0) {
+        CAPTURE(width);
+        std::string rest = text;
+        for (const std::string& line : ui::wrapped_lines(fonts, text, style, width)) {
+            CAPTURE(line);
+            rest.erase(0, rest.find_first_not_of(' '));
+            REQUIRE(rest.starts_with(line));
+            rest.erase(0, line.size());
+            const auto begins = [&](const std::string& term) {
+                return rest.find_first_not_of(' ') == std::string::npos ||
+                       rest.substr(rest.find_first_not_of(' ')).starts_with(term);
+            };
+            CHECK(std::ranges::any_of(terms, [&](const std::string& term) { return begins(term) || begins("it"); }));
+        }
     }
 }
 

@@ -1,5 +1,11 @@
 #include <doctest/doctest.h>
 
+#include <cmath>
+#include <sstream>
+#include <string>
+#include <string_view>
+#include <vector>
+
 #include "femoop/analysis/linear_static.h"
 #include "femoop/io/free_body/free_body_text.h"
 #include "tests/frame_maker.h"
@@ -21,6 +27,23 @@ Model held_beam()
     return made.model;
 }
 
+/// Of the numbers before the last "= 0".
+double printed_sum(const std::string& line)
+{
+    const std::size_t end = line.rfind(" = 0 ");
+    if (end == std::string::npos) return 0.0; // the arms of the next line
+    const std::size_t begin = line.rfind("= ", end - 1);
+    if (begin == std::string::npos) return 0.0;
+    std::istringstream words(line.substr(begin + 2, end - begin - 2));
+    double sum = 0.0, sign = 1.0;
+    for (std::string word; words >> word;) {
+        if (word == "+" || word == "−") sign = word == "+" ? 1.0 : -1.0;
+        else if (word.starts_with("−")) sum -= std::stod(word.substr(std::string_view("−").size()));
+        else sum += sign * std::stod(word);
+    }
+    return sum;
+}
+
 FreeBody right_part(const Model& model)
 {
     const std::vector<Cut> cuts{{MemberId(0), 2.0}};
@@ -37,15 +60,22 @@ TEST_CASE("The forces on a body stand in a table that adds up to nothing, and in
           "Free body: node B; member AB from x = 2 m to x = 5 m\n"
           "Moments about (2, 0) m\n"
           "\n"
-          "  acts on the body          Fx [kN]   Fy [kN]  M [kN·m]\n"
-          "  load on AB at x = 3 m           0  -30.0000  -30.0000\n"
-          "  load on AB at x = 3.5 m         0  -36.0000  -54.0000\n"
-          "  section of AB at x = 2 m        0   66.0000   84.0000\n"
-          "  sum                             0    0         0\n"
+          "  acts on the body          Fx [kN]   Fy [kN]\n"
+          "  load on AB at x = 3 m           0  -30.0000\n"
+          "  load on AB at x = 3.5 m         0  -36.0000\n"
+          "  section of AB at x = 2 m        0   66.0000\n"
+          "  sum                             0    0\n"
+          "\n"
+          "  turns the body                force [kN]  arm [m]  M [kN·m]\n"
+          "  load on AB at x = 3 m     fy    -30.0000  1.00000  -30.0000\n"
+          "  load on AB at x = 3.5 m   fy    -36.0000  1.50000  -54.0000\n"
+          "  section of AB at x = 2 m  M                         84.0000\n"
+          "  sum                                                  0\n"
           "\n"
           "ΣFx = 0  [kN]\n"
           "ΣFy = −30 − 36 + 66 = 0  [kN]\n"
-          "ΣM(2, 0) = −30 − 54 + 84 = 0  [kN·m]\n");
+          "ΣM(2, 0) = −30 kN · 1 m − 36 kN · 1.5 m + 84 kN·m\n"
+          "= −30 − 54 + 84 = 0  [kN·m]\n");
 }
 
 TEST_CASE("Round-off of a load that stands on another support is no force on a body")
@@ -64,6 +94,28 @@ TEST_CASE("Moments about another point have the arms of all forces")
 {
     const Model model = held_beam();
     const auto lines = equation_lines(right_part(model), model, {5.0, 0.0, 0.0}, english);
-    REQUIRE(lines.size() == 3);
-    CHECK(lines[2] == "ΣM(5, 0) = 60 + 54 − 114 = 0  [kN·m]");
+    REQUIRE(lines.size() == 4);
+    // the section force V acts 3 m from there, and M of the section as it is
+    CHECK(lines[2] == "ΣM(5, 0) = 30 kN · 2 m + 36 kN · 1.5 m − 66 kN · 3 m + 84 kN·m");
+    CHECK(lines[3] == "= 60 + 54 − 198 + 84 = 0  [kN·m]");
+}
+
+TEST_CASE("Equations add up to nothing as printed, also where each number is rounded")
+{
+    FrameMaker made; // 10 kN on a third of the span: V = 10 / 3 and 20 / 3
+    made.node("A", 0, 0, SupportKind::Pin).node("B", 3, 0).node("C", 9, 0, SupportKind::Roller);
+    made.member("A", "B").member("B", "C").force("B", Dof::uy, -10.0).uniform("BC", -1.0 / 7.0);
+    const Results results = analyse(made.model);
+    const FreeBody whole = lift_out(made.model, results, CaseId(0),
+                                    body_of(discretise(made.model), std::vector{MemberId(0), MemberId(1)}));
+    const FreeBody node = lift_out(made.model, results, CaseId(0), body_of(NodeId(1)));
+    int n_sums = 0;
+    for (const FreeBody& body : {whole, node})
+        for (int i = 0; i < 20; ++i)
+            for (const std::string& line : equation_lines(body, made.model, {0.37 * i, 1.0 / 3.0, 0.0}, english)) {
+                CAPTURE(line);
+                n_sums += line.find(" = 0  [") != std::string::npos ? 1 : 0;
+                CHECK(std::abs(printed_sum(line)) < 1e-11);
+            }
+    CHECK(n_sums == 2 * 20 * 3);
 }

@@ -44,8 +44,9 @@ TEST_SUITE("free body")
             const double wanted = is_lower ? (75.0 * 6 - 30 * 3) / 4 : -(75.0 * 9 - 30 * 6 - 30 * 3) / 4;
             CHECK(ritter_force(left, point).force == doctest::Approx(wanted).epsilon(1e-12));
         }
-        CHECK(ritter_line(left, model, points.front(), english) ==
-              "N of L2L3 = (450 − 90) / 4 = 90  [kN]  about (6, 4), where the other bars meet");
+        CHECK(ritter_lines(left, model, points.front(), english) ==
+              std::vector<std::string>{"N of L2L3 = (75 kN · 6 m − 30 kN · 3 m) / 4 m",
+                                       "= (450 − 90) / 4 = 90  [kN]  about (6, 4), where the other bars meet"});
         CHECK(usual_moment_point(left, model) == points.front().at);
     }
 
