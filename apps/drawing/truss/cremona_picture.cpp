@@ -90,8 +90,8 @@ private:
         const ui::Point along{direction.x(), -direction.y()};
         const ui::Point a = from - reach_to_rim(from, -1.0 * along) * along;
         const ui::Point b = from + reach_to_rim(from, along) * along;
-        sketch().line(a, b, lit, Clearance::None);
-        sketch().line(a, b, sketch().thin(ui::Role::Bar), Clearance::Soft);
+        sketch().line(a, b, lit, Clearance::Soft);
+        sketch().line(a, b, sketch().thin(ui::Role::Bar));
     }
 
     /// How far it is to the rim of the panel.

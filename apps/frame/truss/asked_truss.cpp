@@ -17,9 +17,13 @@ void AskedTruss::step(Way way)
 {
     const std::size_t n = n_stages();
     if (n == 0) return;
+    if (!stage_ && way == Way::On) {
+        stage_ = 1;
+        return;
+    }
     const std::size_t now = std::min(stage_.value_or(n), n);
-    if (way == Way::On) stage_ = now % n + 1;
-    else stage_ = now > 1 ? now - 1 : n;
+    if (way == Way::On) stage_ = std::min(now + 1, n);
+    else stage_ = std::max<std::size_t>(now, 2) - 1;
 }
 
 const drawing::TrussPicture* AskedTruss::picture(const femoop::Model& model, const femoop::Results* results,

@@ -26,7 +26,7 @@ public:
     void show(Method method); ///< a Cremona diagram whole, the others from their first stage on
     void close() { method_.reset(); }
 
-    /// One stage on or back: after the last one it begins again, before the first one stands the last.
+    /// One stage on or back, between the first one and the last; on from a diagram that was shown whole: the first.
     enum class Way : std::uint8_t { On, Back };
     void step(Way way);
     void go_to(std::size_t stage) { stage_ = stage; } ///< from 1; beyond the last: the last
