@@ -51,10 +51,11 @@ void draw_force(const Scene& scene, const ForcePicture& force)
                                   .root = is_push ? head : tail,
                                   .tip = is_push ? tail : head});
     if (!scene.shows(Show::Values)) return;
+    const ui::Point in_line = ui::length(d) < 0.15 ? ui::Point{0.7, -0.7} : (is_push ? -d : d);
     scene.sketch.caption({.text = force.text,
                           .role = force.role,
                           .target = is_push ? tail : head,
-                          .toward = ui::length(d) < 0.15 ? ui::Point{0.7, -0.7} : (is_push ? -d : d),
+                          .toward = force.text_side.value_or(in_line),
                           .gap = scene.sketch.px(5.0),
                           .rank = Rank::Load,
                           .of = at,

@@ -23,6 +23,7 @@ struct ForcePicture {
     std::string text;
     ui::Role role = ui::Role::Load;
     int n_heads = 1;
+    std::optional<ui::Point> text_side{};         ///< where its value would stand; else in line with it
     std::optional<GripOf> grip{};                 ///< it can be pulled
     std::optional<femoop::MovingEffect> number{}; ///< of the results that its value is
 };

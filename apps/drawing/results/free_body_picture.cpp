@@ -84,14 +84,26 @@ private:
     {
         if (std::abs(value) <= negligible * largest_) return;
         const Vector3d direction = value < 0.0 ? Vector3d(-axis) : axis;
+        const ArrowAt touches = touching_end(force, direction);
         drawing::draw_force(scene_, {.at = force.at + picture_.aside,
                                      .direction = direction,
                                      .length = scene_.sketch.px(38.0),
-                                     .touches = touching_end(force, direction),
+                                     .touches = touches,
                                      .gap = scene_.sketch.px(5.0),
                                      .text = named(component, scene_.text(std::abs(value), ui::Measure::Force)) +
                                              (component == MemberComponent::N ? sense(value) : ""),
-                                     .role = role_of(force.kind)});
+                                     .role = role_of(force.kind),
+                                     .text_side = side_of_slanting(touches == ArrowAt::Head ? Vector3d(-direction)
+                                                                                            : direction)});
+    }
+
+    /// Beyond the end of an arrow that slants its value would stand far off: above or below it.
+    std::optional<ui::Point> side_of_slanting(const Vector3d& away) const
+    {
+        constexpr double straight = 0.3;
+        const ui::Point d = scene_.projection.direction(away);
+        if (std::abs(d.x) < straight || std::abs(d.y) < straight) return std::nullopt;
+        return ui::Point{std::copysign(straight, d.x), std::copysign(1.0, d.y)};
     }
 
     void draw_couple(const Force& force, const Vector3d& axis, double value, std::optional<MemberComponent> component)

@@ -18,7 +18,8 @@ using Eigen::Vector3d;
 using namespace femoop::free_body;
 using femoop::cross_product;
 
-constexpr double share_aside = 0.35; // of the structure's size, that a body is moved
+// Of the structure's size, what is left free between it and a body.
+constexpr double share_aside = 0.35, share_beside_cut = 0.22;
 
 /// Where a line crosses members, and the nodes of these on its left.
 struct Crossed {
@@ -150,16 +151,11 @@ Body AskedBody::body(const femoop::Model& model) const
     return body_of(structure, members);
 }
 
-/// Across the cut, else out of the structure by the shortest way.
+/// Out of the structure by the shortest way, so that the labels of neither stand on the other.
 Vector3d AskedBody::aside(const femoop::Model& model, const Body& body) const
 {
     const femoop::Discretisation structure = discretise(model);
-    const double size = share_aside * structure.size();
-    if (line_) {
-        const Vector2d d = (line_->to - line_->from).normalized();
-        const Vector2d across = Vector2d(-d.y(), d.x()) + 0.35 * d; // and along it, so that no member hides another
-        return size * Vector3d(across.x(), across.y(), 0.0);
-    }
+    const double size = (line_ ? share_beside_cut : share_aside) * structure.size();
     Eigen::AlignedBox3d box;
     for (const Vector3d& position : structure.positions) box.extend(position);
     return way_out(box, box_around(structure, body), femoop::is_plane(model.analysis) ? 1 : 2, size);
