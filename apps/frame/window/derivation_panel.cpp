@@ -86,19 +86,19 @@ void show_picture(const Workspace& workspace, ui::ImGuiSession& gui, const ui::F
 {
     const Session& session = workspace.session;
     const femoop::derivation::Derivation& derivation = *workspace.derivation.derivation();
-    const femoop::Model& model = workspace.derivation.model(session);
-    const DerivationLook look{.theme = ui::Theme(session.view.theme),
-                              .tr = workspace.tr(),
-                              .units = session.units(),
-                              .step = workspace.derivation.step()};
+    DerivationLook look{.theme = ui::Theme(session.view.theme),
+                        .tr = workspace.tr(),
+                        .units = session.units(),
+                        .step = workspace.derivation.step()};
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {0.0F, 0.0F});
     ImGui::BeginChild("###derivation", {width, 0.0F}, false, ImGuiWindowFlags_HorizontalScrollbar);
     const ImVec2 corner = ImGui::GetCursorScreenPos();
     const double scale = gui.scale();
     if (const ui::Size seen = room_left(gui); seen.width >= 1.0 && seen.height >= 1.0) {
-        const ui::Size sheet = sheet_for(derivation, model, look, seen, fonts);
+        look.seen_height = seen.height;
+        const ui::Size sheet = sheet_for(derivation, session.model(), look, seen, fonts);
         ui::Painter painter(sheet, fonts);
-        draw_derivation(painter, derivation, model, look);
+        draw_derivation(painter, derivation, session.model(), look);
         gui.show(painter.picture(), *ImGui::GetWindowDrawList(),
                  {static_cast<double>(corner.x), static_cast<double>(corner.y)});
         ImGui::Dummy({static_cast<float>(scale * sheet.width), static_cast<float>(scale * sheet.height)});

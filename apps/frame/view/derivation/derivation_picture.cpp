@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -41,10 +43,7 @@ public:
           place_(std::min(look.step, derivation.steps.size() - 1)),
           step_(derivation.steps[place_])
     {
-        for (const double size : sizes) {
-            lay_out(size * look.theme.type().normal);
-            if (bottom_ <= sheet.height - panel_margin && right_ <= room_right()) break;
-        }
+        if (!fits(Layout::Whole) && has_no_map() && !fits(Layout::Parted)) fits(Layout::Whole);
     }
 
     ui::Size needed() const
@@ -69,6 +68,28 @@ public:
     }
 
 private:
+    /// Are long lists parted, so that their parts stand beside one another?
+    enum class Layout : std::uint8_t { Whole, Parted };
+
+    /// In the largest type that has room; \returns false where the smallest has none.
+    bool fits(Layout layout)
+    {
+        for (const double size : sizes) {
+            if (size < least_size()) break;
+            lay_out(size * look_.theme.type().normal, layout);
+            if (bottom_ <= seen_bottom() && right_ <= room_right()) return true;
+        }
+        return false;
+    }
+
+    /// A class reads the force method from afar; it is scrolled rather than shrunk.
+    double least_size() const
+    {
+        const ui::TypeSizes& type = look_.theme.type();
+        const bool is_read_from_afar = look_.theme.name() == ui::ThemeName::Projector && has_no_map();
+        return is_read_from_afar ? 0.98 * type.small / type.normal : sizes.back();
+    }
+
     bool has_no_map() const { return !derivation_.redundants.empty(); } ///< the force method has no K
     bool is_numbering() const { return step_.kind == StepKind::Numbering; }
     double map_width() const
@@ -138,29 +159,71 @@ private:
         write({femoop::derivation::derivation_units(model_, look_.tr)}, faint, 1.4);
     }
 
+    double seen_bottom() const
+    {
+        return std::min(sheet_.height, look_.seen_height.value_or(sheet_.height)) - panel_margin;
+    }
+    double gap() const { return (has_no_map() ? 1.4 : 2.0) * em_; }
+
+    struct Part {
+        NamedMatrix matrix;
+        femoop::derivation::Notation notation;
+    };
+
+    /// Into how many parts a list of the force method goes that is higher than what is seen of the sheet.
+    Eigen::Index n_parts(const MatrixBlock& whole, Eigen::Index n_rows, double top) const
+    {
+        const double room = std::max(seen_bottom() - top, em_);
+        const double most = std::floor((room_right() - panel_margin) / (whole.size().width + gap()));
+        const double wanted = std::ceil(whole.size().height / room);
+        return static_cast<Eigen::Index>(std::clamp(std::min(most, wanted), 1.0, static_cast<double>(n_rows)));
+    }
+
+    void add_parts(std::vector<Part>& parts, const NamedMatrix& matrix, Layout layout, double top) const
+    {
+        const auto notation = femoop::derivation::notation_of(step_, matrix);
+        const Eigen::Index n = matrix.values.rows();
+        const bool may_part = layout == Layout::Parted && notation == femoop::derivation::Notation::List && n > 1;
+        const MatrixBlock whole(matrix, notation, look_, fonts_, em_);
+        const Eigen::Index n_parts = may_part ? this->n_parts(whole, n, top) : 1;
+        if (n_parts == 1) return parts.push_back({matrix, notation});
+        const Eigen::Index n_rows = (n + n_parts - 1) / n_parts;
+        for (Eigen::Index from = 0; from < n; from += n_rows) {
+            const Eigen::Index to = std::min(from + n_rows, n);
+            const std::vector<std::string> rows(matrix.rows.begin() + from, matrix.rows.begin() + to);
+            parts.push_back(
+                {{matrix.symbol, rows, matrix.columns, matrix.values.middleRows(from, to - from)}, notation});
+        }
+    }
+
+    // What a superposition finds stands first: redundants, reactions, moments.
+    std::vector<Part> shown_parts(Layout layout, double top) const
+    {
+        const bool is_reversed = step_.kind == StepKind::StateSuperposition;
+        const std::size_t n = step_.matrices.size();
+        std::vector<Part> parts;
+        for (std::size_t i = 0; i < n; ++i) add_parts(parts, step_.matrices[is_reversed ? n - 1 - i : i], layout, top);
+        return parts;
+    }
+
     // Beside one another, and below where there is no room.
-    void lay_out(double em)
+    void lay_out(double em, Layout layout)
     {
         em_ = em;
         blocks_.clear();
         places_.clear();
-        const double gap = 2.0 * em;
         Point pen{panel_margin, head_height() + 0.5 * em};
         double row_height = 0.0;
         right_ = 0.0;
-        // What a superposition finds stands first: redundants, reactions, moments.
-        const bool is_reversed = step_.kind == StepKind::StateSuperposition;
-        for (std::size_t i = 0; i < step_.matrices.size(); ++i) {
-            const NamedMatrix& matrix = step_.matrices[is_reversed ? step_.matrices.size() - 1 - i : i];
-            const MatrixBlock& block = blocks_.emplace_back(matrix, femoop::derivation::notation_of(step_, matrix),
-                                                            look_, fonts_, em);
+        for (const auto& [matrix, notation] : shown_parts(layout, pen.y)) {
+            const MatrixBlock& block = blocks_.emplace_back(matrix, notation, look_, fonts_, em);
             const ui::Size size = block.size();
             if (pen.x > panel_margin && pen.x + size.width > room_right()) {
                 pen = {panel_margin, pen.y + row_height + 0.6 * em};
                 row_height = 0.0;
             }
             places_.push_back(pen);
-            pen.x += size.width + gap;
+            pen.x += size.width + gap();
             row_height = std::max(row_height, size.height);
             right_ = std::max(right_, places_.back().x + size.width);
             bottom_ = pen.y + row_height;

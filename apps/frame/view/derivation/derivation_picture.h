@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 
 #include "femoop/methods/derivation/derivation.h"
 #include "femoop/model/model.h"
@@ -14,9 +15,10 @@ namespace frame {
 /// Which step is drawn, and how.
 struct DerivationLook {
     ui::Theme theme;
-    ui::Catalogue tr;       ///< language of the words
-    ui::DisplayUnits units; ///< of the number itself; matrices are in the file's own
-    std::size_t step = 0;   ///< from 0; the last one where it is beyond
+    ui::Catalogue tr;                    ///< language of the words
+    ui::DisplayUnits units;              ///< of the number itself; matrices are in the file's own
+    std::size_t step = 0;                ///< from 0; the last one where it is beyond
+    std::optional<double> seen_height{}; ///< of a sheet that is scrolled: what is seen of it at once; else all
 };
 
 /// A sheet that holds a step's matrices whole, as small as they can be read; no smaller than `room`.
