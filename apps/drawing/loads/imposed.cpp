@@ -37,26 +37,45 @@ void draw_dashed_line(const Scene& scene, const MemberShape& member, double offs
 
 const ui::DashPattern imposed{4.0, 3.0}; // a displacement, not a force
 
-/// Beside the support, clear of the arrows of its reactions.
-void draw_shift(const Scene& scene, const Vector3d& node, const Vector3d& direction, const std::string& text)
+/// Where the arrow of a settlement begins, and the edge of the support's symbol that a thin line joins it with.
+struct ShiftPlace {
+    ui::Point edge, tail;
+    ui::Point outward; ///< for its value
+};
+
+/// Beside the support, clear of the arrows of its reactions: those stand in line with its symbol or with its node.
+ShiftPlace place_of_shift(const Scene& scene, femoop::NodeId node, ui::Point d)
+{
+    Sketch& sketch = scene.sketch;
+    const ui::Point side = ui::direction(support_side(scene, node).value_or(ui::Point{0.0, 1.0}));
+    const ui::Point base = scene.place(node) + sketch.px(20.0) * side;
+    ui::Point across = ui::left_normal(side);
+    const bool is_along_symbol = std::abs(ui::dot(d, side)) > std::abs(ui::dot(d, across));
+    if (is_along_symbol) {
+        if (across.x > 0.1 || across.y > 0.9) across = -across;
+        return {base + sketch.px(12.0) * across, base + sketch.px(36.0) * across, across};
+    }
+    if (ui::dot(d, across) < 0.0) across = -across;
+    const ui::Point edge = base + sketch.px(15.0) * across;
+    return {edge, edge + sketch.px(16.0) * side, side};
+}
+
+void draw_shift(const Scene& scene, femoop::NodeId node, const Vector3d& direction, const std::string& text)
 {
     Sketch& sketch = scene.sketch;
     const ui::Point d = scene.projection.direction(direction);
-    const bool is_level = std::abs(d.x) > std::abs(d.y);
-    const double length = sketch.px(28.0);
-    const ui::Point middle = scene.projection(node) + sketch.px(36.0) * ui::Point{is_level ? 1.0 : -1.0, 1.0};
-    const ui::Point tail = middle - 0.5 * length * d, head = middle + 0.5 * length * d;
+    const auto [edge, tail, outward] = place_of_shift(scene, node, d);
+    const ui::Point head = tail + sketch.px(28.0) * d;
     ui::Stroke stroke = sketch.stroke(ui::Role::Load);
     stroke.dash = imposed;
     sketch.line(tail, head - sketch.px(7.0) * ui::direction(d), stroke);
-    sketch.line(tail - sketch.px(5.0) * ui::left_normal(d), tail + sketch.px(5.0) * ui::left_normal(d),
-                sketch.thin(ui::Role::Load));
+    sketch.line(edge, tail + sketch.px(5.0) * ui::direction(tail - edge), sketch.thin(ui::Role::Load));
     arrow_head(sketch, head, d, sketch.px(9.0), stroke.color);
     if (!scene.shows(Show::Values)) return;
     sketch.caption({.text = text,
                     .role = ui::Role::Load,
                     .target = 0.5 * (tail + head),
-                    .toward = is_level ? ui::Point{0.0, 1.0} : ui::Point{-1.0, 0.0},
+                    .toward = outward,
                     .gap = 5.0,
                     .rank = Rank::Load});
 }
@@ -133,7 +152,9 @@ void draw_settlement(const Scene& scene, const femoop::Settlement& settlement, d
         const Vector3d& node = scene.shape[settlement.node];
         if (femoop::is_rotation(component.dof))
             draw_turn(scene, node, direction, "θ = " + scene.text(std::abs(value), ui::Measure::Rotation));
-        else draw_shift(scene, node, direction, "δ = " + scene.text(std::abs(value), ui::Measure::Displacement));
+        else
+            draw_shift(scene, settlement.node, direction,
+                       "δ = " + scene.text(std::abs(value), ui::Measure::Displacement));
     }
 }
 

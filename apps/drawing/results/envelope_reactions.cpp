@@ -49,6 +49,25 @@ private:
                scene_.units.unit(force_measures.of(dof)).name;
     }
 
+    bool is_written_over(const ui::Box& box) const
+    {
+        return std::ranges::any_of(written_, [&](const ui::Box& other) { return other.overlaps(box); });
+    }
+
+    // How far off its place, a line at a time, a box covers neither a band nor what is written; a band where all is full.
+    template <class BoxAt> double off_bands(BoxAt&& box, double line) const
+    {
+        constexpr int most_lines = 16;
+        const auto is_in_sight = [&](const ui::Box& one) {
+            return scene_.sketch.is_in_sight(one.min) && scene_.sketch.is_in_sight(one.max);
+        };
+        for (int i = 0; i < most_lines && is_in_sight(box(i * line)); ++i)
+            if (!is_written_over(box(i * line)) && scene_.sketch.is_free(box(i * line))) return i * line;
+        double off = 0.0;
+        while (is_written_over(box(off))) off += line;
+        return off;
+    }
+
     // One line under the other beyond the support's symbol, farther off where another support's stand already.
     void write(femoop::NodeId node, const std::vector<Line>& lines)
     {
@@ -62,20 +81,25 @@ private:
             size.width = std::max(size.width, sketch.painter().measure(one.words, style).width);
         const ui::Point away = support_side(scene_, node).value_or(ui::Point{0.0, 1.0});
         const double half = 0.5 * (std::abs(away.x) * size.width + std::abs(away.y) * size.height);
-        ui::Point center = scene_.place(node) + (support_reach(sketch) + half) * away;
-        const auto box = [&] { return ui::box_at(center - 0.5 * ui::Point{size.width, size.height}, size); };
-        while (std::ranges::any_of(written_, [&](const ui::Box& other) { return other.overlaps(box()); }))
-            center = center + line * away;
-        const ui::Box taken = box().grown(2.0);
+        const ui::Point foot = scene_.place(node) + support_reach(sketch) * away;
+        const auto box = [&](double off) {
+            const ui::Point center = foot + (half + off) * away;
+            return ui::box_at(center - 0.5 * ui::Point{size.width, size.height}, size);
+        };
+        const double off = off_bands(box, line);
+        const ui::Point center = box(off).center();
+        if (off > line) sketch.line(foot, foot + (off - 2.0) * away, sketch.thin(ui::Role::Reaction));
+        const ui::Box taken = box(off).grown(2.0);
         written_.push_back(taken);
         sketch.keep_clear({taken.min, {taken.max.x, taken.min.y}, taken.max, {taken.min.x, taken.max.y}});
         sketch.include(taken.min);
         sketch.include(taken.max);
         const ui::LayerScope layer(sketch.painter(), ui::Layer::Labels);
-        double y = box().min.y + 0.5 * line;
+        const ui::Box written = box(off);
+        double y = written.min.y + 0.5 * line;
         for (const Line& one : lines) {
             sketch.painter().text({center.x, y}, one.words, style);
-            mark(*one.band, {{box().min.x, y - 0.5 * line}, {box().max.x, y + 0.5 * line}});
+            mark(*one.band, {{written.min.x, y - 0.5 * line}, {written.max.x, y + 0.5 * line}});
             y += line;
         }
     }

@@ -85,16 +85,16 @@ private:
         if (std::abs(value) <= negligible * largest_) return;
         const Vector3d direction = value < 0.0 ? Vector3d(-axis) : axis;
         const ArrowAt touches = touching_end(force, direction);
-        drawing::draw_force(scene_, {.at = force.at + picture_.aside,
-                                     .direction = direction,
-                                     .length = scene_.sketch.px(38.0),
-                                     .touches = touches,
-                                     .gap = scene_.sketch.px(5.0),
-                                     .text = named(component, scene_.text(std::abs(value), ui::Measure::Force)) +
-                                             (component == MemberComponent::N ? sense(value) : ""),
-                                     .role = role_of(force.kind),
-                                     .text_side = side_of_slanting(touches == ArrowAt::Head ? Vector3d(-direction)
-                                                                                            : direction)});
+        drawing::draw_force(
+            scene_, {.at = force.at + picture_.aside,
+                     .direction = direction,
+                     .length = scene_.sketch.px(38.0),
+                     .touches = touches,
+                     .gap = scene_.sketch.px(5.0),
+                     .text = named(component, scene_.text(std::abs(value), ui::Measure::Force)) +
+                             (component == MemberComponent::N ? sense(value) : ""),
+                     .role = role_of(force.kind),
+                     .text_side = side_of_slanting(touches == ArrowAt::Head ? Vector3d(-direction) : direction)});
     }
 
     /// Beyond the end of an arrow that slants its value would stand far off: above or below it.

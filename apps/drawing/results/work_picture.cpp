@@ -6,6 +6,7 @@
 #include "femoop/model/dof.h"
 
 #include <array>
+#include <utility>
 
 namespace drawing {
 
@@ -35,13 +36,16 @@ std::vector<std::string> work_sentences(const WorkPicture& picture, const femoop
         const double told = femoop::virtual_work::without_round_off(value, picture.work.work);
         return ui::with_minus_signs(units.text(told, measure_of(displacement)));
     };
-    return {
+    std::vector<std::string> sentences{
         tr("1 · {displacement} = the sum of the work = {sum}; the analysis has {value}",
            {{"displacement", effect_text(model, units, displacement)},
             {"sum", text(picture.work.sum)},
             {"value", text(picture.work.value)}}),
         tr("F(x): under the loads, f(x): under the unit load; x from the member's first node; in {length}, {force}, rad.",
            {{"length", femoop::name(model.units.length)}, {"force", femoop::name(model.units.force)}})};
+    if (std::string taper = femoop::virtual_work::taper_sentence(picture.work.work, tr); !taper.empty())
+        sentences.push_back(std::move(taper));
+    return sentences;
 }
 
 } // namespace drawing

@@ -133,6 +133,11 @@ void Sketch::keep_clear(const std::vector<ui::Point>& area)
     if (is_obstacle(Clearance::Hard)) placer_.obstacles().add_polygon(area);
 }
 
+bool Sketch::is_free(const ui::Box& box)
+{
+    return placer_.obstacles().ground_of({box.center(), box.size()}) == ui::Ground::Free;
+}
+
 void Sketch::shade(const std::vector<ui::Point>& area)
 {
     if (!is_measured_ && area.size() > 2) placer_.obstacles().add_inside(area, ui::Firmness::Soft);

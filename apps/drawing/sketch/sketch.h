@@ -131,6 +131,8 @@ public:
 
     /// Labels stay off the area if they can, and on a plate of their own where they cannot.
     void shade(const std::vector<ui::Point>& area);
+    /// Does nothing that was drawn so far lie there? So it is while a picture is measured.
+    bool is_free(const ui::Box& box);
 
     /// The same string twice within a few pixels is written once.
     void caption(Caption caption);

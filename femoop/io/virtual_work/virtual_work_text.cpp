@@ -180,8 +180,10 @@ private:
                     ? tr_("Members: the integral of f (F / stiffness + ε) over x, the distance from the first "
                           "node.")
                     : tr_("Members: the integral of F f / stiffness over x, the distance from the first node.")) +
-               "\n" + shown(table);
+               "\n" + shown(table) + with_line_end(taper_sentence(of_, tr_));
     }
+
+    static std::string with_line_end(std::string line) { return line.empty() ? line : line + "\n"; }
 
     std::string joints() const
     {
@@ -222,6 +224,15 @@ private:
 };
 
 } // namespace
+
+std::string taper_sentence(const Work& work, const Translator& tr)
+{
+    const auto is_tapered = [](const WorkIntegral& one) { return one.stiffness.n_terms() > 1; };
+    if (std::ranges::none_of(work.integrals, is_tapered)) return {};
+    return tr(
+        "Along a taper the stiffness varies with x and stays under the integral: it is split into short pieces, over "
+        "which F f / stiffness is a power series, integrated term by term, and there is no ∫ F f dx (–) of its own.");
+}
 
 double without_round_off(double value, const Work& work) { return without_rounding(value, size_of(work)); }
 

@@ -635,3 +635,12 @@ TEST_CASE("What names no chain, and a point that no funicular passes through, is
 }
 
 TEST_SUITE_END();
+
+TEST_CASE("Virtual work says how a taper is integrated, where there is one")
+{
+    const auto told = [](const std::string& file, const std::string& what) {
+        return cremona({"solve", file, "--virtual-work", what}).out;
+    };
+    CHECK(has(told("tests/cases/own/tapered.json", "node=B,component=uy"), "Along a taper the stiffness varies with x"));
+    CHECK_FALSE(has(told("examples/portal.json", "node=B,component=ux"), "Along a taper"));
+}
