@@ -6,6 +6,7 @@
 #include <optional>
 #include <sstream>
 #include <string>
+#include <string_view>
 #include <utility>
 
 #include "femoop/analysis/node_names.h"
@@ -86,15 +87,21 @@ Fault along(const Model& model, const std::vector<NodeId>& moving, const Eigen::
             .arguments = {names_of(model, moving), point(direction, model.analysis)}};
 }
 
+/// A truss has no joint that could be rigid.
+std::string_view remedy(AnalysisKind kind)
+{
+    return is_truss(kind) ? translatable("a bar or a support") : translatable("a brace, a support or a rigid joint");
+}
+
 /// Tells such motions of the same nodes apart by the one that moves the most; of nearly equal ones the first.
 Fault each_its_way(const Model& model, const std::vector<NodeVector>& motion, const std::vector<NodeId>& moving)
 {
     NodeId most = moving.front();
     for (const NodeId node : moving)
         if (translation(motion[node.index]).norm() > translation(motion[most.index]).norm() * (1.0 + 1e-6)) most = node;
-    return {
-        .kind = FaultKind::MechanismMixed,
-        .arguments = {names_of(model, moving), model[most].id, point(translation(motion[most.index]), model.analysis)}};
+    return {.kind = FaultKind::MechanismMixed,
+            .arguments = {names_of(model, moving), model[most].id,
+                          point(translation(motion[most.index]), model.analysis), std::string(remedy(model.analysis))}};
 }
 
 /// What a single node's rotation is called depends on its cause: nothing holds it, or a moment drives it.
@@ -121,7 +128,8 @@ Fault words(const Model& model, const Discretisation& structure, const std::vect
     if (is_plane(model.analysis))
         if (const auto about = pivot(structure, motion, moving)) {
             const std::string place = point(*about, model.analysis) + " " + std::string(name(model.units.length));
-            return {.kind = FaultKind::MechanismTurn, .arguments = {names_of(model, moving), place}};
+            return {.kind = FaultKind::MechanismTurn,
+                    .arguments = {names_of(model, moving), place, std::string(remedy(model.analysis))}};
         }
     return each_its_way(model, motion, moving);
 }

@@ -11,6 +11,7 @@
 #include "femoop/model/quantity/six_digits.h"
 #include "femoop/model/quantity/unit_signs.h"
 #include "femoop/result/components.h"
+#include "femoop/result/structure_words.h"
 
 namespace femoop {
 
@@ -435,20 +436,21 @@ void add_results(std::string& text, const Model& model, const Results& results, 
 std::string kind_sentence(AnalysisKind kind, const Words& words)
 {
     switch (kind) {
-    case AnalysisKind::Truss2d: return words.tr("A plane truss: nodes {0}, members {1}");
-    case AnalysisKind::Frame2d: return words.tr("A plane frame: nodes {0}, members {1}");
-    case AnalysisKind::Grillage: return words.tr("A grillage: nodes {0}, members {1}");
-    case AnalysisKind::Truss3d: return words.tr("A space truss: nodes {0}, members {1}");
+    case AnalysisKind::Truss2d: return words.tr("A plane truss: {0}, {1}");
+    case AnalysisKind::Frame2d: return words.tr("A plane frame: {0}, {1}");
+    case AnalysisKind::Grillage: return words.tr("A grillage: {0}, {1}");
+    case AnalysisKind::Truss3d: return words.tr("A space truss: {0}, {1}");
     case AnalysisKind::Frame3d: break;
     }
-    return words.tr("A space frame: nodes {0}, members {1}");
+    return words.tr("A space frame: {0}, {1}");
 }
 
 std::string describe_model(const Model& model, const Words& words)
 {
     std::string text = model.title.empty() ? std::string() : printable(model.title) + ".\n";
     text += fill(kind_sentence(model.analysis, words),
-                 {std::to_string(model.nodes.size()), std::to_string(model.members.size())}) +
+                 {counted(model.nodes.size(), words.tr("{0} node"), words.tr("{0} nodes")),
+                  counted(model.members.size(), words.tr("{0} member"), words.tr("{0} members"))}) +
             ".\n";
     add_structure(text, model, words);
     for (std::size_t i = 0; i < model.load_cases.size(); ++i)

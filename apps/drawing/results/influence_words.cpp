@@ -42,8 +42,8 @@ public:
         const double rounding = written_as_zero * ordinates.largest();
         std::vector<std::string> lines;
         const LineExtreme max = ordinates.max(), min = ordinates.min();
-        if (max.value > rounding) lines.push_back(extreme("max", max));
-        if (min.value < -rounding) lines.push_back(extreme("min", min));
+        if (max.value > rounding) lines.push_back(extreme(tr()("max"), max));
+        if (min.value < -rounding) lines.push_back(extreme(tr()("min"), min));
         lines.push_back(areas_text(units_, picture_, tr()));
         return lines;
     }

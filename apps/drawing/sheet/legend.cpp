@@ -137,8 +137,8 @@ std::string extremes_text(const Scene& scene, const femoop::influence::Piecewise
     };
     const femoop::influence::LineExtreme max = line.max(), min = line.min();
     const double rounding = written_as_zero * line.largest();
-    if (max.value > rounding) add("max", max);
-    if (min.value < -rounding) add("min", min);
+    if (max.value > rounding) add(scene.options.tr("max"), max);
+    if (min.value < -rounding) add(scene.options.tr("min"), min);
     return text;
 }
 
@@ -146,6 +146,14 @@ std::string capitalized(std::string text)
 {
     if (!text.empty() && text[0] >= 'a' && text[0] <= 'z') text[0] = static_cast<char>(text[0] - 'a' + 'A');
     return text;
+}
+
+/// What stands on the path of an influence line is no case of the model.
+std::string load_text(const DrawInput& input, const DrawOptions& options)
+{
+    if (input.influence == nullptr || options.load_case.index >= input.model.n_cases())
+        return case_text(input.model, options);
+    return options.tr("{load} on the path", {{"load", input.model.case_name(options.load_case)}});
 }
 
 } // namespace
@@ -156,7 +164,7 @@ SheetHead sheet_head(const DrawInput& input, const DrawOptions& options)
     SheetHead head{.title = ui::shortened(model.title, longest_title), .line = {}};
     if (input.influence == nullptr || input.results != nullptr) {
         const bool is_of_trains = options.is_envelope && input.envelope != nullptr;
-        join(head.line, is_of_trains ? input.envelope->title : case_text(model, options));
+        join(head.line, is_of_trains ? input.envelope->title : load_text(input, options));
         join(head.line, self_weight_text(model, options));
     }
     if (input.results && !model.members.empty()) join(head.line, indeterminacy_text(*input.results, options.tr));

@@ -71,6 +71,8 @@ bool is_word(FaultKind kind, std::size_t argument)
     case FaultKind::WrongTypeText: return argument == 2;
     case FaultKind::FileUnreadable:
     case FaultKind::FileUnwritable: return argument == 1;
+    case FaultKind::MechanismTurn: return argument == 2;
+    case FaultKind::MechanismMixed: return argument == 3;
     default: return false;
     }
 }

@@ -17,42 +17,42 @@ std::string_view pattern(FaultKind kind)
         return "the supports hold {1} of the {2} ways in which the part {0} can move as a whole; "
                "add supports, or join it to the rest";
     case FaultKind::MechanismSwayX:
-        return "structure can move without strain: nodes {0} sway to the right together; "
+        return "the structure can move without strain: nodes {0} sway to the right together; "
                "nothing holds ux; add a brace or a support";
     case FaultKind::MechanismSwayY:
-        return "structure can move without strain: nodes {0} move along y together; "
+        return "the structure can move without strain: nodes {0} move along y together; "
                "nothing holds uy; add a brace or a support";
     case FaultKind::MechanismSwayZ:
-        return "structure can move without strain: nodes {0} move up together; "
+        return "the structure can move without strain: nodes {0} move up together; "
                "nothing holds uz; add a brace or a support";
     case FaultKind::MechanismMoveX:
-        return "structure can move without strain: node {0} moves along x; nothing holds ux; add a brace or a support";
+        return "the structure can move without strain: node {0} moves along x; nothing holds ux; add a brace or a support";
     case FaultKind::MechanismMoveY:
-        return "structure can move without strain: node {0} moves along y; nothing holds uy; add a brace or a support";
+        return "the structure can move without strain: node {0} moves along y; nothing holds uy; add a brace or a support";
     case FaultKind::MechanismMoveZ:
-        return "structure can move without strain: node {0} moves along z; nothing holds uz; add a brace or a support";
+        return "the structure can move without strain: node {0} moves along z; nothing holds uz; add a brace or a support";
     case FaultKind::MechanismMoveOblique:
-        return "structure can move without strain: {0} can move along {1}; add a brace or a support";
+        return "the structure can move without strain: {0} can move along {1}; add a brace or a support";
     case FaultKind::MechanismTurn:
-        return "structure can move without strain: nodes {0} turn together about {1}; "
-               "add a support, a brace or a rigid joint";
+        return "the structure can move without strain: nodes {0} turn together about {1}; "
+               "add {2}";
     case FaultKind::MechanismNodeTurns:
-        return "structure can move without strain: node {0} rotates freely, nothing holds {1}; "
+        return "the structure can move without strain: node {0} rotates freely, nothing holds {1}; "
                "add a support or a rigid joint";
     case FaultKind::MechanismSpin:
-        return "structure can move without strain: node {0} rotates freely, nothing holds {1}; "
+        return "the structure can move without strain: node {0} rotates freely, nothing holds {1}; "
                "add a support or a rigid joint, or take the moment away";
     case FaultKind::MechanismSpins:
-        return "structure can move without strain: {0} rotate freely; "
+        return "the structure can move without strain: {0} rotate freely; "
                "add a support or a rigid joint against the rotation";
     case FaultKind::MechanismMixed:
-        return "structure can move without strain: nodes {0} move, {1} along {2}; "
-               "add a brace, a support or a rigid joint";
+        return "the structure can move without strain: nodes {0} move, {1} along {2}; "
+               "add {3}";
     case FaultKind::MechanismMemberSwings:
-        return "structure can move without strain: member {0} swings about node {1}, its other end is released; "
+        return "the structure can move without strain: member {0} swings about node {1}, its other end is released; "
                "take a release away or hold the rotation of node {1}";
     case FaultKind::MechanismMemberFlies:
-        return "structure can move without strain: member {0} is loose, "
+        return "the structure can move without strain: member {0} is loose, "
                "its releases leave {1} free; take a release away";
     case FaultKind::ConstraintConflict:
         return "case {1}: a settlement, temperature or misfit would deform members that are inextensible or rigid ({0}); "
@@ -583,11 +583,11 @@ std::string_view pattern(FaultKind kind)
     case FaultKind::CutOutside: return "{0}: the cut meets no material; move it";
     case FaultKind::CutOfRevolution: return "{0}: a cut through an axisymmetric body has no N, V and M; read stresses";
     case FaultKind::RegionMoves:
-        return "structure can move without strain: the part in {0} moves along {1}; add a support against it";
+        return "the structure can move without strain: the part in {0} moves along {1}; add a support against it";
     case FaultKind::RegionTurns:
-        return "structure can move without strain: the part in {0} turns about {1}; add a support against it";
+        return "the structure can move without strain: the part in {0} turns about {1}; add a support against it";
     case FaultKind::RegionDeforms:
-        return "structure can move without strain: elements in {0} deform so that no integration point feels it, most at {1}; choose standard elements or more supports";
+        return "the structure can move without strain: elements in {0} deform so that no integration point feels it, most at {1}; choose standard elements or more supports";
     }
     return "";
 }

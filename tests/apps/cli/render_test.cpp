@@ -124,7 +124,7 @@ TEST_CASE("A structure that can move is drawn moving, with status 3 and its moti
     const Run run = cremona({"render", "-", "-o", folder.path("a.svg"), "--mechanism", "2"}, cli_test::floating());
     CHECK(run.status == 3);
     CHECK(run.out.empty());
-    CHECK(cli_test::count(run.err, "structure can move without strain") == 3);
+    CHECK(cli_test::count(run.err, "the structure can move without strain") == 3);
     CHECK(has(run.err, "a.svg shows the motion 2 of 3"));
     CHECK(has(folder.read("a.svg"), "<svg"));
 }

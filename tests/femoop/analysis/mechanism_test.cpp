@@ -89,7 +89,7 @@ TEST_SUITE("mechanisms")
         for (const std::size_t top : {3, 4, 5}) model.nodes[top].hinge = true;
         CHECK(mechanisms(model) ==
               std::vector<std::string>{
-                  "structure can move without strain: nodes D, E and F sway to the right together; nothing "
+                  "the structure can move without strain: nodes D, E and F sway to the right together; nothing "
                   "holds ux; add a brace or a support"});
     }
 
@@ -320,9 +320,10 @@ TEST_SUITE("mechanisms")
         CHECK(mechanisms(model).empty());
         model.load_cases[0].members.push_back(
             {.member = MemberId(1), .load = DistributedLoad{.values = {{.dof = Dof::rx, .start = 2.0}}}});
-        CHECK(mechanisms(model) ==
-              std::vector<std::string>{"structure can move without strain: member BD is loose, its releases leave rx "
-                                       "free; take a release away"});
+        CHECK(
+            mechanisms(model) ==
+            std::vector<std::string>{"the structure can move without strain: member BD is loose, its releases leave rx "
+                                     "free; take a release away"});
     }
 
     TEST_CASE("Two separate swaying frames are two mechanisms")
@@ -357,7 +358,7 @@ TEST_SUITE("mechanisms")
         model.members[1].start.release = {Dof::ux, Dof::uy, Dof::rz};
         std::vector<std::string> sentences = mechanisms(model);
         std::sort(sentences.begin(), sentences.end());
-        const std::string can_move = "structure can move without strain: ";
+        const std::string can_move = "the structure can move without strain: ";
         CHECK(sentences ==
               std::vector<std::string>{can_move + "member BC swings about node C, its other end is released; take a "
                                                   "release away or hold the rotation of node C",
@@ -377,9 +378,10 @@ TEST_SUITE("mechanisms")
         hold(model, 0, SupportKind::Fixed);
         hold(model, 2, SupportKind::Pin);
         model.members[1].start.release = {Dof::uy, Dof::rz}; // BC can swing about C, free of strain
-        CHECK(mechanisms(model) ==
-              std::vector<std::string>{"structure can move without strain: member BC swings about node C, its other "
-                                       "end is released; take a release away or hold the rotation of node C"});
+        CHECK(
+            mechanisms(model) ==
+            std::vector<std::string>{"the structure can move without strain: member BC swings about node C, its other "
+                                     "end is released; take a release away or hold the rotation of node C"});
 
         Model arm = frame({{0, 0}, {4, 0}}, {{0, 1}});
         hold(arm, 0, SupportKind::Pin);
@@ -399,7 +401,7 @@ TEST_SUITE("mechanisms")
         model.load_cases[0].nodes.push_back({.node = NodeId(1), .components = {{.dof = Dof::rz, .value = 7.0}}});
         CHECK(mechanisms(model) ==
               std::vector<std::string>{
-                  "structure can move without strain: node B rotates freely, nothing holds rz; add a support "
+                  "the structure can move without strain: node B rotates freely, nothing holds rz; add a support "
                   "or a rigid joint, or take the moment away"});
     }
 
@@ -410,13 +412,13 @@ TEST_SUITE("mechanisms")
         hold(model, 1, SupportKind::Fixed);
         model.members[0].start.release = model.members[0].end.release = {Dof::ux};
         CHECK(mechanisms(model) ==
-              std::vector<std::string>{"structure can move without strain: member AB is loose, its releases "
+              std::vector<std::string>{"the structure can move without strain: member AB is loose, its releases "
                                        "leave ux free; take a release away"});
     }
 
     TEST_CASE("A loose member hides no other motion, nor that a support is missing")
     {
-        const std::string can_move = "structure can move without strain: ";
+        const std::string can_move = "the structure can move without strain: ";
         const std::string loose = can_move + "member AB is loose, its releases leave ";
 
         Model parts = frame({{0, 0}, {4, 0}, {10, 0}, {10, 3}}, {{0, 1}, {2, 3}});
@@ -706,7 +708,7 @@ TEST_SUITE("mechanisms")
         hold(model, 0, SupportKind::Pin);
         hold(model, 1, SupportKind::Pin);
         CHECK(mechanisms(model) ==
-              std::vector<std::string>{"structure can move without strain: A and B rotate freely; add a "
+              std::vector<std::string>{"the structure can move without strain: A and B rotate freely; add a "
                                        "support or a rigid joint against the rotation"});
     }
 
@@ -782,7 +784,7 @@ TEST_SUITE("mechanisms")
         };
         turn(1, 7.0);
         CHECK(mechanisms(model) ==
-              std::vector<std::string>{"structure can move without strain: B and C rotate freely; add a "
+              std::vector<std::string>{"the structure can move without strain: B and C rotate freely; add a "
                                        "support or a rigid joint against the rotation"});
         turn(2, -7.0);
         REQUIRE(mechanisms(model).empty());

@@ -353,7 +353,7 @@ TEST_CASE("A place between nodes is found in its element, and one that the sides
 
 TEST_CASE("A body that supports leave free is refused with the way in which its region moves")
 {
-    constexpr std::string_view can_move = "structure can move without strain: the part in ";
+    constexpr std::string_view can_move = "the structure can move without strain: the part in ";
     const auto with = [](std::string_view curves) { return refusal(PlaneText{.curves = curves}); };
     CHECK(with(R"([{"id": "bottom", "kind": "edges", "points": ["A", "B", "C"], "support": "roller"}])") ==
           std::string(can_move) + "web and rib moves along x; add a support against it");
@@ -372,7 +372,7 @@ TEST_CASE("Parts that meet in one node turn about it")
                            .elements = R"([{"id": "1", "kind": "Q4", "points": ["A", "B", "E", "D"], "region": "web"},
                                {"id": "2", "kind": "T3", "points": ["B", "C", "F"], "region": "rib"}])"};
     CHECK(refusal(hinged) ==
-          "structure can move without strain: the part in rib turns about (3, 0) mm; add a support against it");
+          "the structure can move without strain: the part in rib turns about (3, 0) mm; add a support against it");
 }
 
 TEST_CASE("A shape that no integration point feels is refused and named")

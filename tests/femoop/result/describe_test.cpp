@@ -15,7 +15,7 @@ TEST_CASE("A beam is described whole: structure, loads, results of every case, l
     model.combinations.clear();
     model.load_cases.pop_back();
     CHECK(describe(model, analyse(model), english) ==
-          "A plane frame: nodes 2, members 1.\n"
+          "A plane frame: 2 nodes, 1 member.\n"
           "Supports.\n"
           "  node A at (0, 0): pinned; holds ux, uy.\n"
           "  node B at (8, 0): roller; holds uy.\n"
