@@ -255,6 +255,12 @@ double AskedEnvelope::noise(const MovingEffect& effect) const
     return rounding * (femoop::influence::is_moment(effect) ? found_.brought.moment : found_.brought.force);
 }
 
+double AskedEnvelope::without_noise(double value, MemberComponent component) const
+{
+    const MovingEffect any{.quantity = femoop::ExpectedQuantity::SectionForce, .component = component};
+    return std::abs(value) > noise(any) ? value : 0.0;
+}
+
 drawing::Bound AskedEnvelope::bound(double value, double noise, const Train& train) const
 {
     const auto& ids = found_.envelope.trains;

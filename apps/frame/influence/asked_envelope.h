@@ -58,6 +58,8 @@ public:
 
     /// Of each member. \pre there was a picture
     const std::vector<femoop::influence::MemberEnvelope>& members(femoop::MemberComponent component) const;
+    /// The value of a section force, or 0 where it is nothing but rounding beside what the trains bring.
+    double without_noise(double value, femoop::MemberComponent component) const;
     /// Of one section force or reaction. \pre there was a picture
     femoop::influence::TrainEffect of(const femoop::MovingEffect& effect) const;
     /// Of every section force at a section. \pre there was a picture

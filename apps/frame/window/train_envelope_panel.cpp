@@ -134,8 +134,8 @@ private:
     /// It can be asked where it comes from: at the section where it is worst.
     void value_cell(MemberId member, ExtremeKind kind, const WorstSection& worst) const
     {
-        const std::string text = drawing::with_minus(
-            units_.number(worst.placing.value, drawing::measure_of(component_)));
+        const std::string text = drawing::with_minus(units_.number(
+            session_.train_envelope.without_noise(worst.placing.value, component_), drawing::measure_of(component_)));
         if (worst.sections.empty()) return number_cell(text);
         const double length = femoop::geometry_of(session_.model(), session_.model()[member]).length;
         number_cell(
@@ -186,8 +186,9 @@ std::vector<drawing::ReadingLine> envelope_lines(const Session& session, const d
     for (const TrainEffect& effect : session.train_envelope.at(cut)) {
         const MemberComponent component = *effect.effect.component;
         const ui::Measure measure = drawing::measure_of(component);
-        const std::string least = words(effect.min.value, measure, *effect.min_train),
-                          most = words(effect.max.value, measure, *effect.max_train);
+        const auto value = [&](double found) { return session.train_envelope.without_noise(found, component); };
+        const std::string least = words(value(effect.min.value), measure, *effect.min_train),
+                          most = words(value(effect.max.value), measure, *effect.max_train);
         list.push_back({std::string(femoop::name(component, model.analysis)),
                         (least == most ? least : least + " … " + most) + " " + units.unit(measure).name,
                         drawing::role_of(component)});

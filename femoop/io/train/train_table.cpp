@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <string_view>
 
 #include "femoop/geometry/member_geometry.h"
@@ -25,8 +26,10 @@ constexpr std::size_t table_indent = 2;
 class TrainReport {
 public:
     TrainReport(const Model& model, const ResultUnits& units, const Translator& tr)
-        : model_(model), units_(units), tr_(tr)
-    {}
+        : model_(model), units_(units), tr_(tr), shortest_(std::numeric_limits<double>::infinity())
+    {
+        for (const Member& member : model.members) shortest_ = std::min(shortest_, geometry_of(model, member).length);
+    }
 
     std::string text(const TrainResults& results) const
     {
@@ -46,7 +49,12 @@ private:
     std::string unit(const MovingEffect& effect) const { return unit_of(units_, effect).name; }
     double shown(double value, const MovingEffect& effect) const { return value * unit_of(units_, effect).factor; }
     std::string length_unit() const { return units_.length.name; }
-    double length(double value) const { return value * units_.length.factor; }
+    /// A place is found to the square root of rounding where an extreme is flat.
+    double length(double value) const
+    {
+        constexpr double nowhere = 1e-6; // of the shortest member
+        return std::abs(value) < nowhere * shortest_ ? 0.0 : value * units_.length.factor;
+    }
     std::string length_text(double value) const { return number(length(value)); }
 
     template <class Entry> std::vector<MovingEffect> components(const std::vector<Entry>& entries) const
@@ -96,8 +104,8 @@ private:
     std::string effect_table(const TrainResults& results, const MovingEffect& of) const
     {
         std::vector<tabular::Column> columns = place_columns(of);
-        for (const std::string_view which : {"max", "min"}) {
-            columns.emplace_back(std::string(which), unit(of));
+        for (const std::string_view which : {translatable("max"), translatable("min")}) {
+            columns.emplace_back(tr_(which), unit(of));
             columns.emplace_back(tr_("axles at s"), length_unit());
             if (results.is_envelope) columns.emplace_back(tr_("train"));
         }
@@ -141,17 +149,20 @@ private:
     std::string extreme_table(const TrainResults& results, const MovingEffect& of) const
     {
         std::vector<tabular::Column> columns{tr_("member")};
-        for (const std::string_view which : {"max", "min"}) {
-            columns.emplace_back(std::string(which), unit(of));
+        for (const std::string_view which : {translatable("max"), translatable("min")}) {
+            columns.emplace_back(tr_(which), unit(of));
             columns.emplace_back(tr_("at x"), length_unit(), tabular::Alignment::Left);
             columns.emplace_back(tr_("axles at s"), length_unit());
             if (results.is_envelope) columns.emplace_back(tr_("train"));
         }
         tabular::Table table(columns);
+        double size = 0.0; // beside which some values are nothing but rounding
+        for (const TrainExtreme& extreme : results.extremes)
+            if (is_alike(extreme.effect, of))
+                size = std::max({size, std::abs(extreme.max.placing.value), std::abs(extreme.min.placing.value)});
         for (const TrainExtreme& extreme : results.extremes) {
             if (!is_alike(extreme.effect, of)) continue;
             std::vector<tabular::Cell> row{model_[*extreme.effect.member].id};
-            const double size = std::max(std::abs(extreme.max.placing.value), std::abs(extreme.min.placing.value));
             const double unit = unit_of(units_, of).factor;
             add(row, extreme.max, {size, unit}, *extreme.max_train, results.is_envelope);
             add(row, extreme.min, {size, unit}, *extreme.min_train, results.is_envelope);
@@ -173,7 +184,8 @@ private:
 
     std::string details(const TrainEffect& effect) const
     {
-        return "\n" + detail("max", effect.max, *effect.max_train) + detail("min", effect.min, *effect.min_train);
+        return "\n" + detail(tr_("max"), effect.max, *effect.max_train) +
+               detail(tr_("min"), effect.min, *effect.min_train);
     }
 
     /// "max: leading axle at s = 64; spacings 14; 14; uniform load on 0 to 100"
@@ -217,7 +229,7 @@ private:
 
     std::string proof(const TrainEffect& effect, const TrainResults::Proof& proof) const
     {
-        return proof_table(effect.effect, "max", proof.max) + proof_table(effect.effect, "min", proof.min);
+        return proof_table(effect.effect, tr_("max"), proof.max) + proof_table(effect.effect, tr_("min"), proof.min);
     }
 
     std::string proof_table(const MovingEffect& effect, const std::string& which, const SearchProof& proof) const
@@ -247,6 +259,7 @@ private:
     const Model& model_;
     const ResultUnits& units_;
     const Translator& tr_;
+    double shortest_; ///< length of a member
 };
 
 } // namespace
