@@ -86,6 +86,7 @@ void show_picture(const Workspace& workspace, ui::ImGuiSession& gui, const ui::F
 {
     const Session& session = workspace.session;
     const femoop::derivation::Derivation& derivation = *workspace.derivation.derivation();
+    const femoop::Model& model = workspace.derivation.model(session);
     DerivationLook look{.theme = ui::Theme(session.view.theme),
                         .tr = workspace.tr(),
                         .units = session.units(),
@@ -96,9 +97,9 @@ void show_picture(const Workspace& workspace, ui::ImGuiSession& gui, const ui::F
     const double scale = gui.scale();
     if (const ui::Size seen = room_left(gui); seen.width >= 1.0 && seen.height >= 1.0) {
         look.seen_height = seen.height;
-        const ui::Size sheet = sheet_for(derivation, session.model(), look, seen, fonts);
+        const ui::Size sheet = sheet_for(derivation, model, look, seen, fonts);
         ui::Painter painter(sheet, fonts);
-        draw_derivation(painter, derivation, session.model(), look);
+        draw_derivation(painter, derivation, model, look);
         gui.show(painter.picture(), *ImGui::GetWindowDrawList(),
                  {static_cast<double>(corner.x), static_cast<double>(corner.y)});
         ImGui::Dummy({static_cast<float>(scale * sheet.width), static_cast<float>(scale * sheet.height)});
