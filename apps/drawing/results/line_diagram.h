@@ -15,8 +15,7 @@ inline constexpr double written_as_zero = 2e-5;
 
 /// How the ordinates of a function are drawn on a line of the structure.
 struct LineDiagram {
-    SymbolFrame
-        frame; ///< x along the line from its start, y to where positive values are drawn, not always square to x
+    SymbolFrame frame; ///< x along the line from its start, y to where positive values are drawn, square to x or not
     ui::Role role = ui::Role::BendingMoment;
     double largest = 0.0;                      ///< absolute value among all lines of the diagram, > 0
     double pixels_per_unit = 0.0;              ///< of the ordinates, > 0

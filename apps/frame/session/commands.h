@@ -107,6 +107,8 @@ using CommandTable = ui::CommandTable<Workspace>;
 CommandTable command_table();
 
 using Menu = ui::MenuBuilder<Workspace>;
+/// To influence lines, free bodies, a truss by hand, "why?".
+inline constexpr std::string_view methods_menu = ui::translatable("Methods");
 
 /// The commands that choose what the panel at the right shows, in the order of its tabs.
 using TopicEntry = ui::Choice<Topic>;

@@ -210,7 +210,7 @@ void close_derivation(Workspace& workspace)
 
 void add_derivation_commands(CommandTable& table)
 {
-    Menu menu(table, translatable("Methods"));
+    Menu menu(table, methods_menu);
     menu.step({"view.why", translatable("Why this number?"), {{Key::W, {}}}}, explain_meant, why_not_explain);
     menu.step({"view.release", translatable("Release this force, or hold it again"), {{Key::W, ui::shift}}},
               release_or_hold, why_not_release_force);

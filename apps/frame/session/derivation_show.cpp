@@ -122,33 +122,31 @@ std::optional<femoop::CaseId> DerivationShow::asked_case(const femoop::Model& mo
 
 void DerivationShow::ask(const Session& session, const MovingEffect& effect, std::optional<femoop::CaseId> of)
 {
-    redundants_.reset();
-    is_of_standing_ = false;
-    asked_case_ = of ? std::optional(session.model().case_name(*of)) : std::nullopt;
+    clear();
+    if (of) asked_case_ = session.model().case_name(*of);
     asked_ = NamedEffect(session.model(), effect);
-    session_ = session.number();
-    made_for_.reset();
-    step_ = 0;
-    follow(session);
+    begin(session);
 }
 
 void DerivationShow::ask_standing(const Session& session)
 {
-    ask(session, *session.influence.effect(session.model()));
+    clear();
     is_of_standing_ = true;
-    made_for_.reset();
-    follow(session);
+    asked_ = NamedEffect(session.model(), *session.influence.effect(session.model()));
+    begin(session);
 }
 
 void DerivationShow::ask_force_method(const Session& session, std::span<const MovingEffect> redundants)
 {
-    asked_.reset();
-    is_of_standing_ = false;
+    clear();
     redundants_.emplace();
     for (const MovingEffect& one : redundants) redundants_->emplace_back(session.model(), one);
+    begin(session);
+}
+
+void DerivationShow::begin(const Session& session)
+{
     session_ = session.number();
-    made_for_.reset();
-    step_ = 0;
     follow(session);
 }
 
@@ -178,6 +176,7 @@ void DerivationShow::follow(const Session& session)
     if (is_at(session)) return;
     made_for_ = state_of(session);
     derivation_.reset();
+    loaded_.reset();
     force_method_.reset();
     choices_.clear();
     why_none_ = why_not_derive(session);
@@ -198,8 +197,8 @@ void DerivationShow::derive_number(const Session& session)
     is_lost_ = !effect || std::ranges::find(choices_, *effect) == choices_.end();
     if (is_lost_ || why_none_) return;
     if (is_of_standing_) {
-        const femoop::Model& loaded = session.influence.loaded();
-        derivation_ = femoop::derivation::derive(loaded, femoop::analyse(loaded), femoop::CaseId(0), *effect);
+        loaded_ = session.influence.loaded();
+        derivation_ = femoop::derivation::derive(*loaded_, femoop::analyse(*loaded_), femoop::CaseId(0), *effect);
         return;
     }
     const femoop::Model model = solved_model(session.model(), session.solution());

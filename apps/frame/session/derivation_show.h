@@ -42,11 +42,7 @@ public:
     /// Null where nothing is explained: `why_none` says why.
     const femoop::derivation::Derivation* derivation() const { return derivation_ ? &*derivation_ : nullptr; }
     /// What it was derived of: the session's model, or that with what stands on the influence line as its only load case.
-    /// \pre it is at the session
-    const femoop::Model& model(const Session& session) const
-    {
-        return is_of_standing_ && derivation_ ? session.influence.loaded() : session.model();
-    }
+    const femoop::Model& model(const Session& session) const { return loaded_ ? *loaded_ : session.model(); }
     /// With its states; null where a number is explained, or nothing.
     const femoop::force_method::ForceMethod* force_method() const { return force_method_.get(); }
     const std::optional<ui::Message>& why_none() const { return why_none_; }
@@ -78,6 +74,7 @@ private:
     using MadeFor = std::tuple<std::uint64_t, std::uint64_t, std::size_t, bool, bool, std::optional<Standing>>;
 
     MadeFor state_of(const Session& session) const;
+    void begin(const Session& session); ///< with what is asked, at its first step
     bool is_asked() const { return asked_ || redundants_; }
     std::optional<ui::Message> why_not_derive(const Session& session);
     void derive_number(const Session& session);
@@ -86,6 +83,7 @@ private:
 
     std::optional<NamedEffect> asked_;
     bool is_of_standing_ = false;                        ///< of the load on the influence line, not of a case
+    std::optional<femoop::Model> loaded_;                ///< by that load
     std::optional<std::string> asked_case_;              ///< its name
     std::optional<std::vector<NamedEffect>> redundants_; ///< of the force method; empty: the program chooses
     std::optional<NamedEffect> gone_;                    ///< the redundant whose part is lost

@@ -28,7 +28,6 @@ namespace {
 using ui::standard::edit_menu;
 constexpr std::string_view draw_menu = translatable("Draw");
 
-constexpr std::size_t n_drawing_tools = 8; // the rest ask for methods
 constexpr std::array tool_entries{
     ToolEntry{ToolKind::Select, "draw.select", translatable("Select and move"), {{Key::Q, {}}}},
     ToolEntry{ToolKind::Member, "draw.member", translatable("Member"), {{Key::M, {}}}},
@@ -44,6 +43,8 @@ constexpr std::array tool_entries{
     ToolEntry{ToolKind::Funicular, "draw.funicular", translatable("Funicular"), {{Key::F, ui::shift}}},
     ToolEntry{ToolKind::VirtualWork, "draw.virtual_work", translatable("Virtual work"), {{Key::P, ui::shift}}},
 };
+constexpr std::size_t n_drawing_tools = 8; // the rest ask for methods
+static_assert(tool_entries[n_drawing_tools].value == ToolKind::Predict);
 
 Reason why_not_choose_tool(const Workspace& workspace, ToolKind tool)
 {
@@ -270,10 +271,6 @@ template <class Draft> CommandTable::RunWith run_command(Draft Workspace::*draft
     };
 }
 
-} // namespace
-
-namespace {
-
 void add_tools(Menu& menu, std::span<const ToolEntry> entries)
 {
     for (const ToolEntry& entry : entries)
@@ -286,7 +283,7 @@ void add_tools(Menu& menu, std::span<const ToolEntry> entries)
 
 void add_method_tools(CommandTable& table)
 {
-    Menu menu(table, translatable("Methods"));
+    Menu menu(table, methods_menu);
     add_tools(menu, std::span(tool_entries).subspan(n_drawing_tools));
 }
 

@@ -5,9 +5,10 @@
 namespace frame {
 
 /// The commands that draw and change: tools, selection, undo, delete, nudges.
-void add_tool_commands(CommandTable& table); ///< that draw
-void add_method_tools(CommandTable& table);  ///< that ask for methods
+void add_tool_commands(CommandTable& table);
 void add_edit_commands(CommandTable& table);
+/// The tools that ask for something at a place, such as an influence line.
+void add_method_tools(CommandTable& table);
 
 /// Begins, ends or gives up a transformation of the selection by numbers.
 void begin_transform(Workspace& workspace, Transform::Kind kind);

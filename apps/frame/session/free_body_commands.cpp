@@ -65,7 +65,7 @@ Reason why_no_free_body(const Workspace& workspace)
 
 void add_free_body_commands(CommandTable& table)
 {
-    Menu menu(table, translatable("Methods"));
+    Menu menu(table, methods_menu);
     menu.step({"view.free_body.selected", translatable("Free body of what is selected"), {{Key::B, ui::shift}}},
               lift_selected, why_not_lift);
     menu.step(

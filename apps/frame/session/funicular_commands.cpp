@@ -66,7 +66,7 @@ const FunicularPicture* shown_funicular(const Session& session)
 
 void add_funicular_commands(CommandTable& table)
 {
-    Menu menu(table, translatable("Methods"));
+    Menu menu(table, methods_menu);
     menu.step(
         {"view.funicular.hinge", translatable("The funicular through the hinge"), {{Key::J, ui::shift}}},
         [](Workspace& workspace) { workspace.session.funicular.lead_through_crown(); }, needs_crown);

@@ -52,7 +52,7 @@ Reason why_no_influence_line(const Workspace& workspace)
 
 void add_influence_commands(CommandTable& table)
 {
-    Menu menu(table, translatable("Methods"));
+    Menu menu(table, methods_menu);
     menu.step({"view.influence.next", translatable("The next quantity of the influence line"), {{Key::I, ui::shift}}},
               choose_next, needs_influence_line);
     menu.step(

@@ -364,7 +364,7 @@ CommandTable::RunWith into_file(void (*run)(Workspace&))
 
 void add_method_commands(CommandTable& table)
 {
-    Menu menu(table, translatable("Methods"));
+    Menu menu(table, methods_menu);
     menu.step({"methods.distribution", translatable("Moment distribution of the selection")}, hand_over_distribution,
               [](const Workspace& workspace) { return workspace.distribution.why_not(workspace.session); });
     menu.step({"methods.circle", translatable("Mohr's circle at this section")}, hand_over_circle,

@@ -20,10 +20,9 @@ struct LoadOnLine {
 /// A number under the pointer, and what it is of where that is not what is shown.
 struct PointedNumber {
     femoop::MovingEffect effect;
-    std::optional<femoop::CaseId> of{}; ///< its case, where a table or an envelope says so
-    std::optional<femoop::ExtremeKind>
-        extreme{};                     ///< of an envelope; nothing: the one of the greater magnitude is meant
-    std::optional<LoadOnLine> under{}; ///< of an influence line: under this load it is the effect's value
+    std::optional<femoop::CaseId> of{};           ///< its case, where a table or an envelope says so
+    std::optional<femoop::ExtremeKind> extreme{}; ///< of an envelope; nothing: that of the greater magnitude
+    std::optional<LoadOnLine> under{};            ///< of an influence line: under this load it is the effect's value
 };
 
 } // namespace frame

@@ -86,7 +86,7 @@ Reason why_not_clear(const Workspace& workspace)
 
 void add_predict_commands(CommandTable& table)
 {
-    Menu menu(table, translatable("Methods"));
+    Menu menu(table, methods_menu);
     menu.step({"view.hide_results", translatable("Hide the results, or reveal them"), {{Key::H, {}}}}, hide_or_reveal)
         .is_on = [](const Workspace& workspace) { return workspace.session.hidden.has_value(); };
     menu.step(

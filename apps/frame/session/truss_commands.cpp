@@ -73,7 +73,7 @@ std::string why_no_truss_picture(const Session& session)
 
 void add_truss_commands(CommandTable& table)
 {
-    Menu menu(table, translatable("Methods"));
+    Menu menu(table, methods_menu);
     for (const MethodEntry& entry : methods) {
         const TrussMethod method = entry.method;
         menu.toggle(

@@ -73,7 +73,7 @@ const drawing::WorkPicture* shown_work(const Session& session)
 
 void add_virtual_work_commands(CommandTable& table)
 {
-    Menu menu(table, translatable("Methods"));
+    Menu menu(table, methods_menu);
     menu.step(
         {"view.virtual_work.next", translatable("The next displacement of the place"), {{Key::P, ui::ctrl_shift}}},
         choose_next_displacement, needs_virtual_work);
