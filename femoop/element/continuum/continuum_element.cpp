@@ -14,54 +14,54 @@ namespace {
 
 constexpr double nearly_on_axis = 1e-12; // of the element's largest radius: no digit of u / r is left
 
-/// The element of n nodes in one stress state, in matrices of fixed size.
-template <StressState state, int n> class FixedSizeElement final : public ContinuumElement {
+/// The element in one stress state: matrices of as many columns as its nodes ask for, without a heap.
+template <StressState state> class ElementOfState final : public ContinuumElement {
 public:
-    FixedSizeElement(const ContinuumFormulation& formulation, std::span<const NodeId> nodes,
-                     std::span<const Eigen::Vector2d> positions, std::uint32_t stiffness_group)
+    ElementOfState(const ContinuumFormulation& formulation, std::span<const NodeId> nodes,
+                   std::span<const Eigen::Vector2d> positions, std::uint32_t stiffness_group)
         : ContinuumElement(formulation, stiffness_group), positions_(positions)
     {
-        std::copy_n(nodes.begin(), n, nodes_.begin());
+        std::ranges::copy(nodes, nodes_.begin());
     }
 
-    ElementDofs dofs() const override { return {.nodes = nodes_, .of_each_node = plane_dofs}; }
+    ElementDofs dofs() const override { return {.nodes = nodes(), .of_each_node = plane_dofs}; }
 
     void stiffness(ElementMatrix& K) const override
     {
-        const Positions X = node_positions();
-        const Tangent D = formulation().material().tangent({.strain = StrainVector::Zero(n_strains)});
+        const NodePositions X = node_positions();
+        const Tangent D = tangent();
         const Dilatation dilatation = mean_dilatation(X);
-        DofMatrix sum = DofMatrix::Zero();
+        K.setZero(n_dofs(), n_dofs());
         for (const ShapeAtPoint& point : formulation().points()) {
-            const Mapped mapped(point.N, point.dN, X);
+            const Mapped mapped(point, X);
             const StrainMatrix B = strain_matrix(point.N, mapped, dilatation);
-            sum.noalias() += B.transpose() * (point.weight * mapped.area * depth(mapped.at.x()) * D) * B;
+            const StrainMatrix DB = (point.weight * mapped.area * depth(mapped.at.x()) * D) * B;
+            K.noalias() += B.transpose().lazyProduct(DB);
         }
         if constexpr (can_have_modes)
             if (has_modes()) {
                 const Modes modes = mode_stiffness(X);
-                sum.noalias() -= modes.to_nodes.transpose() * modes.own_inverse * modes.to_nodes;
+                const ModesToNodes amplitudes = modes.own_inverse * modes.to_nodes;
+                K.noalias() -= modes.to_nodes.transpose().lazyProduct(amplitudes);
             }
-        K = sum;
     }
 
     void equivalent_forces(const ElementLoads& loads, ElementVector& f) const override
     {
-        const Positions X = node_positions();
-        DofVector sum = DofVector::Zero();
-        for (const EdgeLoad& load : loads.edge_loads) add_edge_load(load, X, sum);
-        for (const BodyLoad& load : loads.body_loads) add_body_load(load, X, sum);
-        if (!loads.thermal_loads.empty()) add_heat(loads.thermal_loads, X, sum);
-        f = sum;
+        const NodePositions X = node_positions();
+        f.setZero(n_dofs());
+        for (const EdgeLoad& load : loads.edge_loads) add_edge_load(load, X, f);
+        for (const BodyLoad& load : loads.body_loads) add_body_load(load, X, f);
+        if (!loads.thermal_loads.empty()) add_heat(loads.thermal_loads, X, f);
     }
 
     Eigen::MatrixXd strains() const override
     {
-        const Positions X = node_positions();
+        const NodePositions X = node_positions();
         const Dilatation dilatation = mean_dilatation(X);
-        Eigen::MatrixXd all(n_strains * formulation().points().size(), n_dofs);
+        Eigen::MatrixXd all(n_strains * formulation().points().size(), n_dofs());
         for (Eigen::Index row = 0; const ShapeAtPoint& point : formulation().points()) {
-            all.middleRows<n_strains>(row) = strain_matrix(point.N, Mapped(point.N, point.dN, X), dilatation);
+            all.middleRows<n_strains>(row) = strain_matrix(point.N, Mapped(point, X), dilatation);
             row += n_strains;
         }
         return all;
@@ -75,76 +75,79 @@ public:
     double volume(NaturalPoint p) const override
     {
         const Shape& shape = formulation().shape();
-        const Mapped mapped(shape.values(p), shape.derivatives(p), node_positions());
+        const Mapped mapped({.at = p, .N = shape.values(p), .dN = shape.derivatives(p)}, node_positions());
         return mapped.area * depth(mapped.at.x());
     }
 
     StrainColumns total_strains(const ElementVector& u, std::span<const ShapeAtPoint> points, Heat heat) const override
     {
-        const Positions X = node_positions();
-        const DofVector displacements = u;
+        const NodePositions X = node_positions();
         const Dilatation dilatation = mean_dilatation(X);
         StrainColumns strains(n_strains, points.size());
         for (Eigen::Index i = 0; const ShapeAtPoint& point : points)
-            strains.col(i++) = strain_matrix(point.N, Mapped(point.N, point.dN, X), dilatation) * displacements;
+            strains.col(i++) = strain_matrix(point.N, Mapped(point, X), dilatation).lazyProduct(u);
         if constexpr (can_have_modes)
             if (has_modes()) {
                 const Modes modes = mode_stiffness(X);
-                const Eigen::Vector4d amplitudes = modes.own_inverse *
-                                                   (heat_on_modes(heat, X) - modes.to_nodes * displacements);
+                const Eigen::Vector4d forces = heat_on_modes(heat, X) - modes.to_nodes.lazyProduct(u);
+                const Eigen::Vector4d amplitudes = modes.own_inverse * forces;
                 for (Eigen::Index i = 0; const ShapeAtPoint& point : points)
-                    strains.col(i++) += mode_matrix(point.at, Mapped(point.N, point.dN, X), X) * amplitudes;
+                    strains.col(i++) += mode_matrix(point.at, Mapped(point, X), X) * amplitudes;
             }
         return strains;
     }
 
 private:
     using Model = ContinuumModel<state>;
-    static constexpr int n_dofs = 2 * n;
     static constexpr int n_strains = Model::n_strains;
-    using Positions = Eigen::Matrix<double, n, 2>;
-    using DofMatrix = Eigen::Matrix<double, n_dofs, n_dofs>;
-    using DofVector = Eigen::Matrix<double, n_dofs, 1>;
-    using StrainMatrix = Eigen::Matrix<double, n_strains, n_dofs>;
+    static constexpr int max_dofs = 2 * Shape::max_nodes;
+    /// Row by row, so that the columns of B' stand together in products with it.
+    template <int rows> using OfDofs = Eigen::Matrix<double, rows, Eigen::Dynamic, Eigen::RowMajor, rows, max_dofs>;
+    using StrainMatrix = OfDofs<n_strains>;
     using Tangent = Eigen::Matrix<double, n_strains, n_strains>;
-    static constexpr bool can_have_modes = n == 4 && state != StressState::Axisymmetric;
-    static constexpr bool can_have_mean = n == 4 && n_strains == 4;
+    static constexpr bool can_have_modes = state != StressState::Axisymmetric;
+    static constexpr bool can_have_mean = n_strains == 4;
 
     /// ex + ey + ez of the node displacements: the mean of the element, where the formulation asks for it.
-    using Dilatation = Eigen::Matrix<double, 1, n_dofs>;
+    using Dilatation = OfDofs<1>;
     using ModeMatrix = Eigen::Matrix<double, n_strains, 4>;
+    using ModesToNodes = OfDofs<4>;
     /// Stiffness of the four amplitudes a of the modes: own a + to_nodes u = forces on them.
     struct Modes {
         Eigen::Matrix4d own_inverse;
-        Eigen::Matrix<double, 4, n_dofs> to_nodes;
+        ModesToNodes to_nodes;
     };
 
     /// A natural point in the drawing.
     struct Mapped {
         Eigen::Vector2d at;
-        Eigen::Matrix<double, n, 2> gradients; ///< of N by x and y
-        double area;                           ///< det J
-        double radius = 0.0;                   ///< x; 0 on the axis of a body of revolution
+        Shape::Derivatives gradients; ///< of N by x and y
+        double area;                  ///< det J
+        double radius = 0.0;          ///< x; 0 on the axis of a body of revolution
 
-        Mapped(const Shape::Values& N, const Shape::Derivatives& dN, const Positions& X)
+        Mapped(const ShapeAtPoint& point, const NodePositions& X)
         {
-            const Eigen::Matrix<double, n, 1> values = N;
-            const Eigen::Matrix<double, n, 2> derivatives = dN;
-            const Eigen::Matrix2d J = derivatives.transpose() * (X.rowwise() - X.row(0));
-            at = X.transpose() * values;
+            const Eigen::Matrix2d J = jacobian(point.dN, X);
+            at = X.transpose().lazyProduct(point.N);
             area = J.determinant();
-            gradients = derivatives * J.inverse().transpose();
+            gradients = point.dN * J.inverse().transpose();
             if constexpr (state == StressState::Axisymmetric)
                 if (at.x() > nearly_on_axis * X.col(0).maxCoeff()) radius = at.x();
         }
     };
 
-    Positions node_positions() const
+    int n_nodes() const { return formulation().shape().n_nodes(); }
+    int n_dofs() const { return 2 * n_nodes(); }
+    std::span<const NodeId> nodes() const { return {nodes_.data(), static_cast<std::size_t>(n_nodes())}; }
+
+    NodePositions node_positions() const
     {
-        Positions X;
-        for (int i = 0; i < n; ++i) X.row(i) = positions_[nodes_[static_cast<std::size_t>(i)].index];
+        NodePositions X(n_nodes(), 2);
+        for (int i = 0; const NodeId node : nodes()) X.row(i++) = positions_[node.index];
         return X;
     }
+
+    Tangent tangent() const { return formulation().material().tangent({.strain = StrainVector::Zero(n_strains)}); }
 
     double depth(double r) const { return Model::depth(formulation().thickness(), r); }
 
@@ -153,8 +156,8 @@ private:
 
     static StrainMatrix strain_matrix(const Shape::Values& N, const Mapped& mapped)
     {
-        StrainMatrix B;
-        for (int i = 0; i < n; ++i)
+        StrainMatrix B(n_strains, 2 * N.size());
+        for (int i = 0; i < N.size(); ++i)
             B.template middleCols<2>(2 * i) = Model::B(N[i], mapped.gradients(i, 0), mapped.gradients(i, 1),
                                                        mapped.radius);
         return B;
@@ -172,13 +175,13 @@ private:
         return B;
     }
 
-    Dilatation mean_dilatation(const Positions& X) const
+    Dilatation mean_dilatation(const NodePositions& X) const
     {
-        Dilatation sum = Dilatation::Zero();
+        Dilatation sum = Dilatation::Zero(n_dofs());
         if (!has_mean()) return sum;
         double volume = 0.0;
         for (const ShapeAtPoint& point : formulation().points()) {
-            const Mapped mapped(point.N, point.dN, X);
+            const Mapped mapped(point, X);
             const double part = point.weight * mapped.area * depth(mapped.at.x());
             if constexpr (can_have_mean)
                 sum += part * strain_matrix(point.N, mapped).template topRows<3>().colwise().sum();
@@ -188,10 +191,9 @@ private:
     }
 
     /// Strains of the modes 1 - xi^2 and 1 - eta^2, each along x and y.
-    static ModeMatrix mode_matrix(NaturalPoint p, const Mapped& mapped, const Positions& X)
+    static ModeMatrix mode_matrix(NaturalPoint p, const Mapped& mapped, const NodePositions& X)
     {
-        const Shape::Derivatives dN = shape_of(ShapeKind::Q4).derivatives({});
-        const Eigen::Matrix2d J = Eigen::Matrix<double, n, 2>(dN).transpose() * (X.rowwise() - X.row(0));
+        const Eigen::Matrix2d J = jacobian(shape_of(ShapeKind::Q4).derivatives({}), X);
         Eigen::Matrix2d natural; // rows: modes, columns: d/dxi, d/deta
         natural << -2.0 * p.xi, 0.0, 0.0, -2.0 * p.eta;
         const Eigen::Matrix2d gradients = (J.determinant() / mapped.area) * natural * J.inverse().transpose();
@@ -201,18 +203,17 @@ private:
         return G;
     }
 
-    Modes mode_stiffness(const Positions& X) const
+    Modes mode_stiffness(const NodePositions& X) const
     {
-        const Tangent D = formulation().material().tangent({.strain = StrainVector::Zero(n_strains)});
+        const Tangent D = tangent();
         Eigen::Matrix4d own = Eigen::Matrix4d::Zero();
-        Modes modes{.own_inverse = own, .to_nodes = Eigen::Matrix<double, 4, n_dofs>::Zero()};
+        Modes modes{.own_inverse = own, .to_nodes = ModesToNodes::Zero(4, n_dofs())};
         for (const ShapeAtPoint& point : formulation().points()) {
-            const Mapped mapped(point.N, point.dN, X);
+            const Mapped mapped(point, X);
             const ModeMatrix G = mode_matrix(point.at, mapped, X);
-            const Eigen::Matrix<double, 4, n_strains> GD = point.weight * mapped.area * depth(mapped.at.x()) *
-                                                           G.transpose() * D;
-            own += GD * G;
-            modes.to_nodes += GD * strain_matrix(point.N, mapped);
+            const ModeMatrix DG = (point.weight * mapped.area * depth(mapped.at.x()) * D) * G;
+            own += DG.transpose() * G;
+            modes.to_nodes += DG.transpose() * strain_matrix(point.N, mapped);
         }
         modes.own_inverse = own.inverse();
         return modes;
@@ -228,22 +229,22 @@ private:
                material.stress({.strain = material.thermal_strain(rise)});
     }
 
-    Eigen::Vector4d heat_on_modes(Heat heat, const Positions& X) const
+    Eigen::Vector4d heat_on_modes(Heat heat, const NodePositions& X) const
     {
         Eigen::Vector4d f = Eigen::Vector4d::Zero();
         if (heat.empty()) return f;
         for (const ShapeAtPoint& point : formulation().load_points()) {
-            const Mapped mapped(point.N, point.dN, X);
+            const Mapped mapped(point, X);
             f += mode_matrix(point.at, mapped, X).transpose() * heat_stress(point, mapped, heat);
         }
         return f;
     }
 
-    void add_heat(Heat heat, const Positions& X, DofVector& f) const
+    void add_heat(Heat heat, const NodePositions& X, ElementVector& f) const
     {
         const Dilatation dilatation = mean_dilatation(X);
         for (const ShapeAtPoint& point : formulation().load_points()) {
-            const Mapped mapped(point.N, point.dN, X);
+            const Mapped mapped(point, X);
             f += strain_matrix(point.N, mapped, dilatation).transpose() * heat_stress(point, mapped, heat);
         }
         if constexpr (can_have_modes)
@@ -253,7 +254,7 @@ private:
             }
     }
 
-    void add_edge_load(const EdgeLoad& load, const Positions& X, DofVector& f) const
+    void add_edge_load(const EdgeLoad& load, const NodePositions& X, ElementVector& f) const
     {
         const Shape::Edge edge = formulation().shape().edges()[static_cast<std::size_t>(load.edge)];
         for (const ShapeAtPoint& point : formulation().edge_points()) {
@@ -267,22 +268,22 @@ private:
             const Eigen::Vector2d traction = load.traction(
                 {.at = at, .along = along, .outward = {along.y(), -along.x()}, .xi = point.at.xi});
             for (std::size_t i = 0; i < edge.size(); ++i)
-                f.template segment<2>(2 * edge[i]) += point.weight * length * depth(at.x()) *
-                                                      point.N[static_cast<int>(i)] * traction;
+                f.segment<2>(2 * edge[i]) += point.weight * length * depth(at.x()) * point.N[static_cast<int>(i)] *
+                                             traction;
         }
     }
 
-    void add_body_load(const BodyLoad& load, const Positions& X, DofVector& f) const
+    void add_body_load(const BodyLoad& load, const NodePositions& X, ElementVector& f) const
     {
         for (const ShapeAtPoint& point : formulation().load_points()) {
-            const Mapped mapped(point.N, point.dN, X);
+            const Mapped mapped(point, X);
             const Eigen::Vector2d force = point.weight * mapped.area * depth(mapped.at.x()) * load.force(mapped.at);
-            for (int i = 0; i < n; ++i) f.template segment<2>(2 * i) += point.N[i] * force;
+            for (int i = 0; i < n_nodes(); ++i) f.segment<2>(2 * i) += point.N[i] * force;
         }
     }
 
     std::span<const Eigen::Vector2d> positions_;
-    std::array<NodeId, n> nodes_;
+    std::array<NodeId, Shape::max_nodes> nodes_; ///< as many of them as the shape has
 };
 
 void refuse(const std::optional<GeometryFault>& fault)
@@ -301,19 +302,6 @@ void check_geometry(const ContinuumFormulation& formulation, std::span<const Nod
     for (int i = 0; i < shape.n_nodes(); ++i) X.row(i) = positions[nodes[static_cast<std::size_t>(i)].index];
     if (formulation.state() == StressState::Axisymmetric) refuse(why_not_axisymmetric(shape, X));
     refuse(formulation.geometry_check().fault(X));
-}
-
-/// Calls `use` with a number of nodes as a compile-time constant.
-template <class Use> auto with_node_count(int n, Use&& use)
-{
-    switch (n) {
-    case 3: return use(std::integral_constant<int, 3>());
-    case 4: return use(std::integral_constant<int, 4>());
-    case 6: return use(std::integral_constant<int, 6>());
-    case 8: return use(std::integral_constant<int, 8>());
-    case 9: return use(std::integral_constant<int, 9>());
-    default: throw std::invalid_argument("make_continuum_element: no element has this number of nodes");
-    }
 }
 
 } // namespace
@@ -345,17 +333,17 @@ std::unique_ptr<ContinuumElement> make_continuum_element(const ContinuumFormulat
                                                          std::uint32_t stiffness_group)
 {
     check_geometry(formulation, nodes, positions);
-    return with_node_count(formulation.shape().n_nodes(), [&](auto count) -> std::unique_ptr<ContinuumElement> {
-        constexpr int n = decltype(count)::value;
-        const auto make = [&]<StressState state>() -> std::unique_ptr<ContinuumElement> {
-            return std::make_unique<FixedSizeElement<state, n>>(formulation, nodes, positions, stiffness_group);
-        };
-        switch (formulation.state()) {
-        case StressState::PlaneStress: return make.template operator()<StressState::PlaneStress>();
-        case StressState::PlaneStrain: return make.template operator()<StressState::PlaneStrain>();
-        default: return make.template operator()<StressState::Axisymmetric>();
-        }
-    });
+    switch (formulation.state()) {
+    case StressState::PlaneStress:
+        return std::make_unique<ElementOfState<StressState::PlaneStress>>(formulation, nodes, positions,
+                                                                          stiffness_group);
+    case StressState::PlaneStrain:
+        return std::make_unique<ElementOfState<StressState::PlaneStrain>>(formulation, nodes, positions,
+                                                                          stiffness_group);
+    default:
+        return std::make_unique<ElementOfState<StressState::Axisymmetric>>(formulation, nodes, positions,
+                                                                           stiffness_group);
+    }
 }
 
 } // namespace femoop
