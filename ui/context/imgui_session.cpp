@@ -242,7 +242,8 @@ Typing::Reader ImGuiSession::reader() const
 
 void ImGuiSession::look_for_field()
 {
-    awaits_field_ = imgui_->NavMoveSubmitted && (imgui_->NavMoveFlags & ImGuiNavMoveFlags_FocusApi) != 0;
+    const bool is_asked_for = imgui_->NavMoveSubmitted && (imgui_->NavMoveFlags & ImGuiNavMoveFlags_FocusApi) != 0;
+    awaits_field_ = is_asked_for || imgui_->NavNextActivateId != 0;
     unread_text_.clear();
     if (!awaits_field_) return;
     for (const ImWchar letter : imgui_->IO.InputQueueCharacters) {

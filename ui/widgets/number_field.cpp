@@ -50,10 +50,11 @@ NumberFieldEvent NumberFields::show(std::string_view id, const Look& look)
     const float width = look.width > 0.0F ? look.width : ImGui::GetContentRegionAvail().x;
     ImGui::PushID(static_cast<int>(key));
     if (!is_typing()) typing_ = 0;
-    if (typing_ == 0 && (look.begins || takes_over(key))) open_editor(key, look.exact_text);
+    const bool arrives = stops_.arrives(key);
+    if (typing_ == 0 && (look.begins || arrives)) open_editor(key, look.exact_text);
+    if (typing_ == key) stops_.stand(key);
     NumberFieldEvent event = typing_ == key ? show_editor(key, look, width) : show_value(key, look, width);
     if (left_ && left_->id == key) event = typed(key, std::exchange(left_, std::nullopt)->text);
-    before_ = key;
     ImGui::PopID();
     return event;
 }
@@ -92,25 +93,11 @@ NumberFieldEvent NumberFields::show_value(unsigned id, const Look& look, float w
     return {};
 }
 
-bool NumberFields::takes_over(unsigned id) const
-{
-    if (ImGui::GetFrameCount() > last_shown_ + 1) return false;
-    return follower_ == Follower::Next || (follower_ == Follower::Before && id == wanted_);
-}
-
-// After the last field comes the first one, in the next frame.
-void NumberFields::leave_by_tab()
-{
-    follower_ = ImGui::GetIO().KeyShift ? Follower::Before : Follower::Next;
-    wanted_ = before_;
-}
-
 void NumberFields::open_editor(unsigned id, std::string text)
 {
     if (is_typing() && stays_ && typing_ != id && text_ != opening_text_) left_ = Left{typing_, text_};
     keyboard_.forget();
     typing_ = id;
-    follower_ = Follower::None;
     ++n_openings_;
     last_shown_ = ImGui::GetFrameCount();
     is_open_ = false;
@@ -122,11 +109,16 @@ void NumberFields::open(std::string_view id, std::string text) { open_editor(key
 
 bool NumberFields::is_open(std::string_view id) const { return is_typing() && typing_ == key_of(id); }
 
+bool NumberFields::is_entered(std::string_view id) const
+{
+    return entered_ == key_of(id) && frame_entered_ == ImGui::GetFrameCount();
+}
+
 NumberFieldEvent NumberFields::drag(double start)
 {
     if (!ImGui::IsMouseDown(ImGuiMouseButton_Left)) {
         dragging_ = 0;
-        return {.kind = NumberFieldEvent::Kind::Settled, .value = drag_value_, .text = {}};
+        return {.kind = NumberFieldEvent::Kind::Settled, .value = drag_value_};
     }
     const double slow = ImGui::GetIO().KeyShift ? 0.1 : 1.0;
     drag_path_ += slow * static_cast<double>(ImGui::GetIO().MouseDelta.x);
@@ -137,7 +129,7 @@ NumberFieldEvent NumberFields::drag(double start)
     const double tidy = std::abs(value) < 1e-9 * step ? 0.0 : value;
     if (tidy == drag_value_) return {};
     drag_value_ = tidy;
-    return {.kind = NumberFieldEvent::Kind::Dragged, .value = tidy, .text = {}};
+    return {.kind = NumberFieldEvent::Kind::Dragged, .value = tidy};
 }
 
 // A row has no room beneath it.
@@ -155,7 +147,7 @@ void NumberFields::show_reason(bool is_in_row) const
 NumberFieldEvent NumberFields::typed(unsigned id, std::string text)
 {
     last_typed_ = id;
-    return {.kind = NumberFieldEvent::Kind::Typed, .value = 0.0, .text = std::move(text)};
+    return {.kind = NumberFieldEvent::Kind::Typed, .text = std::move(text)};
 }
 
 NumberFieldEvent NumberFields::show_editor(unsigned id, const Look& look, float width)
@@ -188,8 +180,12 @@ NumberFieldEvent NumberFields::show_editor(unsigned id, const Look& look, float 
     }
 
     typing_ = 0;
-    if (is_tab) leave_by_tab();
+    if (is_tab) stops_.leave(id);
     reason_.clear();
+    if (is_confirmed) {
+        entered_ = id;
+        frame_entered_ = ImGui::GetFrameCount();
+    }
     if (is_cancelled || text_ == opening_text_) return {};
     return typed(id, text_);
 }
@@ -198,7 +194,8 @@ void NumberFields::reject(const NumberFieldEvent& event, std::string reason)
 {
     typing_ = last_typed_;
     keyboard_.forget();
-    follower_ = Follower::None;
+    stops_.stay();
+    entered_ = 0;
     ++n_openings_;
     is_open_ = false;
     text_ = event.text;

@@ -6,6 +6,7 @@
 #include <string_view>
 
 #include "ui/widgets/keyboard_back.h"
+#include "ui/widgets/tab_stops.h"
 
 namespace ui {
 
@@ -47,8 +48,12 @@ public:
     void open(std::string_view id, std::string text);
     /// Its text is being edited. \pre as for `open`
     bool is_open(std::string_view id) const;
+    /// Enter was pressed in it in this frame, and what stood there was taken, new or not. \pre as for `open`
+    bool is_entered(std::string_view id) const;
     /// Says why what was typed last was not taken; the field is opened again with the text.
     void reject(const NumberFieldEvent& event, std::string reason);
+    /// Where Tab goes: these fields, and what a window adds.
+    TabStops& stops() { return stops_; }
     /// A field has the keyboard. One that is no longer shown has lost it.
     bool is_typing() const;
     /// A field has the keyboard, and nothing was typed into it.
@@ -57,8 +62,6 @@ public:
 private:
     NumberFieldEvent show_value(unsigned id, const Look& look, float width);
     void open_editor(unsigned id, std::string text);
-    bool takes_over(unsigned id) const; ///< the field left by Tab goes on to this one
-    void leave_by_tab();
     NumberFieldEvent show_editor(unsigned id, const Look& look, float width);
     NumberFieldEvent typed(unsigned id, std::string text);
     void show_reason(bool is_in_row) const;
@@ -72,7 +75,9 @@ private:
     std::string opening_text_;
     std::string reason_;
     unsigned last_typed_ = 0;
-    bool stays_ = false; ///< the field whose text is edited
+    unsigned entered_ = 0;   ///< the field that Enter was pressed in
+    int frame_entered_ = -1; ///< the frame in which it was
+    bool stays_ = false;     ///< the field whose text is edited
     KeyboardBack keyboard_;
 
     /// A field that stayed open until another was chosen, which confirms it.
@@ -82,10 +87,7 @@ private:
     };
     std::optional<Left> left_;
 
-    enum class Follower : std::uint8_t { None, Next, Before };
-    Follower follower_ = Follower::None; ///< whom Tab has opened the way for
-    unsigned before_ = 0;                ///< the field shown last, of the frame before for the first one
-    unsigned wanted_ = 0;                ///< the field that Shift+Tab goes to
+    TabStops stops_;
 
     unsigned dragging_ = 0;
     double drag_start_ = 0.0;

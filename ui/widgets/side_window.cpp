@@ -5,11 +5,12 @@
 #include <algorithm>
 #include <utility>
 
+#include "ui/widgets/answer_button.h"
 #include "ui/widgets/modal_turn.h"
 
 namespace ui {
 
-bool SideWindow::begin(bool is_open, const char* id, const std::string& title)
+bool SideWindow::begin(bool is_open, const char* id, const std::string& title, TabStops& stops)
 {
     light_up(is_open);
     if (!is_open) return false;
@@ -21,7 +22,9 @@ bool SideWindow::begin(bool is_open, const char* id, const std::string& title)
     ImGui::SetNextWindowSize({width(), viewport.WorkSize.y - status});
     constexpr ImGuiWindowFlags flags = ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove |
                                        ImGuiWindowFlags_NoCollapse;
-    return ImGui::BeginPopupModal((title + id).c_str(), nullptr, flags);
+    if (!ImGui::BeginPopupModal((title + id).c_str(), nullptr, flags)) return false;
+    stops.begin_window();
+    return true;
 }
 
 void SideWindow::begin_content()
@@ -36,8 +39,9 @@ void SideWindow::end_content()
     ImGui::Separator();
 }
 
-void SideWindow::end(bool is_open)
+void SideWindow::end(bool is_open, TabStops& stops)
 {
+    stops.end_window();
     if (!is_open) ImGui::CloseCurrentPopup();
     ImGui::EndPopup();
 }
@@ -55,17 +59,21 @@ void SideWindow::light_up(bool is_open)
     if (!is_open && dimming_) dimming = *std::exchange(dimming_, std::nullopt);
 }
 
-FootAnswer foot_buttons(const FootButtons& buttons, const Catalogue& tr)
+// Enter accepts wherever Tab has come to, but at the other button.
+FootAnswer foot_buttons(const FootButtons& buttons, const Catalogue& tr, TabStops& stops)
 {
     const bool has_keys = !buttons.is_typing && !ImGui::GetIO().WantTextInput;
     const auto is_pressed = [&](int key) { return has_keys && ImGui::IsKeyPressed(ImGui::GetKeyIndex(key), false); };
     ImGui::BeginDisabled(!buttons.may_accept);
     const bool is_clicked = ImGui::Button(buttons.accept.c_str());
+    stops.add();
     ImGui::EndDisabled();
     ImGui::SameLine();
-    const bool is_cancelled = ImGui::Button((tr("Cancel") + "###cancel").c_str()) || is_pressed(ImGuiKey_Escape);
-    if (is_clicked || (buttons.may_accept && is_pressed(ImGuiKey_Enter))) return FootAnswer::Accept;
-    return is_cancelled ? FootAnswer::Cancel : FootAnswer::None;
+    const bool is_cancelled = answer_button(tr("Cancel") + "###cancel") || is_pressed(ImGuiKey_Escape);
+    stops.add();
+    if (is_cancelled) return FootAnswer::Cancel;
+    const bool is_entered = buttons.may_accept && is_pressed(ImGuiKey_Enter);
+    return is_clicked || is_entered ? FootAnswer::Accept : FootAnswer::None;
 }
 
 } // namespace ui

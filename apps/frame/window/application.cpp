@@ -52,10 +52,13 @@ bool writes(ui::Key key)
 
 } // namespace
 
-// The question after the kind of a new document has the keys first.
+// The question after the kind of a new document has the keys first, and the window of units its own.
 ui::Input Application::without_answer(const ui::Input& all)
 {
     ui::Input input = all;
+    std::erase_if(input.keys, [this](const ui::KeyEvent& event) {
+        return event.is_down && !event.modifiers.ctrl && unit_window_.wants(event.key);
+    });
     if (!kind_question_.is_open() || ImGui::GetIO().WantTextInput || fields_.is_typing()) return input;
     const auto n = std::erase_if(input.keys, [this](const ui::KeyEvent& event) {
         return event.is_down && kind_question_.handle_key(workspace(), commands(), event.key);
@@ -140,7 +143,11 @@ void Application::handle_own_request(Request request)
     case Request::ExportTable: tables_.ask_for_file(workspace()); break;
     case Request::KeepView: keep_view(session, canvas_.region(session)); break;
     case Request::ViewList: view_list_.toggle(); break;
-    case Request::UnitWindow: unit_window_.toggle(); break;
+    case Request::UnitWindow:
+        unit_window_.toggle();
+        tables_.settle(workspace());
+        tables_.leave();
+        break;
     case Request::AskKind: kind_question_.open(); break;
     case Request::EditTitle:
         workspace().has_panels = true;
@@ -267,7 +274,7 @@ void Application::show_own_dialogs()
     design_window_.show(workspace(), fields_);
     train_window_.show(workspace(), gui(), fields_);
     view_list_.show(workspace());
-    unit_window_.show(workspace());
+    unit_window_.show(workspace(), fields_.stops());
     context_menu_.show(workspace(), commands());
     kind_question_.show(workspace(), commands());
     tables_.show_dialog(workspace());

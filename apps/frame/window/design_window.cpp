@@ -18,12 +18,14 @@ using ui::translatable;
 
 namespace {
 
-void show_codes(Workspace& workspace)
+void show_codes(Workspace& workspace, ui::TabStops& stops)
 {
     DesignDraft& draft = workspace.design;
     for (const DesignCode code : femoop::design_codes()) {
         const std::string label = std::string(name(code)) + "###" + std::string(id(code));
-        if (ImGui::RadioButton(label.c_str(), draft.code() == code)) draft.set_code(workspace.session, code);
+        const bool is_chosen = draft.code() == code;
+        if (ImGui::RadioButton(label.c_str(), is_chosen)) draft.set_code(workspace.session, code);
+        if (is_chosen) stops.add();
     }
 }
 
@@ -64,7 +66,7 @@ void show_action(Workspace& workspace, std::size_t place)
         ImGui::SetTooltip("%s", factors_of(*chosen, workspace.session).c_str());
 }
 
-void show_actions(Workspace& workspace)
+void show_actions(Workspace& workspace, ui::TabStops& stops)
 {
     if (!ImGui::BeginTable("actions", 2, ImGuiTableFlags_SizingFixedFit)) return;
     ImGui::TableSetupColumn("###case", ImGuiTableColumnFlags_WidthFixed);
@@ -76,11 +78,12 @@ void show_actions(Workspace& workspace)
         ImGui::TextUnformatted(model.load_cases[i].id.c_str());
         ImGui::TableNextColumn();
         show_action(workspace, i);
+        stops.add();
     }
     ImGui::EndTable();
 }
 
-void show_states(Workspace& workspace)
+void show_states(Workspace& workspace, ui::TabStops& stops)
 {
     DesignDraft& draft = workspace.design;
     for (const LimitState state : limit_states(draft.code())) {
@@ -88,6 +91,7 @@ void show_states(Workspace& workspace)
         const std::string label = workspace.session.view.tr(short_name(draft.code(), state)) + "###" +
                                   std::string(id(state));
         if (ImGui::Checkbox(label.c_str(), &is_on)) draft.set(state, is_on);
+        stops.add();
     }
 }
 
@@ -103,27 +107,27 @@ void show_combination(const Workspace& workspace, const DesignCombination& one)
     ImGui::PopStyleColor();
 }
 
-void show_buttons(Workspace& workspace, const ui::NumberFields& fields)
+void show_buttons(Workspace& workspace, ui::NumberFields& fields)
 {
     const bool has_some = !workspace.design.combinations().empty();
     const ui::FootAnswer answer = ui::foot_buttons({.may_accept = has_some, .is_typing = fields.is_typing()},
-                                                   workspace.session.view.tr);
+                                                   workspace.session.view.tr, fields.stops());
     if (answer == ui::FootAnswer::Accept) workspace.design.accept(workspace.session);
     else if (answer == ui::FootAnswer::Cancel) workspace.design.cancel();
 }
 
 } // namespace
 
-void DesignWindow::show(Workspace& workspace, const ui::NumberFields& fields)
+void DesignWindow::show(Workspace& workspace, ui::NumberFields& fields)
 {
     const DesignDraft& draft = workspace.design;
     const ui::Catalogue& tr = workspace.session.view.tr;
-    if (!window_.begin(draft.is_open(), "###design", tr("Combinations of a code"))) return;
+    if (!window_.begin(draft.is_open(), "###design", tr("Combinations of a code"), fields.stops())) return;
     ui::SideWindow::begin_content();
-    show_codes(workspace);
+    show_codes(workspace, fields.stops());
     ImGui::Separator();
-    show_actions(workspace);
-    show_states(workspace);
+    show_actions(workspace, fields.stops());
+    show_states(workspace, fields.stops());
     ImGui::Separator();
     const std::vector<DesignCombination>& combinations = draft.combinations();
     const std::size_t n = draft.has_too_many() ? femoop::most_design_combinations : combinations.size();
@@ -136,7 +140,7 @@ void DesignWindow::show(Workspace& workspace, const ui::NumberFields& fields)
     ImGui::EndChild();
     ui::SideWindow::end_content();
     show_buttons(workspace, fields);
-    window_.end(draft.is_open());
+    window_.end(draft.is_open(), fields.stops());
 }
 
 } // namespace frame

@@ -11,7 +11,7 @@ namespace frame {
 class DesignWindow {
 public:
     /// Nothing where none are being made.
-    void show(Workspace& workspace, const ui::NumberFields& fields);
+    void show(Workspace& workspace, ui::NumberFields& fields);
 
 private:
     ui::SideWindow window_;

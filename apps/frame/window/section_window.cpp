@@ -89,7 +89,7 @@ std::string plain(std::string_view text)
     return letters;
 }
 
-void show_target(Workspace& workspace)
+void show_target(Workspace& workspace, ui::TabStops& stops)
 {
     SectionDraft& draft = workspace.section;
     if (!draft.existing()) return;
@@ -103,8 +103,10 @@ void show_target(Workspace& workspace)
     const bool is_new = draft.target() == SectionTarget::New;
     if (ImGui::RadioButton(ui::label_beside_box(change, "this").c_str(), !is_new))
         draft.set_target(workspace.session, SectionTarget::This);
+    if (!is_new) stops.add();
     if (ImGui::RadioButton(ui::label_beside_box(make, "new").c_str(), is_new))
         draft.set_target(workspace.session, SectionTarget::New);
+    if (is_new) stops.add();
 }
 
 /// A cell of the table of properties: the symbol, its value and unit.
@@ -151,11 +153,12 @@ void show_properties_of(const femoop::SectionProperties& s, const ui::DisplayUni
 
 } // namespace
 
-void SectionWindow::show_buttons(Workspace& workspace, const ui::NumberFields& fields) const
+void SectionWindow::show_buttons(Workspace& workspace, ui::NumberFields& fields) const
 {
     SectionDraft& draft = workspace.section;
     const ui::FootAnswer answer = ui::foot_buttons(
-        {.may_accept = !why_not_accept(draft), .is_typing = fields.is_typing()}, workspace.session.view.tr);
+        {.may_accept = !why_not_accept(draft), .is_typing = fields.is_typing()}, workspace.session.view.tr,
+        fields.stops());
     if (answer == ui::FootAnswer::Accept) draft.accept(workspace.session);
     else if (answer == ui::FootAnswer::Cancel) draft.cancel(workspace.session);
 }
@@ -179,24 +182,26 @@ void SectionWindow::show(Workspace& workspace, ui::ImGuiSession& gui, ui::Number
         family_.reset();
         filter_.clear();
     }
-    if (!window_.begin(draft.is_open(), "###section", workspace.session.view.tr("Section"))) return;
+    if (!window_.begin(draft.is_open(), "###section", workspace.session.view.tr("Section"), fields.stops())) return;
     ui::SideWindow::begin_content();
     show_content(workspace, gui, fields);
     ui::SideWindow::end_content();
     show_buttons(workspace, fields);
-    window_.end(draft.is_open());
+    window_.end(draft.is_open(), fields.stops());
 }
 
 void SectionWindow::show_content(Workspace& workspace, ui::ImGuiSession& gui, ui::NumberFields& fields)
 {
     const SectionDraft& draft = workspace.section;
-    show_name(workspace);
-    show_target(workspace);
-    show_shapes(workspace, gui);
-    show_families(workspace);
-    if (lists_profiles(draft)) show_profiles(workspace);
+    ui::TabStops& stops = fields.stops();
+    show_name(workspace, stops);
+    show_target(workspace, stops);
+    show_shapes(workspace, gui, stops);
+    show_families(workspace, stops);
+    if (lists_profiles(draft)) show_profiles(workspace, stops);
     else show_dimensions(workspace, fields);
     show_turned(workspace);
+    stops.add();
     if (const auto reason = why_not_accept(draft)) ui::wrapped_text(workspace.session.view.tr(*reason));
     const float line = ImGui::GetTextLineHeightWithSpacing();
     const auto properties = section_properties(draft.section(), workspace.session.model().units);
@@ -205,7 +210,7 @@ void SectionWindow::show_content(Workspace& workspace, ui::ImGuiSession& gui, ui
     show_properties_of(properties, workspace.session.units());
 }
 
-void SectionWindow::show_name(Workspace& workspace)
+void SectionWindow::show_name(Workspace& workspace, ui::TabStops& stops)
 {
     SectionDraft& draft = workspace.section;
     const ui::Catalogue& tr = workspace.session.view.tr;
@@ -214,6 +219,7 @@ void SectionWindow::show_name(Workspace& workspace)
     ImGui::SameLine();
     ImGui::SetNextItemWidth(-1.0F);
     if (ImGui::InputText("###name", &name_)) reason_ = draft.set_name(workspace.session, name_);
+    stops.add(ui::TabStops::Kind::Text);
     if (!ImGui::IsItemActive()) {
         name_ = draft.section().id;
         reason_.reset();
@@ -221,19 +227,20 @@ void SectionWindow::show_name(Workspace& workspace)
     if (reason_) ui::wrapped_text(tr(*reason_));
 }
 
-void SectionWindow::show_shapes(Workspace& workspace, ui::ImGuiSession& gui)
+void SectionWindow::show_shapes(Workspace& workspace, ui::ImGuiSession& gui, ui::TabStops& stops)
 {
     SectionDraft& draft = workspace.section;
+    const bool is_one_chosen = !lists_profiles(draft) && draft.section().shape;
     const float gap = 0.2F * ImGui::GetFontSize();
     const float n = static_cast<float>(shapes.size());
     const float side = std::floor((ImGui::GetContentRegionAvail().x - (n - 1.0F) * gap) / n);
     for (const ShapeEntry& entry : shapes) {
         if (entry.kind != shapes.front().kind) ImGui::SameLine(0.0F, gap);
-        const auto& shape = draft.section().shape;
-        const bool is_chosen = !lists_profiles(draft) && shape && shape->kind == entry.kind;
+        const bool is_chosen = is_one_chosen && draft.section().shape->kind == entry.kind;
         if (is_chosen) ImGui::PushStyleColor(ImGuiCol_Button, ImGui::GetColorU32(ImGuiCol_ButtonActive));
         const bool is_clicked = ImGui::Button(("###" + std::string(entry.label)).c_str(), {side, side});
         if (is_chosen) ImGui::PopStyleColor();
+        if (is_chosen || (!is_one_chosen && entry.kind == shapes.front().kind)) stops.add();
         if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", workspace.session.view.tr(entry.label).c_str());
         const ImVec2 corner = ImGui::GetItemRectMin();
         const double size = static_cast<double>(side) / gui.scale();
@@ -249,7 +256,7 @@ void SectionWindow::show_shapes(Workspace& workspace, ui::ImGuiSession& gui)
     }
 }
 
-void SectionWindow::show_families(Workspace& workspace)
+void SectionWindow::show_families(Workspace& workspace, ui::TabStops& stops)
 {
     const float gap = 0.2F * ImGui::GetFontSize();
     constexpr int n_in_row = 6;
@@ -257,11 +264,14 @@ void SectionWindow::show_families(Workspace& workspace)
     int place = 0;
     ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {0.0F, ImGui::GetStyle().FramePadding.y});
     for (const femoop::ProfileFamily family : femoop::profile_families()) {
+        const bool is_first = place == 0;
         if (place++ % n_in_row != 0) ImGui::SameLine(0.0F, gap);
-        const bool is_chosen = lists_profiles(workspace.section) && family_ == family;
+        const bool is_one_chosen = lists_profiles(workspace.section) && family_;
+        const bool is_chosen = is_one_chosen && family_ == family;
         if (is_chosen) ImGui::PushStyleColor(ImGuiCol_Button, ImGui::GetColorU32(ImGuiCol_ButtonActive));
         const bool is_clicked = ImGui::Button(std::string(name(family)).c_str(), {width, 0.0F});
         if (is_chosen) ImGui::PopStyleColor();
+        if (is_chosen || (!is_one_chosen && is_first)) stops.add();
         if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", std::string(standard(family)).c_str());
         if (!is_clicked) continue;
         family_ = is_chosen ? std::nullopt : std::optional(family);
@@ -280,7 +290,7 @@ std::vector<const femoop::Profile*> SectionWindow::listed_profiles() const
     return listed;
 }
 
-SectionWindow::Filtering SectionWindow::show_filter(const Workspace& workspace)
+SectionWindow::Filtering SectionWindow::show_filter(const Workspace& workspace, ui::TabStops& stops)
 {
     Filtering done;
     ImGui::SetNextItemWidth(-1.0F);
@@ -295,6 +305,7 @@ SectionWindow::Filtering SectionWindow::show_filter(const Workspace& workspace)
         "###filter", hint.c_str(), &filter_,
         ImGuiInputTextFlags_AutoSelectAll | ImGuiInputTextFlags_EnterReturnsTrue | ImGuiInputTextFlags_CallbackHistory,
         on_arrow, &done.step);
+    stops.add(ui::TabStops::Kind::Text);
     ImGui::PopID();
     return done;
 }
@@ -315,11 +326,11 @@ const femoop::Profile* stepped(const std::vector<const femoop::Profile*>& listed
 } // namespace
 
 // Enter takes the profile where it is the only one left.
-void SectionWindow::show_profiles(Workspace& workspace)
+void SectionWindow::show_profiles(Workspace& workspace, ui::TabStops& stops)
 {
     SectionDraft& draft = workspace.section;
     const ui::Catalogue& tr = workspace.session.view.tr;
-    const Filtering filtering = show_filter(workspace);
+    const Filtering filtering = show_filter(workspace, stops);
     ImGui::BeginChild("###profiles", {0.0F, 4.0F * ImGui::GetTextLineHeightWithSpacing()}, true);
     const femoop::Profile* const chosen = draft.section().profile ? femoop::find_profile(*draft.section().profile)
                                                                   : nullptr;

@@ -24,19 +24,19 @@ public:
 
 private:
     void show_content(Workspace& workspace, ui::ImGuiSession& gui, ui::NumberFields& fields);
-    void show_name(Workspace& workspace);
-    void show_shapes(Workspace& workspace, ui::ImGuiSession& gui);
-    void show_families(Workspace& workspace);
+    void show_name(Workspace& workspace, ui::TabStops& stops);
+    void show_shapes(Workspace& workspace, ui::ImGuiSession& gui, ui::TabStops& stops);
+    void show_families(Workspace& workspace, ui::TabStops& stops);
     /// What was pressed in the filter of profiles.
     struct Filtering {
         bool is_entered = false;
         int step = 0; ///< through the list: 1 down, -1 up
     };
-    Filtering show_filter(const Workspace& workspace);
-    void show_profiles(Workspace& workspace);
+    Filtering show_filter(const Workspace& workspace, ui::TabStops& stops);
+    void show_profiles(Workspace& workspace, ui::TabStops& stops);
     void show_turned(Workspace& workspace) const;
     void show_picture(Workspace& workspace, ui::ImGuiSession& gui, float height) const;
-    void show_buttons(Workspace& workspace, const ui::NumberFields& fields) const;
+    void show_buttons(Workspace& workspace, ui::NumberFields& fields) const;
     bool lists_profiles(const SectionDraft& draft) const { return is_listing_ || draft.section().profile; }
     std::vector<const femoop::Profile*> listed_profiles() const; ///< of the family, with the filter in their names
     std::optional<ui::Message> why_not_accept(const SectionDraft& draft) const;

@@ -34,6 +34,7 @@ public:
     ui::Input handle_input(Workspace& workspace, const ui::Input& input);
     /// To a window that everything else waits for, until `handle_input` is called again.
     static void lend_keyboard();
+    void leave(); ///< it has the keyboard no longer
 
     /// Where the cursor is, in English: "Sections: column, Depth h [mm]"; nothing where no table is shown.
     std::optional<std::string> cell(const Workspace& workspace) const;
@@ -71,7 +72,6 @@ private:
     void paste(Workspace& workspace);
     void clear_block(Workspace& workspace);
     void remove_rows(Workspace& workspace);
-    void leave();
 
     TableGrid grid_;
     MemberPanel member_;

@@ -36,8 +36,12 @@ std::optional<ui::Message> why_no_distance(double length)
 /// The axles of the chosen train, one a row: its place, its force, the distance behind it and how far that may vary.
 class AxleTable {
 public:
-    AxleTable(Workspace& workspace, ui::NumberFields& fields)
-        : workspace_(workspace), fields_(fields), draft_(workspace.trains), units_(workspace.session.units())
+    AxleTable(Workspace& workspace, ui::NumberFields& fields, std::optional<std::size_t>& begun)
+        : workspace_(workspace),
+          fields_(fields),
+          draft_(workspace.trains),
+          units_(workspace.session.units()),
+          begun_(begun)
     {}
 
     void show()
@@ -63,8 +67,8 @@ public:
             ImGui::EndTable();
         }
         if (erased_) change([this](Train& train) { erase_axle(train, *erased_); });
-        if (ImGui::Button((tr("Add an axle") + "###add axle").c_str()))
-            change([this](Train& train) { add_axle(train, workspace_.session.model().units); });
+        if (ImGui::Button((tr("Add an axle") + "###add axle").c_str())) add_one();
+        fields_.stops().add();
     }
 
 private:
@@ -83,8 +87,7 @@ private:
         ImGui::TableNextColumn();
         ImGui::TextUnformatted(units_.number(place_of_axle(train, i), Measure::Length).c_str());
         ImGui::TableNextColumn();
-        Quantity force = train.axles[i];
-        if (edit("force", i, Measure::Force, force, {})) change([&](Train& t) { t.axles[i] = force; });
+        show_force(i);
         ImGui::TableNextColumn();
         if (i < train.spacings.size()) show_distance(i);
         ImGui::TableNextColumn();
@@ -93,7 +96,28 @@ private:
         const bool is_needed = train.axles.size() == 1 && !train.uniform;
         ImGui::BeginDisabled(is_needed);
         if (ImGui::SmallButton("×###delete")) erased_ = i;
+        fields_.stops().add();
         ImGui::EndDisabled();
+    }
+
+    // Enter behind the last one goes on with a new one.
+    void show_force(std::size_t i)
+    {
+        const std::string id = "force" + std::to_string(i);
+        Quantity force = draft_.train().axles[i];
+        const bool begins = begun_ == i;
+        if (begins) begun_.reset();
+        if (edit_quantity(workspace_, fields_, {.id = id, .measure = Measure::Force, .begins = begins}, force))
+            change([&](Train& train) { train.axles[i] = force; });
+        const std::size_t n = draft_.train().axles.size();
+        if (!fields_.is_entered(id) || i + 1 < n) return;
+        add_one();
+        begun_ = n;
+    }
+
+    void add_one()
+    {
+        change([this](Train& train) { add_axle(train, workspace_.session.model().units); });
     }
 
     void show_distance(std::size_t i)
@@ -124,6 +148,7 @@ private:
     ui::NumberFields& fields_;
     TrainDraft& draft_;
     ui::DisplayUnits units_;
+    std::optional<std::size_t>& begun_;
     std::optional<std::size_t> erased_;
 };
 
@@ -144,6 +169,7 @@ public:
     TrainRows(Workspace& workspace, ui::NumberFields& fields)
         : workspace_(workspace),
           fields_(fields),
+          stops_(fields.stops()),
           draft_(workspace.trains),
           units_(workspace.session.units()),
           tr_(workspace.session.tr())
@@ -161,9 +187,11 @@ public:
         show_forces(rows);
         rows.name(tr_("Path"));
         show_path();
+        stops_.add();
         rows.name(tr_("Both directions"));
         bool is_both = draft_.train().both_directions;
         if (ImGui::Checkbox("###both", &is_both)) change([&](Train& train) { train.both_directions = is_both; });
+        stops_.add();
     }
 
 private:
@@ -173,6 +201,7 @@ private:
         bool has_load = draft_.train().uniform.has_value();
         ImGui::BeginDisabled(has_load && draft_.train().axles.empty());
         const bool is_clicked = ImGui::Checkbox("###has uniform", &has_load);
+        stops_.add();
         ImGui::EndDisabled();
         if (is_clicked)
             change([&](Train& train) { train.uniform = has_load ? std::optional<Quantity>(1.0) : std::nullopt; });
@@ -193,6 +222,7 @@ private:
                     change([&](Train& train) { train.uniform_extent = entry.extent; });
             ImGui::EndCombo();
         }
+        stops_.add();
         if (draft_.train().uniform_extent != UniformExtent::Outside) return;
         rows.name(units_.label(tr_("Free beside the axles"), Measure::Length));
         Quantity gap = draft_.train().gap.value_or(Quantity(0.0));
@@ -218,9 +248,11 @@ private:
                 const Quantity usual = train.axles.empty() ? Quantity(1.0) : train.axles.front();
                 train.concentrated.push_back({.for_moments = usual, .for_others = {}});
             });
+        stops_.add();
         if (draft_.train().concentrated.empty()) return;
         ImGui::SameLine();
         if (ImGui::SmallButton("×###delete force")) change([](Train& train) { train.concentrated.pop_back(); });
+        stops_.add();
     }
 
     std::string name_of(const femoop::LoadPathReference& path) const
@@ -257,14 +289,16 @@ private:
 
     Workspace& workspace_;
     ui::NumberFields& fields_;
+    ui::TabStops& stops_;
     TrainDraft& draft_;
     ui::DisplayUnits units_;
     ui::Catalogue tr_;
 };
 
-void accept_or_cancel(Workspace& workspace, const ui::NumberFields& fields)
+void accept_or_cancel(Workspace& workspace, ui::NumberFields& fields)
 {
-    const ui::FootAnswer answer = ui::foot_buttons({.is_typing = fields.is_typing()}, workspace.session.tr());
+    const ui::FootAnswer answer = ui::foot_buttons({.is_typing = fields.is_typing()}, workspace.session.tr(),
+                                                   fields.stops());
     if (answer == ui::FootAnswer::Accept) workspace.trains.accept(workspace.session);
     else if (answer == ui::FootAnswer::Cancel) workspace.trains.cancel(workspace.session);
 }
@@ -274,23 +308,26 @@ void accept_or_cancel(Workspace& workspace, const ui::NumberFields& fields)
 void TrainWindow::show(Workspace& workspace, ui::ImGuiSession& gui, ui::NumberFields& fields)
 {
     const TrainDraft& draft = workspace.trains;
-    if (!window_.begin(draft.is_open(), "###trains", workspace.session.tr()("Trains"))) return;
+    if (!window_.begin(draft.is_open(), "###trains", workspace.session.tr()("Trains"), fields.stops())) return;
     ui::SideWindow::begin_content();
     show_content(workspace, gui, fields);
     ui::SideWindow::end_content();
     accept_or_cancel(workspace, fields);
-    window_.end(draft.is_open());
+    window_.end(draft.is_open(), fields.stops());
 }
 
 void TrainWindow::show_content(Workspace& workspace, ui::ImGuiSession& gui, ui::NumberFields& fields)
 {
+    ui::TabStops& stops = fields.stops();
     show_trains(workspace);
-    show_new(workspace);
+    if (!workspace.trains.trains().empty()) stops.add();
+    show_new(workspace, stops);
+    stops.add();
     if (workspace.trains.trains().empty()) return;
     ImGui::PushID(static_cast<int>(workspace.trains.chosen()));
-    show_name(workspace);
+    show_name(workspace, stops);
     show_picture(workspace, gui);
-    AxleTable(workspace, fields).show();
+    AxleTable(workspace, fields, begun_).show();
     TrainRows(workspace, fields).show();
     ImGui::PopID();
 }
@@ -309,17 +346,20 @@ void TrainWindow::show_trains(Workspace& workspace) const
 }
 
 // One's own, a copy of what is shown, or one of the library.
-void TrainWindow::show_new(Workspace& workspace) const
+void TrainWindow::show_new(Workspace& workspace, ui::TabStops& stops) const
 {
     TrainDraft& draft = workspace.trains;
     Session& session = workspace.session;
     const ui::Catalogue tr = session.tr();
     if (ImGui::Button((tr("New") + "###new").c_str())) draft.add_usual(session);
+    stops.add();
     ImGui::SameLine();
     ImGui::BeginDisabled(draft.trains().empty());
     if (ImGui::Button((tr("Copy") + "###copy").c_str())) draft.add_copy(session);
+    stops.add();
     ImGui::SameLine();
     if (ImGui::Button((tr("Delete") + "###delete train").c_str())) draft.erase(session);
+    stops.add();
     ImGui::EndDisabled();
     ImGui::SameLine();
     ImGui::SetNextItemWidth(-1.0F);
@@ -334,7 +374,7 @@ void TrainWindow::show_new(Workspace& workspace) const
     ImGui::EndCombo();
 }
 
-void TrainWindow::show_name(Workspace& workspace)
+void TrainWindow::show_name(Workspace& workspace, ui::TabStops& stops)
 {
     TrainDraft& draft = workspace.trains;
     const ui::Catalogue tr = workspace.session.tr();
@@ -344,6 +384,7 @@ void TrainWindow::show_name(Workspace& workspace)
     ImGui::SetNextItemWidth(-1.0F);
     if (std::exchange(named_, draft.chosen()) != draft.chosen()) reason_.reset();
     if (ImGui::InputText("###name", &name_)) reason_ = draft.set_name(workspace.session, name_);
+    stops.add(ui::TabStops::Kind::Text);
     if (!ImGui::IsItemActive()) {
         name_ = draft.train().id;
         reason_.reset();

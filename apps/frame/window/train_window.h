@@ -24,8 +24,8 @@ public:
 private:
     void show_content(Workspace& workspace, ui::ImGuiSession& gui, ui::NumberFields& fields);
     void show_trains(Workspace& workspace) const;
-    void show_new(Workspace& workspace) const;
-    void show_name(Workspace& workspace);
+    void show_new(Workspace& workspace, ui::TabStops& stops) const;
+    void show_name(Workspace& workspace, ui::TabStops& stops);
     void show_picture(const Workspace& workspace, ui::ImGuiSession& gui) const;
 
     const ui::Fonts& fonts_;
@@ -33,6 +33,7 @@ private:
     std::string name_;                  ///< as it is typed
     std::optional<ui::Message> reason_; ///< why it is not taken
     std::size_t named_ = 0;             ///< the train that it is of
+    std::optional<std::size_t> begun_;  ///< the axle whose force gets the keyboard when it is shown
 };
 
 } // namespace frame

@@ -56,7 +56,7 @@ std::optional<double> slider(const TypicalNumber& number, double value)
     return next != value ? std::optional(next) : std::nullopt;
 }
 
-std::optional<double> options(const TypicalNumber& number, double value, const ui::Catalogue& tr)
+std::optional<double> options(const TypicalNumber& number, double value, const ui::Catalogue& tr, ui::TabStops& stops)
 {
     std::optional<double> chosen;
     const float end = ImGui::GetCursorScreenPos().x + ImGui::GetContentRegionAvail().x;
@@ -69,6 +69,7 @@ std::optional<double> options(const TypicalNumber& number, double value, const u
         const bool is_on = value == static_cast<double>(i);
         const std::string id = ui::label_beside_box(tr(option), std::string(number.id) + std::string(option));
         if (ImGui::RadioButton(id.c_str(), is_on)) chosen = static_cast<double>(i);
+        if (is_on) stops.add();
     }
     return chosen;
 }
@@ -78,7 +79,7 @@ std::optional<double> number_row(Workspace& workspace, ui::NumberFields& fields,
                                  const TypicalNumber& number, double value)
 {
     rows.name(workspace.session.units().label(workspace.session.view.tr(number.label), number.measure));
-    if (!number.options.empty()) return options(number, value, workspace.session.view.tr);
+    if (!number.options.empty()) return options(number, value, workspace.session.view.tr, fields.stops());
     const std::optional<double> slid = slider(number, value);
     ImGui::SameLine();
     const std::optional<double> typed = number_field(workspace, fields, number, value);
@@ -91,7 +92,7 @@ constexpr TypicalNumber distance_number{.id = "distance",
                                         .most = 20.0,
                                         .step = 0.5};
 
-void show_setting(Workspace& workspace)
+void show_setting(Workspace& workspace, ui::TabStops& stops)
 {
     TypicalDraft& draft = workspace.typical;
     const ui::Catalogue& tr = workspace.session.view.tr;
@@ -104,8 +105,10 @@ void show_setting(Workspace& workspace)
     const bool is_beside = draft.setting() == Setting::Beside;
     if (ImGui::RadioButton(ui::label_beside_box(tr("Right of what is there"), "beside").c_str(), is_beside))
         draft.set_setting(workspace.session, Setting::Beside);
+    if (is_beside) stops.add();
     if (ImGui::RadioButton(ui::label_beside_box(tr("In place of what is there"), "in place").c_str(), !is_beside))
         draft.set_setting(workspace.session, Setting::InPlace);
+    if (!is_beside) stops.add();
 }
 
 void show_numbers_of(Workspace& workspace, ui::NumberFields& fields)
@@ -123,12 +126,12 @@ void show_numbers_of(Workspace& workspace, ui::NumberFields& fields)
     if (distance) draft.set_distance(workspace.session, *distance);
 }
 
-void show_buttons(Workspace& workspace, const ui::NumberFields& fields)
+void show_buttons(Workspace& workspace, ui::NumberFields& fields)
 {
     TypicalDraft& draft = workspace.typical;
     const ui::Catalogue& tr = workspace.session.view.tr;
     const ui::FootAnswer answer = ui::foot_buttons(
-        {.accept = tr("Insert") + "###insert", .is_typing = fields.is_typing()}, tr);
+        {.accept = tr("Insert") + "###insert", .is_typing = fields.is_typing()}, tr, fields.stops());
     if (answer == ui::FootAnswer::Accept) draft.insert(workspace.session);
     else if (answer == ui::FootAnswer::Cancel) draft.cancel(workspace.session);
 }
@@ -148,22 +151,23 @@ float caption_height(const Workspace& workspace, float width)
 void TypicalWindow::show(Workspace& workspace, ui::ImGuiSession& gui, ui::NumberFields& fields)
 {
     TypicalDraft& draft = workspace.typical;
-    if (!window_.begin(draft.is_open(), "###typical", workspace.session.view.tr("Typical structures"))) return;
+    if (!window_.begin(draft.is_open(), "###typical", workspace.session.view.tr("Typical structures"), fields.stops()))
+        return;
     ui::SideWindow::begin_content();
     const float line = ImGui::GetFrameHeightWithSpacing();
     const float below = (static_cast<float>(draft.numbers().size()) + 4.5F) * line - ImGui::GetStyle().ItemSpacing.y;
-    show_list(workspace, gui, std::max(ImGui::GetContentRegionAvail().y - below, 6.0F * line));
+    show_list(workspace, gui, fields.stops(), std::max(ImGui::GetContentRegionAvail().y - below, 6.0F * line));
     ImGui::Separator();
     show_numbers_of(workspace, fields);
-    show_setting(workspace);
+    show_setting(workspace, fields.stops());
     ui::SideWindow::end_content();
     show_buttons(workspace, fields);
-    window_.end(draft.is_open());
+    window_.end(draft.is_open(), fields.stops());
     if (generation_ != workspace.session.generation()) workspace.asked.push_back(ui::Request::Fit);
     generation_ = workspace.session.generation();
 }
 
-void TypicalWindow::show_list(Workspace& workspace, ui::ImGuiSession& gui, float height)
+void TypicalWindow::show_list(Workspace& workspace, ui::ImGuiSession& gui, ui::TabStops& stops, float height)
 {
     ImGui::BeginChild("###structures", {0.0F, height});
     const ImGuiStyle& style = ImGui::GetStyle();
@@ -177,6 +181,7 @@ void TypicalWindow::show_list(Workspace& workspace, ui::ImGuiSession& gui, float
     for (std::size_t i = 0; i < all.size(); ++i) {
         if (i % static_cast<std::size_t>(n_columns) != 0) ImGui::SameLine();
         if (show_entry(all[i], workspace, gui, size)) chosen = i;
+        if (workspace.typical.chosen() == i) stops.add();
         const bool may_be_lost = workspace.typical.chosen() == i && seen_ != std::pair(i, height);
         if (!may_be_lost) continue;
         ImGui::ScrollToItem(ImGuiScrollFlags_KeepVisibleCenterY);

@@ -24,7 +24,7 @@ public:
     void show(Workspace& workspace, ui::ImGuiSession& gui, ui::NumberFields& fields);
 
 private:
-    void show_list(Workspace& workspace, ui::ImGuiSession& gui, float height);
+    void show_list(Workspace& workspace, ui::ImGuiSession& gui, ui::TabStops& stops, float height);
     bool show_entry(const TypicalStructure& structure, const Workspace& workspace, ui::ImGuiSession& gui,
                     ui::Size size);
     void draw_pictures(const Workspace& workspace, ui::Size size);

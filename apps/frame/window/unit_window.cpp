@@ -1,7 +1,10 @@
 #include "apps/frame/window/unit_window.h"
 
 #include <imgui.h>
+#include <imgui_internal.h>
 
+#include <algorithm>
+#include <array>
 #include <string>
 #include <utility>
 
@@ -38,19 +41,34 @@ void show_row(Workspace& workspace, const ui::QuantityUnits& quantity)
 
 bool UnitWindow::close() { return std::exchange(is_open_, false); }
 
-void UnitWindow::show(Workspace& workspace)
+bool UnitWindow::wants(ui::Key key) const
 {
+    using enum ui::Key;
+    constexpr std::array own{Tab, Space, Enter, Up, Down, Left, Right};
+    return is_open_ && has_keyboard_ && std::ranges::find(own, key) != own.end();
+}
+
+void UnitWindow::show(Workspace& workspace, ui::TabStops& stops)
+{
+    has_keyboard_ = false;
     if (!is_open_) return;
     const ui::Catalogue& tr = workspace.tr();
     ImGui::SetNextWindowPos(ImGui::GetMainViewport()->GetCenter(), ImGuiCond_Appearing, {0.5F, 0.5F});
     ImGui::Begin((tr("Units, quantity by quantity") + "###units").c_str(), &is_open_,
                  ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoCollapse);
+    stops.begin_window();
     if (ImGui::BeginTable("###quantities", 2, ImGuiTableFlags_SizingFixedFit)) {
-        for (const ui::QuantityUnits& quantity : ui::chosen_quantities()) show_row(workspace, quantity);
+        for (const ui::QuantityUnits& quantity : ui::chosen_quantities()) {
+            show_row(workspace, quantity);
+            stops.add();
+        }
         ImGui::EndTable();
     }
     if (ImGui::Button((tr("All as the system has them") + "###all").c_str()))
         workspace.session.view.unit_choices = ui::UnitChoices();
+    stops.add();
+    stops.end_window();
+    has_keyboard_ = ImGui::IsWindowFocused(ImGuiFocusedFlags_RootAndChildWindows);
     ImGui::End();
 }
 

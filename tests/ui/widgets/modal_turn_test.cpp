@@ -54,10 +54,11 @@ TEST_CASE("The question about unsaved changes takes the place of a window at the
     if (!ui_test::has_renderer()) return;
     Asked asked;
     ui::SideWindow window;
+    ui::TabStops stops;
     bool is_shown = false;
     const auto show = [&] {
-        is_shown = window.begin(true, "###side", "Side");
-        if (is_shown) window.end(true);
+        is_shown = window.begin(true, "###side", "Side", stops);
+        if (is_shown) window.end(true, stops);
     };
     asked.rest(show);
     CHECK(!is_shown);
