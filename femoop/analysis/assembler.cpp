@@ -36,29 +36,41 @@ template <class Add> void Assembler::visit_springs(Add&& add) const
                 add(row, support.springs[index(dofs[i])], support.node.index * dofs.size() + i);
 }
 
-double Assembler::add_stiffness(SparseMatrix& K) const
+/// Adds what matrix(element, M) makes of each element, once of those that share it.
+template <class Matrix> void Assembler::add_elements(SparseMatrix& A, Matrix&& matrix) const
 {
     const SystemPattern& pattern = equations_.pattern();
     ElementMatrix repeated, turned;
     std::uint32_t group = 0; // of `repeated`
-    double largest = 0.0;
     for (std::size_t i = 0; i < elements_.size(); ++i) {
         const Element& element = elements_[i];
-        if (group == 0 || element.stiffness_group() != group) {
-            element.stiffness(repeated);
-            if (repeated.size() > 0) largest = std::max(largest, repeated.diagonal().maxCoeff());
-        }
+        if (group == 0 || element.stiffness_group() != group) matrix(element, repeated);
         group = element.stiffness_group();
         if (!axes_.are_turned() || !axes_.are_turned(element.dofs())) {
-            pattern.add(K, i, equations_.of_element(i), repeated);
+            pattern.add(A, i, equations_.of_element(i), repeated);
             continue;
         }
         turned = repeated;
         axes_.turn(element.dofs(), turned);
-        pattern.add(K, i, equations_.of_element(i), turned);
+        pattern.add(A, i, equations_.of_element(i), turned);
     }
-    visit_springs([&](std::int32_t row, double spring, std::size_t) { pattern.add_to_diagonal(K, row, spring); });
+}
+
+double Assembler::add_stiffness(SparseMatrix& K) const
+{
+    double largest = 0.0;
+    add_elements(K, [&](const Element& element, ElementMatrix& own) {
+        element.stiffness(own);
+        if (own.size() > 0) largest = std::max(largest, own.diagonal().maxCoeff());
+    });
+    visit_springs(
+        [&](std::int32_t row, double spring, std::size_t) { equations_.pattern().add_to_diagonal(K, row, spring); });
     return largest;
+}
+
+void Assembler::add_mass(SparseMatrix& M) const
+{
+    add_elements(M, [](const Element& element, ElementMatrix& own) { element.mass(own); });
 }
 
 void Assembler::add_stiffness(PreciseSparseMatrix& K) const

@@ -38,6 +38,9 @@ public:
     double add_stiffness(SparseMatrix& K) const;
     void add_stiffness(PreciseSparseMatrix& K) const;
 
+    /// Adds every element's mass to M, which has the equations' pattern.
+    void add_mass(SparseMatrix& M) const;
+
     /// Own stiffness of what constraints take from members, over all unknowns; zero where there is no constraint.
     template <class Scalar> Sparse<Scalar> constrained_stiffness() const;
 
@@ -65,6 +68,7 @@ public:
 
 private:
     template <class Scalar> using Dense = Eigen::Matrix<Scalar, Eigen::Dynamic, Eigen::Dynamic>;
+    template <class Matrix> void add_elements(SparseMatrix& A, Matrix&& matrix) const;
     template <class Add> void visit_springs(Add&& add) const;
     template <class Scalar> Dense<Scalar> stiffness(std::size_t element) const;
     template <class Scalar> void add_node_loads(const CaseLoads& loads, Vector<Scalar>& f) const;

@@ -71,6 +71,14 @@ public:
         return K.cast<DoubleDouble>();
     }
 
+    /// M [dofs x dofs], symmetric, positive semidefinite, consistent with the displacements inside: the element's motion
+    /// has the energy v' M v / 2. Nothing where an element has no mass.
+    virtual void mass(ElementMatrix& M) const
+    {
+        const auto n = static_cast<Eigen::Index>(dofs().size());
+        M.setZero(n, n);
+    }
+
     /// f [dofs]: forces on the nodes that do the same work as the loads on the element.
     virtual void equivalent_forces(const ElementLoads& loads, ElementVector& f) const = 0;
 
@@ -78,8 +86,8 @@ public:
     /// motions that leave it its shape. Ratios and angles; lengths are counted in the element's own size.
     virtual Eigen::MatrixXd strains() const = 0;
 
-    /// Elements that follow one another with the same number have the same stiffness, and the same equivalent forces of
-    /// the same loads along them, which are then computed once; 0 makes no such promise.
+    /// Elements that follow one another with the same number have the same stiffness and mass, and the same equivalent
+    /// forces of the same loads along them, which are then computed once; 0 makes no such promise.
     std::uint32_t stiffness_group() const { return stiffness_group_; }
 
 protected:

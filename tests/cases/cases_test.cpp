@@ -77,7 +77,8 @@ TEST_CASE("Patch tests are passed to rounding, and a slender beam of few element
         REQUIRE(reading.is_sound());
         for (const SolverKind solver : available_solvers()) {
             CAPTURE(name(solver));
-            const auto outcomes = plane::verify(reading.model, plane::analyse(reading.model, {.solver = solver}), {});
+            const auto outcomes = plane::verify(reading.model,
+                                                {.results = plane::analyse(reading.model, {.solver = solver})}, {});
             for (const CheckOutcome& outcome : outcomes) {
                 CAPTURE(outcome.what);
                 CAPTURE(outcome.expected);

@@ -34,6 +34,9 @@ public:
     using StrainColumns =
         Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, n_stress_components, max_strain_points>;
 
+    /// M = integral of density N' N over the volume.
+    void mass(ElementMatrix& M) const override;
+
     virtual Eigen::Vector2d place(NaturalPoint p) const = 0;
     /// The volume that a natural area of 1 has at a place: det J x depth.
     virtual double volume(NaturalPoint p) const = 0;

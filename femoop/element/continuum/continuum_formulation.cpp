@@ -45,12 +45,13 @@ const GeometryCheck& GeometryChecks::of(ShapeKind shape)
 }
 
 ContinuumFormulation::ContinuumFormulation(const Shape& shape, IntegrationRule rule, const ConstitutiveModel& material,
-                                           double thickness, ElementVariant variant)
+                                           double thickness, ElementVariant variant, double density)
     : shape_(shape),
       material_(material),
       rule_(std::move(rule)),
       thickness_(thickness),
       variant_(variant),
+      density_(density),
       geometry_check_(shape, rule_)
 {
     require(shape.edge_kind().has_value(), "the shape is a line, which has no area");

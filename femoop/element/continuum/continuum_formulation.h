@@ -54,8 +54,10 @@ class ContinuumFormulation {
 public:
     /// \pre shape and material outlive this; the rule is one of the shape's domain; thickness > 0 (axisymmetric: not
     /// used).  \throws std::invalid_argument otherwise, or for a solid's stress state or a variant that there is not
+    /// \param density  mass / volume
     ContinuumFormulation(const Shape& shape, IntegrationRule rule, const ConstitutiveModel& material,
-                         double thickness = 1.0, ElementVariant variant = ElementVariant::Standard);
+                         double thickness = 1.0, ElementVariant variant = ElementVariant::Standard,
+                         double density = 0.0);
 
     const Shape& shape() const { return shape_; }
     const IntegrationRule& rule() const { return rule_; }
@@ -63,11 +65,12 @@ public:
     StressState state() const { return material_.state(); }
     double thickness() const { return thickness_; }
     ElementVariant variant() const { return variant_; }
+    double density() const { return density_; }
 
     const GeometryCheck& geometry_check() const { return geometry_check_; }
     const std::vector<ShapeAtPoint>& points() const { return points_; } ///< of the rule, for stiffness
-    /// Of rules that integrate loads of degree 4 on straight-sided elements exactly: inside, and of its shape on an
-    /// edge.
+    /// Of rules that integrate loads of degree 4, and mass, on straight-sided elements exactly: inside, and of its shape
+    /// on an edge.
     const std::vector<ShapeAtPoint>& load_points() const { return load_points_; }
     const std::vector<ShapeAtPoint>& edge_points() const { return edge_points_; }
 
@@ -77,6 +80,7 @@ private:
     IntegrationRule rule_;
     double thickness_;
     ElementVariant variant_;
+    double density_;
     GeometryCheck geometry_check_;
     std::vector<ShapeAtPoint> points_, load_points_, edge_points_;
 };

@@ -8,6 +8,7 @@
 
 #include "femoop/io/json/json_writer.h"
 #include "femoop/io/json/model_json.h"
+#include "femoop/io/plane/mesh_json.h"
 #include "femoop/io/plane/plane_output.h"
 #include "femoop/plane/analysis/result_reader.h"
 #include "femoop/plane/mesh/mesh_quality.h"
@@ -209,29 +210,6 @@ private:
     const PlaneSelection& selection_;
     std::vector<std::vector<RegionId>> regions_of_; ///< of every point
 };
-
-void write_mesh(JsonWriter& json, const PlaneModel& model, bool is_full)
-{
-    const MeshQuality quality = mesh_quality(model);
-    json.key("mesh").begin_object(is_full ? Layout::Block : Layout::Line);
-    json.member("nodes", model.points.size()).member("elements", model.elements.size());
-    json.member("min_angle", quality.min_angle).member("max_angle", quality.max_angle);
-    json.member("min_jacobian", quality.min_jacobian);
-    if (is_full) {
-        json.key("points").begin_object(Layout::Block);
-        for (const PlanePoint& point : model.points)
-            json.key(point.id).begin_array().value(point.at[0].value()).value(point.at[1].value()).end();
-        json.end().key("elements").begin_array(Layout::Block);
-        for (const PlaneElement& element : model.elements) {
-            json.begin_object().member("id", element.id).member("kind", femoop::name(element.kind));
-            json.key("points").begin_array();
-            for (const NodeId node : element.points) json.value(model[node].id);
-            json.end().member("region", model[element.region].id).end();
-        }
-        json.end();
-    }
-    json.end();
-}
 
 void write_region_sizes(JsonWriter& json, const PlaneModel& model, const std::vector<std::string>& methods)
 {

@@ -16,6 +16,11 @@ struct ShownPoint {
     Eigen::Vector2d at;
 };
 
+/// The lines above results: title, analysis, units, size of the mesh. \param what  of the analysis, in the reader's words
+std::string heading(const PlaneModel& model, const std::string& what, const Translator& tr);
+
+double six_digits(double value); ///< as sentences below results have them
+
 /// What is printed of a plane model beside what is printed always.
 struct PlaneSelection {
     std::vector<CaseId> cases;

@@ -73,13 +73,6 @@ public:
     }
 
 private:
-    static double six_digits(double value)
-    {
-        std::array<char, 32> text{};
-        static_cast<void>(std::snprintf(text.data(), text.size(), "%.6g", value));
-        return std::strtod(text.data(), nullptr);
-    }
-
     /// \param drawn  points of a drawing; nothing: those of the model
     tabular::Table displacements(const std::vector<ShownPoint>* drawn) const
     {
@@ -247,17 +240,30 @@ private:
 
 } // namespace
 
+double six_digits(double value)
+{
+    std::array<char, 32> text{};
+    static_cast<void>(std::snprintf(text.data(), text.size(), "%.6g", value));
+    return std::strtod(text.data(), nullptr);
+}
+
+std::string heading(const PlaneModel& model, const std::string& what, const Translator& tr)
+{
+    std::string text = model.title.empty() ? std::string() : printable(model.title) + "\n";
+    text += fill(tr("Analysis: {0}, {3}; lengths in {1}, forces in {2}"),
+                 {analysis_words(model.analysis, tr), std::string(name(model.units.length)),
+                  std::string(name(model.units.force)), what}) +
+            "\n";
+    return text +
+           fill(tr("Mesh: {0} nodes, {1} elements"),
+                {std::to_string(model.points.size()), std::to_string(model.elements.size())}) +
+           "\n";
+}
+
 std::string plane_results_text(const PlaneResults& results, const PlaneSelection& selection, const Translator& tr)
 {
     const PlaneModel& model = results.model();
-    std::string text = model.title.empty() ? std::string() : printable(model.title) + "\n";
-    text += fill(tr("Analysis: {0}, linear static; lengths in {1}, forces in {2}"),
-                 {analysis_words(model.analysis, tr), std::string(name(model.units.length)),
-                  std::string(name(model.units.force))}) +
-            "\n";
-    text += fill(tr("Mesh: {0} nodes, {1} elements"),
-                 {std::to_string(model.points.size()), std::to_string(model.elements.size())}) +
-            "\n";
+    std::string text = heading(model, tr("linear static"), tr);
     for (const Fault& warning : results.warnings()) text += tr("warning") + ": " + message(warning, tr) + "\n";
     for (const CaseId id : selection.cases) {
         const PlaneCase result = results[id];

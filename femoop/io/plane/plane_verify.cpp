@@ -20,6 +20,8 @@ bool is_linear(const PlaneExpected& check)
     return check.analysis == ExpectedAnalysis::Linear && check.quantity <= PlaneQuantity::Energy;
 }
 
+bool is_of_modes(const PlaneExpected& check) { return check.quantity == PlaneQuantity::Frequency; }
+
 std::string_view quantity_word(PlaneQuantity quantity)
 {
     static constexpr std::array<std::string_view, 10> words{
@@ -69,7 +71,15 @@ double tolerance_of(const PlaneExpected& check)
 
 bool needs_linear_analysis(const PlaneModel& model) { return std::ranges::any_of(model.expected, is_linear); }
 
-std::vector<CheckOutcome> verify(const PlaneModel& model, const std::optional<PlaneResults>& results,
+std::size_t n_modes_needed(const PlaneModel& model)
+{
+    std::size_t n = 0;
+    for (const PlaneExpected& check : model.expected)
+        if (is_of_modes(check)) n = std::max(n, static_cast<std::size_t>(*check.rank));
+    return n;
+}
+
+std::vector<CheckOutcome> verify(const PlaneModel& model, const PlaneFindings& findings,
                                  const std::optional<DrawnChecks>& drawn, const Translator& tr)
 {
     std::vector<CheckOutcome> outcomes;
@@ -82,6 +92,13 @@ std::vector<CheckOutcome> verify(const PlaneModel& model, const std::optional<Pl
             outcomes.push_back(compared(what, check.value, *found, tolerance_of(check)));
             continue;
         }
+        if (is_of_modes(check)) {
+            if (!findings.modes)
+                throw std::invalid_argument("verify: the model has checks of modes, and none were given");
+            const NaturalMode& mode = findings.modes->modes[static_cast<std::size_t>(*check.rank) - 1];
+            outcomes.push_back(compared(what, check.value, mode.frequency(), tolerance_of(check)));
+            continue;
+        }
         if (!is_linear(check)) {
             outcomes.push_back({.what = what,
                                 .expected = check.value,
@@ -89,12 +106,14 @@ std::vector<CheckOutcome> verify(const PlaneModel& model, const std::optional<Pl
                                 .skipped = SkipReason::AnalysisNotBuilt});
             continue;
         }
-        if (!results) throw std::invalid_argument("verify: the model has checks of results, and none were given");
+        if (!findings.results)
+            throw std::invalid_argument("verify: the model has checks of results, and none were given");
+        const PlaneResults& results = *findings.results;
         const CaseId id = check.load_case.value_or(CaseId(0));
         auto known = cases.find(id);
-        if (known == cases.end()) known = cases.emplace(id, (*results)[id]).first;
+        if (known == cases.end()) known = cases.emplace(id, results[id]).first;
         const PlaneExpected& asked = drawn ? (*drawn->of_mesh)[i] : check;
-        outcomes.push_back(compared(what, check.value, value_of(*results, known->second, asked), tolerance_of(check)));
+        outcomes.push_back(compared(what, check.value, value_of(results, known->second, asked), tolerance_of(check)));
     }
     return outcomes;
 }

@@ -352,6 +352,15 @@ enum class FaultKind : std::uint16_t {
     IllConditionedCase, ///< {0} case
     InaccurateBody,     ///< the same of plates and bodies
     IllConditionedBody,
+
+    // natural vibrations
+    NothingHasMass,     ///< of regions
+    RegionWithoutMass,  ///< {0} regions, {1} materials
+    MasslessMotion,     ///< something moves that has neither stiffness nor mass
+    TooFewModes,        ///< {0} wanted, {1} there are
+    ModeLostInRounding, ///< {0} which
+    InaccurateMode,     ///< {0} which, {1} how many digits hold
+    ModesNotCounted,    ///< {0} how many were found
 };
 
 } // namespace femoop

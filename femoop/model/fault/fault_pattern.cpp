@@ -86,6 +86,21 @@ std::string_view pattern(FaultKind kind)
         return "case {0} cannot be solved: the body is held, but too slender or its elements too flat for its forces to "
                "balance in 16 digits; use elements that are less flat, or a frame in place of a slender plate";
 
+    case FaultKind::NothingHasMass: return "nothing has mass, so nothing vibrates; give a material \"density\"";
+    case FaultKind::RegionWithoutMass:
+        return "regions {0} have no mass, since material {1} has no density; add \"density\" if they have any";
+    case FaultKind::MasslessMotion:
+        return "something without mass can move freely, so its vibration has no frequency; hold it, or give its material "
+               "\"density\"";
+    case FaultKind::TooFewModes: return "mode {0} wanted, the model has {1}; ask for fewer, or make the mesh finer";
+    case FaultKind::ModeLostInRounding:
+        return "the frequency of mode {0} is lost in rounding: a part is too slender for its elements, or soft beside the "
+               "rest; use larger elements, or ask for fewer modes";
+    case FaultKind::InaccurateMode:
+        return "the frequency of mode {0} holds {1} digits only: the body is slender or its elements very small beside it";
+    case FaultKind::ModesNotCounted:
+        return "the {0} modes that were found are right, but one between them may be missing: counting them failed";
+
     case FaultKind::FileUnreadable: return "cannot read {0}: {1}; check the name and that you may read it";
     case FaultKind::FileUnwritable: return "cannot write {0}: {1}; choose another folder or name";
     case FaultKind::FileEmpty:
@@ -599,6 +614,9 @@ Severity severity(FaultKind kind)
     case FaultKind::HugeDisplacement:
     case FaultKind::InaccurateCase:
     case FaultKind::InaccurateBody:
+    case FaultKind::RegionWithoutMass:
+    case FaultKind::InaccurateMode:
+    case FaultKind::ModesNotCounted:
     case FaultKind::IyzLeftOut:
     case FaultKind::OneWayMember:
     case FaultKind::BarLoadedBetweenNodes:

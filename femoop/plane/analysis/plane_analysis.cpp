@@ -41,22 +41,6 @@ void refuse_rigid_motions(const PlaneStructure& structure)
     throw MechanismError(std::move(mechanisms), n_more);
 }
 
-/// Does a motion deform any element, by more than rounding leaves of a motion that is none of its own? A slender body is
-/// soft, and yet each of its elements is strained where it bends.
-bool strains(const PlaneStructure& structure, const std::vector<double>& u)
-{
-    constexpr double rounding = 1e-11; // of the motion, over the element's size
-    const std::vector<PlaneElement>& elements = structure.model().elements;
-    return std::any_of(elements.begin(), elements.end(), [&, e = std::size_t{0}](const PlaneElement& element) mutable {
-        const ElementField inside(structure.element(ElementId(e++)), u);
-        const Eigen::Vector2d at = structure.positions()[element.points.front().index];
-        double size = 0.0;
-        for (const NodeId node : element.points) size = std::max(size, (structure.positions()[node.index] - at).norm());
-        const ContinuumElement::StrainColumns strain = inside.strains(inside.element().formulation().points());
-        return strain.cwiseAbs().maxCoeff() * size > rounding * inside.node_displacements().cwiseAbs().maxCoeff();
-    });
-}
-
 /// Modes of elements that no integration point feels: told by the nodes that move the most.
 void refuse_soft_motion(const PlaneStructure& structure, const StaticSystem& system)
 {

@@ -28,6 +28,8 @@ ElementVariant variant_of(Formulation formulation)
     return formulation == Formulation::Incompatible ? ElementVariant::IncompatibleModes : ElementVariant::Standard;
 }
 
+double density_of(const Material& material) { return material.density ? material.density->value() : 0.0; }
+
 /// Nodes of a line's shape, in its order.
 std::vector<NodeId> nodes_of(const CurveEdge& edge)
 {
@@ -178,7 +180,8 @@ void PlaneStructure::add_elements()
             const Formulation chosen = model_.formulation(element.region);
             formulations_.push_back(std::make_unique<ContinuumFormulation>(
                 shape_of(element.kind), rule_of(element.kind, chosen, model_.analysis),
-                *materials_[element.region.index], model_.thickness(element.region), variant_of(chosen)));
+                *materials_[element.region.index], model_.thickness(element.region), variant_of(chosen),
+                density_of(model_[model_[element.region].material])));
             formulation = formulations_.back().get();
         }
         const std::uint32_t run = runs.next(*formulation, element.points);

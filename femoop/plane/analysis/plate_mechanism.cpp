@@ -8,6 +8,8 @@
 #include <string>
 #include <utility>
 
+#include "femoop/result/element_field.h"
+
 namespace femoop::plane {
 
 namespace {
@@ -254,6 +256,20 @@ std::vector<Mechanism> rigid_motions(const PlaneStructure& structure)
     std::vector<Mechanism> mechanisms;
     for (const auto motion : free.colwise()) mechanisms.push_back(described(structure, parts, conditions, motion));
     return mechanisms;
+}
+
+bool strains(const PlaneStructure& structure, const std::vector<double>& u)
+{
+    constexpr double rounding = 1e-11; // of the motion, over the element's size
+    const std::vector<PlaneElement>& elements = structure.model().elements;
+    return std::any_of(elements.begin(), elements.end(), [&, e = std::size_t{0}](const PlaneElement& element) mutable {
+        const ElementField inside(structure.element(ElementId(e++)), u);
+        const Eigen::Vector2d at = structure.positions()[element.points.front().index];
+        double size = 0.0;
+        for (const NodeId node : element.points) size = std::max(size, (structure.positions()[node.index] - at).norm());
+        const ContinuumElement::StrainColumns strain = inside.strains(inside.element().formulation().points());
+        return strain.cwiseAbs().maxCoeff() * size > rounding * inside.node_displacements().cwiseAbs().maxCoeff();
+    });
 }
 
 } // namespace femoop::plane

@@ -13,4 +13,8 @@ namespace femoop::plane {
 /// Method  null space of what supports, springs, ties and common nodes ask of three motions of each part
 std::vector<Mechanism> rigid_motions(const PlaneStructure& structure);
 
+/// Does a motion of all nodes (ux and uy of each) deform any element, by more than rounding leaves of a motion that is
+/// none of its own? A slender body is soft, and yet each of its elements is strained where it bends.
+bool strains(const PlaneStructure& structure, const std::vector<double>& u);
+
 } // namespace femoop::plane

@@ -172,7 +172,8 @@ TEST_CASE("The drawings of tests/cases/drawn, meshed as they ask for, come out a
         REQUIRE(meshed.mesh.is_sound());
         const DrawnChecks drawn{.count_or_area = [&](const PlaneExpected& check) { return meshed.drawing.read(check); },
                                 .of_mesh = &meshed.mesh.checks()};
-        for (const femoop::CheckOutcome& outcome : verify(meshed.reading.model, analyse(meshed.model()), drawn)) {
+        for (const femoop::CheckOutcome& outcome :
+             verify(meshed.reading.model, {.results = analyse(meshed.model())}, drawn)) {
             CAPTURE(outcome.what);
             CHECK(outcome.verdict == femoop::Verdict::Passed);
             ++n_passed;
@@ -190,8 +191,8 @@ TEST_CASE("A drawing's mesh in a file of its own solves to the same numbers")
         const PlaneReading again = examine_plane_model(write_plane_model(meshed.model()));
         REQUIRE(again.is_sound());
         CHECK(again.model == meshed.model());
-        const auto here = verify(meshed.model(), analyse(meshed.model())),
-                   there = verify(again.model, analyse(again.model));
+        const auto here = verify(meshed.model(), {.results = analyse(meshed.model())}),
+                   there = verify(again.model, {.results = analyse(again.model)});
         REQUIRE(here.size() == there.size());
         for (std::size_t i = 0; i < here.size(); ++i) CHECK(*here[i].result == Approx(*there[i].result).epsilon(1e-9));
     }

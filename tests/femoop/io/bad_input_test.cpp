@@ -263,12 +263,17 @@ TEST_CASE("Every kind of fault has a file that shows it")
         for (const BadFile& file : files)
             for (const Fault& fault : examine_model(file.text).faults) shown.insert(fault.kind);
     // Shown by tests of their own, or impossible to write in a file.
-    for (const FaultKind kind :
-         {FaultKind::FileUnreadable, FaultKind::FileUnwritable, FaultKind::DanglingReference, FaultKind::NotFinite,
-          FaultKind::RepeatedComponent, FaultKind::ZeroLength, FaultKind::OffsetSize, FaultKind::UpSize,
-          FaultKind::CoincidentNodes, FaultKind::LoadedNodeWithoutMembers, FaultKind::MoreCrossings,
-          FaultKind::InaccurateCase, FaultKind::IllConditionedCase, FaultKind::InaccurateBody,
-          FaultKind::IllConditionedBody})
+    for (const FaultKind kind : {FaultKind::FileUnreadable,     FaultKind::FileUnwritable,
+                                 FaultKind::DanglingReference,  FaultKind::NotFinite,
+                                 FaultKind::RepeatedComponent,  FaultKind::ZeroLength,
+                                 FaultKind::OffsetSize,         FaultKind::UpSize,
+                                 FaultKind::CoincidentNodes,    FaultKind::LoadedNodeWithoutMembers,
+                                 FaultKind::MoreCrossings,      FaultKind::InaccurateCase,
+                                 FaultKind::IllConditionedCase, FaultKind::InaccurateBody,
+                                 FaultKind::IllConditionedBody, FaultKind::NothingHasMass,
+                                 FaultKind::RegionWithoutMass,  FaultKind::MasslessMotion,
+                                 FaultKind::TooFewModes,        FaultKind::ModeLostInRounding,
+                                 FaultKind::InaccurateMode,     FaultKind::ModesNotCounted})
         shown.insert(kind);
     // What moment distribution cannot do is shown by its own tests.
     for (auto kind = static_cast<int>(FaultKind::CrossNeedsPlaneFrame);
