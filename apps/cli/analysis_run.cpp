@@ -17,12 +17,14 @@ using femoop::FaultKind;
 namespace {
 
 /// What makes a structure unsolvable that is well described.
-constexpr std::array structural{FaultKind::ConstraintConflict,    FaultKind::IllConditionedCase,
-                                FaultKind::IllConditionedBody,    FaultKind::CrossJointFree,
-                                FaultKind::CrossSwayUndetermined, FaultKind::CrossHeldElongation,
-                                FaultKind::CrossHeldSettlement,   FaultKind::NoSupport,
-                                FaultKind::TooFewSupports,        FaultKind::PartWithoutSupport,
-                                FaultKind::PartWithTooFewSupports};
+constexpr std::array structural{FaultKind::ConstraintConflict,     FaultKind::IllConditionedCase,
+                                FaultKind::IllConditionedBody,     FaultKind::CrossJointFree,
+                                FaultKind::CrossSwayUndetermined,  FaultKind::CrossHeldElongation,
+                                FaultKind::CrossHeldSettlement,    FaultKind::NoSupport,
+                                FaultKind::TooFewSupports,         FaultKind::PartWithoutSupport,
+                                FaultKind::PartWithTooFewSupports, FaultKind::NothingHasMass,
+                                FaultKind::MasslessMotion,         FaultKind::TooFewModes,
+                                FaultKind::ModeLostInRounding};
 
 std::string headline(std::size_t n, bool are_more, const ui::Catalogue& tr)
 {

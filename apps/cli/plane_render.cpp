@@ -6,9 +6,11 @@
 #include "apps/cli/analysis_run.h"
 #include "apps/cli/argument.h"
 #include "apps/cli/plane_input.h"
+#include "apps/cli/plane_modes.h"
 #include "apps/cli/plane_places.h"
 #include "apps/plane/view/cut_panel.h"
 #include "apps/plane/view/plate_words.h"
+#include "femoop/plane/analysis/natural_modes.h"
 #include "femoop/plane/analysis/plane_analysis.h"
 
 namespace cli {
@@ -77,6 +79,11 @@ void PlaneRender::declare(CLI::App& app, const ui::Catalogue& tr)
            tr("of a plane model that is drawn: its mesh as it stands after so many steps of being made, and what "
               "the last of them did"))
         ->option_text("K");
+    app.add_option("--analysis", analysis_,
+                   tr("of a plane model: linear (default), or modal: how it vibrates by itself"))
+        ->option_text("KIND");
+    app.add_option("--mode", mode_, tr("with --analysis modal: which natural mode is drawn, from 1 (default)"))
+        ->option_text("N");
     app.add_flag("--describe", is_described_,
                  tr("of a plane model: print what the picture shows in sentences; then -o may be left out"));
 }
@@ -100,6 +107,7 @@ void PlaneRender::look(::plane::PlateOptions& options, const Order& order, const
 
 void PlaneRender::require_none(const ui::Catalogue& tr) const
 {
+    if (is_modal(tr)) throw modes_of_members(tr);
     if (!cuts_.empty() || read_ || range_ || step_ || is_described_ || places().size() > 1)
         throw UsageError(tr(
             "--cut, --read, --range, --step, --describe, and --at more than once, are for plane models; this is a structure "
@@ -115,13 +123,16 @@ ExitStatus PlaneRender::draw(fp::PlaneReading& reading, const std::string& name,
     ::plane::PlateOptions options = order.look;
     look(options, order, tr);
     const bool has_questions = !places().empty() || !cuts_.empty();
-    const bool needs_mesh = options.show.needs_mesh() || has_questions || step_;
+    const bool has_modes = is_modal(tr);
+    if (has_modes) require_modes_alone(order, tr);
+    const bool needs_mesh = options.show.needs_mesh() || has_questions || step_ || has_modes;
     const PlaneInput input(reading, needs_mesh ? PlaneInput::Depth::Mesh : PlaneInput::Depth::Drawing);
     console.report(name, reading.faults);
     if (!reading.is_sound()) return ExitStatus::BadInput;
     if (order.load_case) options.load_case = case_named(reading.model, *order.load_case, tr);
     ::plane::PlateInput shown{.model = reading.model, .drawing = input.drawing()};
     if (input.mesh() != nullptr) shown.mesh = &input.model();
+    if (has_modes) return draw_mode(shown, options, name, order, console);
     const std::unique_ptr<discretize::MeshPlayer> player = player_at_step(input.drawing(), tr);
     shown.player = player.get();
     if (player || (!options.show.needs_results() && !has_questions)) return write(shown, order, options, console);
@@ -133,6 +144,41 @@ ExitStatus PlaneRender::draw(fp::PlaneReading& reading, const std::string& name,
         options.cuts = cuts_through(results.model(), results.locator(), cuts_, tr);
         require_room(options, order, tr);
         shown.results = &results;
+        return write(shown, order, options, console);
+    } catch (const femoop::ModelError& error) {
+        return report_unsolved(error, name, console);
+    }
+}
+
+bool PlaneRender::is_modal(const ui::Catalogue& tr) const
+{
+    const bool is_modal = asks_for_modes(analysis_, tr);
+    if (mode_ && !is_modal) throw needs_too("--mode", "--analysis modal", tr);
+    return is_modal;
+}
+
+void PlaneRender::require_modes_alone(const Order& order, const ui::Catalogue& tr) const
+{
+    const auto refuse = [&](bool is_given, std::string_view option) {
+        if (is_given) throw contradiction("--analysis modal", option, tr);
+    };
+    refuse(order.load_case.has_value(), "--case");
+    refuse(!places().empty(), "--at");
+    refuse(!cuts_.empty(), "--cut");
+    refuse(step_.has_value(), "--step");
+}
+
+ExitStatus PlaneRender::draw_mode(::plane::PlateInput shown, ::plane::PlateOptions options, const std::string& name,
+                                  const Order& order, Console& console) const
+{
+    const std::size_t n = mode_
+                              ? static_cast<std::size_t>(whole_number("--mode", *mode_, {1, most_modes}, console.tr()))
+                              : 1;
+    try {
+        const fp::NaturalModes modes = fp::natural_modes(shown.mesh != nullptr ? *shown.mesh : shown.model, n);
+        console.report(name, modes.warnings);
+        shown.modes = &modes;
+        options.mode = n - 1;
         return write(shown, order, options, console);
     } catch (const femoop::ModelError& error) {
         return report_unsolved(error, name, console);

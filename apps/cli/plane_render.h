@@ -37,6 +37,10 @@ public:
                     Console& console) const;
 
 private:
+    bool is_modal(const ui::Catalogue& tr) const; ///< of --analysis. \throws UsageError
+    void require_modes_alone(const Order& order, const ui::Catalogue& tr) const;
+    ExitStatus draw_mode(::plane::PlateInput shown, ::plane::PlateOptions options, const std::string& name,
+                         const Order& order, Console& console) const;
     ExitStatus write(const ::plane::PlateInput& input, const Order& order, const ::plane::PlateOptions& options,
                      Console& console) const;
     std::vector<std::string> places() const;
@@ -48,7 +52,7 @@ private:
 
     std::vector<std::string> cuts_;
     std::optional<std::string> range_, read_;
-    std::optional<std::string> step_;
+    std::optional<std::string> step_, analysis_, mode_;
     bool is_described_ = false;
 };
 

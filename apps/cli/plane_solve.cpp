@@ -9,10 +9,13 @@
 #include "apps/cli/argument.h"
 #include "apps/cli/plane_cycles.h"
 #include "apps/cli/plane_input.h"
+#include "apps/cli/plane_modes.h"
 #include "apps/cli/plane_places.h"
 #include "apps/plane/discretize/error_cycle.h"
 #include "femoop/io/plane/element_trace_output.h"
+#include "femoop/io/plane/modes_output.h"
 #include "femoop/io/plane/plane_output.h"
+#include "femoop/plane/analysis/natural_modes.h"
 #include "femoop/plane/analysis/plane_analysis.h"
 
 namespace cli {
@@ -79,11 +82,24 @@ void PlaneSolve::declare(CLI::App& app, const ui::Catalogue& tr)
            tr("of a drawn plane model: refine its mesh by the estimated error so many times, 1 to 8, each time to "
               "half of it, and print what each mesh has instead of the results"))
         ->option_text("N");
+    app.add_option("--analysis", analysis_,
+                   tr("of a plane model: linear (default), or modal: how it vibrates by itself, loads aside"))
+        ->option_text("KIND");
+    app.add_option("--modes", modes_, tr("with --analysis modal: how many natural modes, 1 to 1000 (default 10)"))
+        ->option_text("N");
     app.add_flag("--full", is_full_, tr("of a plane model: write the mesh into the JSON too"));
+}
+
+bool PlaneSolve::is_modal(const ui::Catalogue& tr) const
+{
+    const bool is_modal = asks_for_modes(analysis_, tr);
+    if (modes_ && !is_modal) throw needs_too("--modes", "--analysis modal", tr);
+    return is_modal;
 }
 
 void PlaneSolve::require_none(const ui::Catalogue& tr) const
 {
+    if (is_modal(tr)) throw modes_of_members(tr);
     if (!places_.empty() || !cuts_.empty() || is_full_ || cycles_)
         throw UsageError(tr("--at, --cut, --cycles and --full are for plane models; this is a structure of members"));
 }
@@ -96,6 +112,37 @@ std::size_t PlaneSolve::n_cycles(const ui::Catalogue& tr) const
     return static_cast<std::size_t>(whole_number("--cycles", *cycles_, {1, most}, tr));
 }
 
+void PlaneSolve::require_modes_alone(const Question& question, const ui::Catalogue& tr) const
+{
+    const auto refuse = [&](bool is_given, std::string_view option) {
+        if (is_given) throw print_different_things("--analysis modal", option, tr);
+    };
+    refuse(question.case_name != "all", "--case");
+    refuse(question.traced_element.has_value(), "--trace");
+    refuse(!places_.empty(), "--at");
+    refuse(!cuts_.empty(), "--cut");
+    refuse(cycles_.has_value(), "--cycles");
+}
+
+ExitStatus PlaneSolve::print_modes(const Question& question, const PlaneInput& input,
+                                   const femoop::AnalysisOptions& options, Console& console) const
+{
+    const ui::Catalogue& tr = console.tr();
+    std::optional<std::size_t> wanted;
+    if (modes_) wanted = static_cast<std::size_t>(whole_number("--modes", *modes_, {1, most_modes}, tr));
+    fp::ModesSelection selection{.is_full = is_full_};
+    if (input.mesh() != nullptr)
+        selection.points = points_of(question.reading.model, *input.mesh(), fp::Locator(input.model()));
+    try {
+        const fp::NaturalModes found = fp::natural_modes(input.model(), wanted, options);
+        console.report(question.file, found.warnings);
+        console.print(question.is_json ? fp::natural_modes_json(found, selection) : fp::natural_modes_text(found, tr));
+    } catch (const femoop::ModelError& error) {
+        return report_unsolved(error, question.file, console);
+    }
+    return ExitStatus::Done;
+}
+
 ExitStatus PlaneSolve::solve(const Question& question, const femoop::AnalysisOptions& options, Console& console) const
 {
     const ui::Catalogue& tr = console.tr();
@@ -104,6 +151,10 @@ ExitStatus PlaneSolve::solve(const Question& question, const femoop::AnalysisOpt
     console.report(file, reading.faults);
     if (!reading.is_sound()) return ExitStatus::BadInput;
     const fp::PlaneModel& model = input.model();
+    if (is_modal(tr)) {
+        require_modes_alone(question, tr);
+        return print_modes(question, input, options, console);
+    }
     if (traced_element) {
         const fp::ElementTrace trace = fp::trace(model, element_named(*traced_element, model, tr));
         console.print(is_json ? fp::trace_json(trace, model.units) : fp::trace_text(trace, model.units, tr));

@@ -122,6 +122,8 @@ HelpText Solve::help(const ui::Catalogue& tr) const
           tr("The forces on the part left of a cut, and its equations of equilibrium.")},
          {"cremona solve examples/three_hinged_arch.json --funicular automatic",
           tr("The line of thrust of an arch, from the moments of the simple beam.")},
+         {"cremona solve examples/dam.json --analysis modal --modes 6",
+          tr("How a body vibrates by itself: frequencies, and the mass that each mode moves.")},
          {"cremona solve examples/storey_frame.json --trace-solver",
           tr("Which solver and which order are chosen, and how the front walks over the structure.")},
          {"cremona solve examples/portal.json --describe",
@@ -419,8 +421,8 @@ ExitStatus Solve::solve_plane(femoop::plane::PlaneReading& reading, const femoop
                                     solver_trace_.are_given() || units_.are_given() || case_ == "envelope";
     if (is_asked_otherwise)
         throw UsageError(
-            tr("a plane model is solved with --case, --at, --cut, --cycles, --full, --trace, --json and --solver; what "
-               "else was asked for is not built yet"));
+            tr("a plane model is solved with --analysis, --case, --at, --cut, --cycles, --full, --trace, --json and "
+               "--solver; what else was asked for is not built yet"));
     return plane_.solve({.reading = reading,
                          .file = display_name(file_, tr),
                          .case_name = case_,

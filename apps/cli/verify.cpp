@@ -17,6 +17,7 @@
 #include "femoop/io/plane/plane_verify.h"
 #include "femoop/io/verify.h"
 #include "femoop/model/quantity/number_text.h"
+#include "femoop/plane/analysis/natural_modes.h"
 #include "femoop/plane/analysis/plane_analysis.h"
 
 namespace cli {
@@ -82,7 +83,7 @@ HelpText Verify::help(const ui::Catalogue& tr) const
     return {
         tr("check a model against the results that its file expects"),
         tr("Solves each file and compares the entries of its \"expected\" list: a displacement, a reaction, a section "
-           "force or an extreme, with a value and a tolerance. A check passes when the result is within max(atol, rtol "
+           "force, an extreme, a frequency of a plane body, with a value and a tolerance. A check passes when the result is within max(atol, rtol "
            "|value|) of the value. One line a check, then a count. Checks of analyses that are not built yet are named "
            "and skipped, never passed; so are view files. A homework sheet with expected results is a test this way."),
         {{"cremona verify tests/cases/members/BM-001.json", tr("Every check of one file.")},
@@ -137,17 +138,23 @@ void Verify::verify_plane(femoop::plane::PlaneReading& reading, FileOutcome& out
     namespace fp = femoop::plane;
     const femoop::Translator tr = is_json_ ? femoop::english : femoop::Translator(console.tr());
     const bool needs_results = fp::needs_linear_analysis(reading.model);
-    const PlaneInput input(reading, needs_results ? PlaneInput::Depth::Mesh : PlaneInput::Depth::Drawing);
+    const std::size_t n_modes = fp::n_modes_needed(reading.model);
+    const bool needs_mesh = needs_results || n_modes > 0;
+    const PlaneInput input(reading, needs_mesh ? PlaneInput::Depth::Mesh : PlaneInput::Depth::Drawing);
     console.report(outcome.file, reading.faults);
     outcome.status = ExitStatus::BadInput;
     if (!reading.is_sound()) return;
     try {
-        std::optional<fp::PlaneResults> results;
+        fp::PlaneFindings found;
         if (needs_results) {
-            results = fp::analyse(input.model());
-            console.report(outcome.file, results->warnings());
+            found.results = fp::analyse(input.model());
+            console.report(outcome.file, found.results->warnings());
         }
-        outcome.checks = fp::verify(reading.model, results, input.checks(), tr);
+        if (n_modes > 0) {
+            found.modes = fp::natural_modes(input.model(), n_modes);
+            console.report(outcome.file, found.modes->warnings);
+        }
+        outcome.checks = fp::verify(reading.model, found, input.checks(), tr);
         outcome.status = femoop::count(outcome.checks).failed > 0 ? ExitStatus::No : ExitStatus::Done;
     } catch (const femoop::ModelError& error) {
         outcome.status = report_unsolved(error, outcome.file, console);

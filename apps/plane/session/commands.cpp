@@ -1,6 +1,8 @@
 #include "apps/plane/session/commands.h"
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <utility>
 
 #include "apps/plane/document/attributes.h"
@@ -31,6 +33,7 @@ constexpr std::array table_entries{
     TableEntry{TableKind::Materials, "table.materials", translatable("Materials")},
     TableEntry{TableKind::Cases, "table.cases", translatable("Load cases")},
     TableEntry{TableKind::Reactions, "table.reactions", translatable("Reactions")},
+    TableEntry{TableKind::Modes, "table.modes", translatable("Natural modes")},
 };
 
 void add_tables(CommandTable& table)
@@ -47,6 +50,7 @@ void add_tables(CommandTable& table)
         [](Workspace& workspace, TableKind kind) {
             workspace.table = kind;
             if (kind == TableKind::Reactions) workspace.session.look.reactions = true; // which finds them
+            if (kind == TableKind::Modes) workspace.session.look.modes = true;
         });
 }
 
@@ -215,6 +219,46 @@ void add_results(CommandTable& table)
         });
 }
 
+ui::Reason why_no_mode(const Workspace& workspace)
+{
+    if (workspace.session.modes() != nullptr) return std::nullopt;
+    return translatable("no natural modes are shown");
+}
+
+/// Round and round.
+void go_on(Session& session, std::size_t by)
+{
+    const std::size_t n = session.modes()->modes.size();
+    session.look.mode = (std::min(session.look.mode, n - 1) + by) % n;
+}
+
+void add_modes(CommandTable& table)
+{
+    Menu menu(table, translatable("Results"));
+    menu.toggle(
+        {"results.modes", translatable("Natural modes"), {{Key::O, ui::shift}}},
+        [](const Workspace& workspace) { return workspace.session.look.modes; },
+        [](Workspace& workspace, bool is_on) { workspace.session.look.modes = is_on; });
+    menu.step(
+        {"results.next_mode", translatable("Next mode"), {{Key::PageDown, ui::shift}}},
+        [](Workspace& workspace) { go_on(workspace.session, 1); }, why_no_mode);
+    menu.step(
+        {"results.previous_mode", translatable("Previous mode"), {{Key::PageUp, ui::shift}}},
+        [](Workspace& workspace) { go_on(workspace.session, workspace.session.modes()->modes.size() - 1); },
+        why_no_mode);
+    table.with_argument("results.mode", [](Workspace& workspace, const ui::Argument& argument) -> ui::Reason {
+        workspace.session.look.modes = true;
+        workspace.session.analyse_what_is_shown();
+        if (const auto reason = why_no_mode(workspace)) return reason;
+        const auto n = argument.number();
+        const std::size_t most = workspace.session.modes()->modes.size();
+        if (!n || *n < 1.0 || *n > static_cast<double>(most) || *n != std::floor(*n))
+            return argument.wanted("the number of a mode, 1 to " + std::to_string(most));
+        workspace.session.look.mode = static_cast<std::size_t>(*n) - 1;
+        return std::nullopt;
+    });
+}
+
 void add_gallery(CommandTable& table)
 {
     Menu menu(table, translatable("Gallery"));
@@ -270,6 +314,7 @@ CommandTable command_table()
     add_drawing_commands(table);
     add_part_commands(table);
     add_results(table);
+    add_modes(table);
     add_mesher_commands(table);
     add_tables(table);
     add_gallery(table);

@@ -17,7 +17,7 @@ namespace plane {
 enum class Topic : std::uint8_t { Properties, Model, Problems };
 
 /// A list of entries that is shown at the bottom.
-enum class TableKind : std::uint8_t { Points, Curves, Regions, Materials, Cases, Reactions };
+enum class TableKind : std::uint8_t { Points, Curves, Regions, Materials, Cases, Reactions, Modes };
 
 /// A session, the hand that works in it, and the panels around its picture.
 struct Workspace : ui::DocumentWorkspace<Workspace, Session> {

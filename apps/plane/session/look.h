@@ -33,6 +33,8 @@ struct Look {
     std::optional<KeptRange> range{};                     ///< of the bands; that of the values when absent
     bool element_values = false;                          ///< with their jumps, in place of smoothed ones
     Readings readings{};                                  ///< probes and cuts
+    bool modes = false;                                   ///< natural ones, in place of results
+    std::size_t mode = 0;                                 ///< that is shown
     bool beside = false;                                  ///< results that are kept, in place of behind the others
     std::size_t n_cycles = 4;                             ///< of a refinement
     bool circle = true; ///< Mohr's circle and all values of the last probe, in a panel
@@ -42,7 +44,7 @@ struct Look {
 
 /// Whether what it shows needs the drawing's mesh, and results too.
 bool needs_mesh(const Look& look);
-bool needs_results(const Look& look);
+bool needs_results(const Look& look); ///< never where modes are shown
 
 /// What of a drawing its look shows, of a load case.
 PlateOptions options_of(const Look& look, std::size_t load_case);

@@ -211,6 +211,8 @@ PlateInput Session::input() const
     const Analysed* const found = analysed();
     if (found == nullptr || found->mesh() == nullptr) return input;
     input.mesh = found->mesh();
+    input.modes = modes();
+    if (look.modes) return input;
     if (needs_results(look) && !found->mechanisms().empty()) input.motion = &found->mechanisms()[mechanism()].motion;
     if (found->result(load_case) == nullptr || !found->is_loaded(load_case)) return input;
     input.cycle = cycle();
@@ -247,7 +249,35 @@ const Analysed* Session::analysed() const
     return is_of_now && needs_mesh(look) ? analysed_.get() : nullptr;
 }
 
+const femoop::plane::NaturalModes* Session::modes() const
+{
+    return look.modes && vibration_ && vibration_->of().get() == analysed() ? vibration_->modes() : nullptr;
+}
+
+std::vector<Fault> Session::faults_of_modes() const
+{
+    if (!look.modes || !vibration_ || vibration_->of().get() != analysed()) return {};
+    return vibration_->faults();
+}
+
 void Session::analyse_what_is_shown()
+{
+    find_mesh_and_results();
+    if (look.modes) find_modes();
+}
+
+/// While a hand drags, only where they came fast enough to follow it.
+void Session::find_modes()
+{
+    if (analysed() == nullptr || analysed()->mesh() == nullptr) return;
+    if (vibration_ && vibration_->of() == analysed_) return;
+    if (history_.is_dragging() && modes_seconds_ > patience.of_a_hand) return;
+    const auto start = Clock::now();
+    vibration_ = std::make_shared<const Vibration>(analysed_);
+    modes_seconds_ = seconds_since(start);
+}
+
+void Session::find_mesh_and_results()
 {
     if (!needs_mesh(look) || !solution_->is_sound() || drawing() == nullptr || analysed() != nullptr) return;
     const bool is_dragging = history_.is_dragging();
@@ -316,6 +346,10 @@ std::optional<Message> Session::why_no_results() const
     if (found == nullptr) return std::nullopt;
     if (found->was_cancelled())
         return translatable("the mesh took too long and was given up; give a larger element size");
+    if (look.modes && found->mesh() != nullptr) {
+        if (!vibration_ || vibration_->of().get() != found || vibration_->modes() != nullptr) return std::nullopt;
+        return said(vibration_->faults());
+    }
     if (!found->faults().empty()) return said(found->faults());
     if (needs_results(look) && found->result(load_case) != nullptr && !found->is_loaded(load_case))
         return Message(translatable("load case {id} has no load, so that nothing moves; give one a value"),
@@ -397,7 +431,7 @@ constexpr double seconds_per_swing = 2.4;
 bool Session::is_swinging() const
 {
     const Analysed* const found = needs_results(look) ? analysed() : nullptr;
-    return is_animated || (found != nullptr && !found->mechanisms().empty());
+    return is_animated || look.modes || (found != nullptr && !found->mechanisms().empty());
 }
 
 std::size_t Session::mechanism() const

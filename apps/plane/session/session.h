@@ -13,6 +13,7 @@
 #include "apps/plane/document/outlines.h"
 #include "apps/plane/document/part.h"
 #include "apps/plane/document/solution.h"
+#include "apps/plane/document/vibration.h"
 #include "apps/plane/session/look.h"
 #include "apps/plane/session/mesher_watch.h"
 #include "ui/canvas/plane_camera.h"
@@ -63,6 +64,10 @@ public:
     const Analysed* analysed() const;
     /// Why what is shown has no mesh or no results; nothing where it has, or none is wanted.
     std::optional<ui::Message> why_no_results() const;
+
+    /// Of the mesh as it is now; null where modes are not shown, or there are none.
+    const femoop::plane::NaturalModes* modes() const;
+    std::vector<femoop::Fault> faults_of_modes() const; ///< why there are none, or what is to be said of them
 
     /// The range of the bands as they are now; nothing where there are none.
     std::optional<KeptRange> range_of_bands() const;
@@ -143,6 +148,8 @@ private:
     void restart(Document document);
     /// Does the mesh of before go along with the hand?
     bool follow_with_mesh();
+    void find_mesh_and_results();
+    void find_modes();
     /// The solution of the document that a change starts from.
     const Solution& settled() const { return history_.is_dragging() && settled_ ? *settled_ : *solution_; }
 
@@ -151,8 +158,10 @@ private:
     std::shared_ptr<const Analysed> kept_;    ///< to be compared with
     std::shared_ptr<const Analysed> dragged_; ///< of before the drag that is under way
     std::shared_ptr<const discretize::FollowingMesh> following_;
+    std::shared_ptr<const Vibration> vibration_;
     double swing_ = 0.0;          ///< since it began, at the largest displacement [s]
     double last_seconds_ = 0.0;   ///< that an analysis took
+    double modes_seconds_ = 0.0;  ///< that finding the modes took
     double follow_seconds_ = 0.0; ///< that the last one of this drag took, with the mesh that went along
     struct Refinement {
         std::size_t n_left = 0; ///< meshes

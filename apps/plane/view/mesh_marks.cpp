@@ -131,7 +131,7 @@ void draw_mesh(const PlateScene& scene)
 
 void draw_deformed(const PlateScene& scene)
 {
-    if (scene.mesh == nullptr || scene.result == nullptr) return;
+    if (scene.mesh == nullptr) return;
     const PlateOutline moved = outline_of(*scene.mesh, *scene.places, side_flatness / scene.camera.scale());
     for (const OutlinedFace& face : moved.faces) {
         if (!scene.options.show.fields.empty() || scene.shows(PlateShow::Error)) break;
@@ -165,6 +165,13 @@ void draw_mechanism(const PlateScene& scene)
 
 PlaceLine moved_by(const fp::PlaneModel& mesh, const std::vector<femoop::NodeVector>& motion, double share)
 {
+    std::vector<Vector2d> in_plane;
+    for (const femoop::NodeVector& u : motion) in_plane.emplace_back(u[0], u[1]);
+    return moved_by(mesh, in_plane, share);
+}
+
+PlaceLine moved_by(const fp::PlaneModel& mesh, const std::vector<Vector2d>& motion, double share)
+{
     PlaceLine places = fp::positions(mesh);
     Vector2d low = Vector2d::Constant(std::numeric_limits<double>::infinity()), high = -low;
     for (const Vector2d& at : places) {
@@ -172,8 +179,7 @@ PlaceLine moved_by(const fp::PlaneModel& mesh, const std::vector<femoop::NodeVec
         high = high.cwiseMax(at);
     }
     const double reach = share * share_of_body * (high - low).norm();
-    for (std::size_t i = 0; i < std::min(places.size(), motion.size()); ++i)
-        places[i] += reach * Vector2d(motion[i][0], motion[i][1]);
+    for (std::size_t i = 0; i < std::min(places.size(), motion.size()); ++i) places[i] += reach * motion[i];
     return places;
 }
 

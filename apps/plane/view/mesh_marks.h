@@ -16,6 +16,7 @@ void draw_deformed(const PlateScene& scene);
 void draw_mechanism(const PlateScene& scene);
 /// Of all points of the mesh, moved by a share of a motion whose largest displacement is drawn as a tenth of the body.
 PlaceLine moved_by(const femoop::plane::PlaneModel& mesh, const std::vector<femoop::NodeVector>& motion, double share);
+PlaceLine moved_by(const femoop::plane::PlaneModel& mesh, const std::vector<Eigen::Vector2d>& motion, double share);
 
 /// The round factor by which displacements are drawn: the one asked for, else one that makes the largest about a tenth of
 /// the body; of results that are compared with kept ones the least of both, so that they are drawn alike.

@@ -130,12 +130,17 @@ private:
 
     void find_result()
     {
+        mode_ = shown_mode(input_, options_);
         if (input_.result != nullptr) result_ = input_.result;
         else if (input_.results != nullptr && options_.load_case.index < input_.results->n_cases() &&
                  (options_.show.needs_results() || !options_.probes.empty() || !options_.cuts.empty()))
             result_ = &made_result_.emplace((*input_.results)[options_.load_case]);
         if (mesh_ == nullptr) return;
         places_ = femoop::plane::positions(*mesh_);
+        if (mode_ != nullptr) {
+            places_ = moved_by(*mesh_, mode_->shape, state_.phase);
+            widest_places_ = moved_by(*mesh_, mode_->shape, 1.0);
+        }
         if (input_.motion != nullptr) places_ = moved_by(*mesh_, *input_.motion, state_.phase);
         if (is_beside()) kept_places_ = femoop::plane::positions(input_.kept_results->model());
         if (result_ == nullptr || !shows(PlateShow::Deformed)) return;
@@ -232,7 +237,7 @@ private:
         if (shows(PlateShow::Principal)) draw_principal(scene);
         if (shows(PlateShow::Trajectories)) draw_trajectories(scene);
         if (shows(PlateShow::Supports)) draw_supports(scene);
-        if (shows(PlateShow::Loads)) draw_loads(scene);
+        if (shows(PlateShow::Loads) && mode_ == nullptr) draw_loads(scene);
         sketch.write_captions();
     }
 
@@ -280,7 +285,7 @@ private:
     std::string head_line() const
     {
         const ui::Catalogue& tr = options_.tr;
-        std::string line = state_and_case(input_.model, options_);
+        std::string line = mode_ != nullptr ? state_and_mode(input_, options_) : state_and_case(input_.model, options_);
         if (input_.player != nullptr) append(line, mesher_note(*input_.player, options_, input_.model));
         if (input_.cycle != nullptr && input_.cycle->sizes()) append(line, tr("mesh refined by the error"));
         if (magnification_ > 0.0)
@@ -311,6 +316,7 @@ private:
         if (magnification_ > 0.0)
             for (const PlaceLine* const moved : {&places_, &kept_places_})
                 for (const Vector2d& at : *moved) places.push_back({at.x(), at.y()});
+        for (const Vector2d& at : widest_places_) places.push_back({at.x(), at.y()});
         return places;
     }
 
@@ -346,7 +352,7 @@ private:
     {
         const PlateOutline outline = outline_of(input_, flatness / camera.scale());
         const PlateScene scene = scene_of({input_, mesh_, result_, places_}, outline, camera, sketch);
-        const bool is_moved = result_ != nullptr && shows(PlateShow::Deformed);
+        const bool is_moved = mode_ != nullptr || (result_ != nullptr && shows(PlateShow::Deformed));
         const bool is_colored = std::ranges::any_of(
             fields_, [](const FieldPicture& field) { return field.style == FieldStyle::Bands; });
         if (shows(PlateShow::Regions) && !is_moved && !is_colored) draw_regions(scene);
@@ -382,9 +388,11 @@ private:
     const femoop::plane::PlaneModel* mesh_;
     const femoop::plane::PlaneCase* result_ = nullptr;
     std::optional<femoop::plane::PlaneCase> made_result_;
-    PlaceLine places_;      ///< of the mesh's points, as they are drawn
-    PlaceLine kept_places_; ///< of the kept mesh's, likewise; none where they are not drawn
+    PlaceLine places_;        ///< of the mesh's points, as they are drawn
+    PlaceLine kept_places_;   ///< of the kept mesh's, likewise; none where they are not drawn
+    PlaceLine widest_places_; ///< where a mode moves it the farthest, so that it swings within the picture
     double magnification_ = 0.0;
+    const femoop::plane::NaturalMode* mode_ = nullptr; ///< that is drawn
     std::vector<FieldPicture> fields_, kept_fields_;
     double beside_ = 0.0; ///< how far the kept body is to the left; 0 where it is not
     std::vector<CutPicture> cuts_;

@@ -9,6 +9,7 @@
 #include "apps/mohr/view/scene.h"
 #include "apps/plane/discretize/drawing.h"
 #include "apps/plane/view/plate_show.h"
+#include "femoop/plane/analysis/natural_modes.h"
 #include "femoop/plane/analysis/plane_results.h"
 #include "femoop/plane/mesh/cut.h"
 #include "ui/canvas/plane_camera.h"
@@ -35,6 +36,8 @@ struct PlateInput {
     const femoop::plane::PlaneCase* result = nullptr;
     /// How the body can move without strain, of the mesh's points, the largest 1; null where it cannot.
     const std::vector<femoop::NodeVector>* motion = nullptr;
+    /// How it vibrates by itself, of the mesh or the model; drawn in place of results. Null: it is not shown.
+    const femoop::plane::NaturalModes* modes = nullptr;
     /// Of the drawing, half way: drawn in place of its mesh and results.
     const discretize::MeshPlayer* player = nullptr;
     /// That the mesh comes from: its curve stands below. Null: the mesh was not refined.
@@ -51,6 +54,7 @@ struct PlateInput {
 struct PlateOptions {
     PlateShown show = plate_shown_by_default();
     femoop::CaseId load_case; ///< whose loads and results are drawn
+    std::size_t mode = 0;     ///< that is drawn, of those of the input
     femoop::plane::StressReading reading = femoop::plane::StressReading::Smoothed; ///< or of elements, with their jumps
     std::optional<std::array<double, 2>> range{}; ///< of the colours, least first; that of the values when absent
     std::optional<double> deformation_scale{};    ///< 50 draws displacements fifty times as large

@@ -1,6 +1,7 @@
 #include "apps/plane/view/plate_scene.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "apps/plane/view/load_marks.h"
 
@@ -91,6 +92,37 @@ std::string state_and_case(const femoop::plane::PlaneModel& model, const PlateOp
                                     options.tr("units {units}", {{"units", display_units(model, options).summary()}})})
         if (!part.empty()) line += "  ·  " + part;
     return line;
+}
+
+const femoop::plane::NaturalMode* shown_mode(const PlateInput& input, const PlateOptions& options)
+{
+    if (input.modes == nullptr || options.mode >= input.modes->modes.size()) return nullptr;
+    return &input.modes->modes[options.mode];
+}
+
+ModeTexts mode_texts(const femoop::plane::NaturalModes& modes, std::size_t i, const ui::NumberFormat& numbers)
+{
+    const femoop::plane::NaturalMode& mode = modes.modes[i];
+    const auto share = [&](double mass) {
+        constexpr double tenths = 10.0;
+        return ui::number_text(std::round(100.0 * tenths * mass / modes.total_mass) / tenths, numbers) + " %";
+    };
+    return {.frequency = ui::number_text(mode.frequency(), numbers) + " Hz",
+            .period = mode.omega > 0.0 ? ui::number_text(1.0 / mode.frequency(), numbers) + " s" : "∞",
+            .shares = {share(mode.effective_mass.x()), share(mode.effective_mass.y())}};
+}
+
+std::string state_and_mode(const PlateInput& input, const PlateOptions& options)
+{
+    const ModeTexts texts = mode_texts(*input.modes, options.mode, options.numbers);
+    const std::string mode = options.tr("mode {n}: {frequency}, period {period}, {x} of the mass along x, {y} along y",
+                                        {{"n", std::to_string(options.mode + 1)},
+                                         {"frequency", texts.frequency},
+                                         {"period", texts.period},
+                                         {"x", texts.shares[0]},
+                                         {"y", texts.shares[1]}});
+    return state_name(input.model.analysis, options.tr) + "  ·  " + mode + "  ·  " +
+           options.tr("units {units}", {{"units", display_units(input.model, options).summary()}});
 }
 
 PlateOutline outline_of(const PlateInput& input, double tolerance)

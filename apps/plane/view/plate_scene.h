@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <array>
 #include <optional>
 #include <string>
 #include <vector>
@@ -46,6 +47,17 @@ const femoop::plane::PlaneModel* mesh_of(const PlateInput& input);
 ui::DisplayUnits display_units(const femoop::plane::PlaneModel& model, const PlateOptions& options);
 /// "plane stress  ·  load case P  ·  units kN, m"
 std::string state_and_case(const femoop::plane::PlaneModel& model, const PlateOptions& options);
+/// "plane stress  ·  mode 2: 12.3 Hz, period 0.0813 s, 45.1 % of the mass along x, 0 % along y  ·  units kN, m"
+/// \pre a mode is shown
+std::string state_and_mode(const PlateInput& input, const PlateOptions& options);
+/// The mode that a picture shows; null where it shows none.
+const femoop::plane::NaturalMode* shown_mode(const PlateInput& input, const PlateOptions& options);
+/// A frequency, a period, a share of the mass as people read them.
+struct ModeTexts {
+    std::string frequency, period;     ///< with their units
+    std::array<std::string, 2> shares; ///< of the mass along x and along y: "45.1 %"
+};
+ModeTexts mode_texts(const femoop::plane::NaturalModes& modes, std::size_t i, const ui::NumberFormat& numbers);
 /// The outline of the drawing, or of the mesh.
 PlateOutline outline_of(const PlateInput& input, double tolerance);
 

@@ -43,7 +43,8 @@ public:
     std::string text()
     {
         if (!input_.model.title.empty()) line(input_.model.title);
-        line(state_and_case(input_.model, options_));
+        line(shown_mode(input_, options_) != nullptr ? state_and_mode(input_, options_)
+                                                     : state_and_case(input_.model, options_));
         if (shows(PlateShow::Regions)) write_regions();
         if (shows(PlateShow::Geometry)) write_geometry();
         if (shows(PlateShow::Supports)) write_supports();
@@ -51,6 +52,7 @@ public:
         if (input_.player != nullptr) write_step();
         else if (shows(PlateShow::Mesh) && mesh_ != nullptr) write_mesh();
         if (result_ != nullptr) write_results();
+        if (input_.modes != nullptr) write_modes();
         return text_;
     }
 
@@ -99,6 +101,19 @@ private:
         }
         for (std::size_t r = 0; r < areas.size(); ++r) write_region(fp::RegionId(r), areas[r]);
         if (empty > 0.0) line(tr_("faces that are left empty: {area}", {{"area", area_text(empty)}}));
+    }
+
+    void write_modes()
+    {
+        for (std::size_t i = 0; i < input_.modes->modes.size(); ++i) {
+            const ModeTexts texts = mode_texts(*input_.modes, i, options_.numbers);
+            line(tr_("mode {n}: {frequency}, period {period}, {x} of the mass along x, {y} along y",
+                     {{"n", std::to_string(i + 1)},
+                      {"frequency", texts.frequency},
+                      {"period", texts.period},
+                      {"x", texts.shares[0]},
+                      {"y", texts.shares[1]}}));
+        }
     }
 
     void write_step()

@@ -55,11 +55,18 @@ std::vector<ui::KeyEvent> Application::take_keys(const ui::Input& input)
     return left;
 }
 
-// While a mesh is watched Page down takes its next step, as a presenter sends it, not the next load case.
+// Page down, as a presenter sends it, takes the next step of a mesh that is watched, and the next of modes that are
+// shown; else the next load case.
 bool Application::handle_presenter(ui::Key key)
 {
-    if (key != ui::Key::PageDown || session().player() == nullptr) return false;
-    run(*commands().find("mesher.forward"), workspace());
+    std::string_view command;
+    if (session().player() != nullptr) command = key == ui::Key::PageDown ? "mesher.forward" : "";
+    else if (session().modes() != nullptr)
+        command = key == ui::Key::PageDown ? "results.next_mode"
+                  : key == ui::Key::PageUp ? "results.previous_mode"
+                                           : "";
+    if (command.empty()) return false;
+    run(*commands().find(command), workspace());
     return true;
 }
 

@@ -7,6 +7,7 @@
 
 #include "apps/plane/session/drawing_commands.h"
 #include "apps/plane/session/part_commands.h"
+#include "apps/plane/view/plate_scene.h"
 #include "apps/plane/view/probe_values.h"
 #include "femoop/io/plane/field_text.h"
 #include "ui/app/expectation.h"
@@ -67,6 +68,16 @@ std::string supports(const Application& application)
     for (const auto& curve : model(application).curves)
         if (curve.support) append(text, curve.id);
     return or_nothing(text);
+}
+
+/// "2: 12.3 Hz"
+std::string mode(const Application& application)
+{
+    const Session& session = application.session();
+    const auto* const modes = session.modes();
+    if (modes == nullptr || session.look.mode >= modes->modes.size()) return "nothing";
+    return std::to_string(session.look.mode + 1) + ": " +
+           mode_texts(*modes, session.look.mode, session.options().numbers).frequency;
 }
 
 /// " qx 100", or a field as files have it; nothing where it is not given.
@@ -252,6 +263,7 @@ const ui::Facts<Application>& facts()
             {"elements", mesh_size},
             {"reason", why_unsolved},
             {"step", mesher_step},
+            {"mode", mode},
             {"cycle", cycle_errors},
             {"probes", [](const Application& a) { return std::to_string(a.session().look.readings.probes.size()); }},
             {"cuts", [](const Application& a) { return std::to_string(a.session().look.readings.cuts.size()); }},

@@ -115,6 +115,8 @@ void problems_panel(Workspace& workspace, const CommandTable& commands)
     std::vector<femoop::Fault> faults = session.solution().faults();
     if (session.analysed() != nullptr) // of the mesh and of the analysis
         faults.insert(faults.end(), session.analysed()->faults().begin(), session.analysed()->faults().end());
+    const std::vector<femoop::Fault> of_modes = session.faults_of_modes();
+    faults.insert(faults.end(), of_modes.begin(), of_modes.end());
     if (faults.empty()) ui::wrapped_text(tr("Nothing is wrong with the drawing."));
     else ImGui::TextDisabled("%s", tr("A click goes to the place.").c_str());
     for (std::size_t i = 0; i < faults.size(); ++i) {

@@ -7,6 +7,7 @@
 
 #include "apps/plane/document/regions.h"
 #include "apps/plane/session/part_commands.h"
+#include "apps/plane/view/plate_scene.h"
 #include "apps/plane/view/reaction_marks.h"
 #include "ui/widgets/command_menu.h"
 #include "ui/widgets/item_label.h"
@@ -25,6 +26,7 @@ struct TableRow {
     std::optional<Part> part{}; ///< that a click on the name selects
     std::vector<std::string> words{};
     std::vector<Number> numbers{};
+    std::optional<std::size_t> mode{}; ///< that a click on the name shows
 };
 
 struct PartTable {
@@ -137,6 +139,21 @@ PartTable table_of_reactions(const Session& session)
     return table;
 }
 
+/// A click on a mode shows it.
+PartTable table_of_modes(const Session& session)
+{
+    const ui::Catalogue& tr = session.tr();
+    PartTable table{{tr("Frequency"), tr("Period"), tr("Mass along x"), tr("Mass along y")}, {}, {}};
+    const auto* const modes = session.modes();
+    for (std::size_t i = 0; modes != nullptr && i < modes->modes.size(); ++i) {
+        const ModeTexts texts = mode_texts(*modes, i, session.options().numbers);
+        const std::string name = std::to_string(i + 1);
+        table.rows.push_back(
+            {ui::Message(name), name, {}, {texts.frequency, texts.period, texts.shares[0], texts.shares[1]}, {}, i});
+    }
+    return table;
+}
+
 PartTable table_of(const Session& session, TableKind kind)
 {
     switch (kind) {
@@ -145,6 +162,7 @@ PartTable table_of(const Session& session, TableKind kind)
     case TableKind::Regions: return table_of_regions(session);
     case TableKind::Materials: return table_of_materials(session);
     case TableKind::Cases: return table_of_cases(session);
+    case TableKind::Modes: return table_of_modes(session);
     case TableKind::Reactions: break;
     }
     return table_of_reactions(session);
@@ -163,8 +181,11 @@ void show_row(Workspace& workspace, ui::NumberFields& fields, const PartTable& t
 {
     ImGui::TableNextRow();
     ImGui::TableNextColumn();
-    const bool is_selected = row.part && workspace.session.is_selected(*row.part);
-    if (ImGui::Selectable(ui::item_label(row.name, "name").c_str(), is_selected) && row.part) {
+    const bool is_selected = row.mode ? row.mode == workspace.session.look.mode
+                                      : row.part && workspace.session.is_selected(*row.part);
+    const bool is_chosen = ImGui::Selectable(ui::item_label(row.name, "name").c_str(), is_selected);
+    if (is_chosen && row.mode) workspace.session.look.mode = *row.mode;
+    if (is_chosen && row.part) {
         workspace.session.select(*row.part);
         workspace.topic = Topic::Properties;
     }

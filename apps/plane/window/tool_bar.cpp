@@ -127,7 +127,7 @@ void show_panel(Workspace& workspace, const CommandTable& commands, ui::NumberFi
     for (const char* id : {"results.mesh", "results.deformed", "results.principal", "results.trajectories",
                            "results.error", "results.reactions", "results.circle"})
         switch_box(workspace, commands, id);
-    switch_box(workspace, commands, "results.animate");
+    for (const char* id : {"results.animate", "results.modes"}) switch_box(workspace, commands, id);
     refinement_rows(workspace, commands, number_fields);
     const auto field = workspace.session.look.field;
     ui::command_combo(workspace, commands, "###field", fields(),

@@ -86,12 +86,12 @@ std::string_view pattern(FaultKind kind)
         return "case {0} cannot be solved: the body is held, but too slender or its elements too flat for its forces to "
                "balance in 16 digits; use elements that are less flat, or a frame in place of a slender plate";
 
-    case FaultKind::NothingHasMass: return "nothing has mass, so nothing vibrates; give a material \"density\"";
+    case FaultKind::NothingHasMass: return "nothing has mass, so nothing vibrates; give a material a density";
     case FaultKind::RegionWithoutMass:
-        return "regions {0} have no mass, since material {1} has no density; add \"density\" if they have any";
+        return "regions {0} have no mass, since material {1} has no density; give it one if they have any";
     case FaultKind::MasslessMotion:
         return "something without mass can move freely, so its vibration has no frequency; hold it, or give its material "
-               "\"density\"";
+               "a density";
     case FaultKind::TooFewModes: return "mode {0} wanted, the model has {1}; ask for fewer, or make the mesh finer";
     case FaultKind::ModeLostInRounding:
         return "the frequency of mode {0} is lost in rounding: a part is too slender for its elements, or soft beside the "

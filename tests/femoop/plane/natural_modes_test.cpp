@@ -185,7 +185,7 @@ TEST_CASE("A region without density goes along, and this is told")
     const NaturalModes found = natural_modes(read_plane_model(text.text()));
     REQUIRE(found.warnings.size() == 1);
     CHECK(message(found.warnings[0]) ==
-          "regions rib have no mass, since material n has no density; add \"density\" if they have any");
+          "regions rib have no mass, since material n has no density; give it one if they have any");
     CHECK(found.modes.size() == 4); // both directions of the two nodes of the web that are free
 }
 
