@@ -243,6 +243,7 @@ void choose_tool(Workspace& workspace, ToolKind tool)
 {
     const bool is_of_results = tool == ToolKind::Influence || tool == ToolKind::FreeBody || tool == ToolKind::Funicular;
     if (is_of_results) workspace.session.virtual_work.clear();
+    workspace.session.forget_notice();
     if (tool == ToolKind::Predict) begin_to_predict(workspace);
     else if (tool == ToolKind::Funicular) begin_funicular(workspace);
     else if (tool == ToolKind::VirtualWork) begin_virtual_work(workspace);

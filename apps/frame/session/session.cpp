@@ -169,9 +169,13 @@ void Session::follow(const Document& before)
     prediction.follow(before.model, model());
     follow_case(before.model, model());
     show_as_remembered(before.model);
-    const std::optional<ui::Message> brought_back = dropped_references(model(), before.model);
-    if (notice && brought_back && notice->sentence == *brought_back) notice.reset();
+    forget_notice();
     refresh();
+}
+
+void Session::forget_notice()
+{
+    if (notice && (notice->seconds_left || notice->is_about_model)) notice.reset();
 }
 
 namespace {

@@ -70,6 +70,8 @@ public:
     bool change_soundly(const Change& change);
     void settle() override;
     void cancel();
+    /// What it speaks of is over: undone, or done with another tool. What is wrong with a file stays told.
+    void forget_notice();
 
     /// `Mend` opens a file too that is understood but whose structure has errors, as one that was saved while it was
     /// drawn. What stands beside the model comes from its companion file; what is wrong with that hinders nothing, and

@@ -179,6 +179,7 @@ bool open_file(Workspace& workspace, const std::filesystem::path& chosen, Sessio
         workspace.session.refuse(path, *session.notice);
         return false;
     }
+    workspace.session.notice.reset(); // such as that another file was not opened
     add_tab(workspace, std::move(session));
     tell_units(workspace.session);
     return true;
