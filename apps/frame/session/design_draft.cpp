@@ -40,7 +40,15 @@ void DesignDraft::open(Session& session)
     if (is_open_) return;
     session.settle();
     is_open_ = true;
-    set_code(session, code_);
+    const bool is_portuguese = session.view.tr.language() == ui::Language::Portuguese;
+    if (is_chosen_) set_code(session, code_);
+    else set_code(session, is_portuguese ? DesignCode::NBR8681 : DesignCode::EN1990);
+}
+
+void DesignDraft::choose_code(const Session& session, DesignCode code)
+{
+    is_chosen_ = true;
+    set_code(session, code);
 }
 
 void DesignDraft::set_code(const Session& session, DesignCode code)
@@ -88,7 +96,7 @@ std::optional<std::string> DesignDraft::run_command(Session& session, std::strin
     if (verb == "code") {
         const auto code = femoop::design_code(argument);
         if (!code) return "no code \"" + std::string(argument) + "\"";
-        set_code(session, *code);
+        choose_code(session, *code);
     } else if (verb == "action") {
         return set_named_action(session, argument);
     } else if (verb == "state") {

@@ -21,7 +21,8 @@ public:
     void cancel() { is_open_ = false; }
 
     femoop::DesignCode code() const { return code_; }
-    void set_code(const Session& session, femoop::DesignCode code);
+    /// From now on it is offered first; before, the one of the country whose language is spoken.
+    void choose_code(const Session& session, femoop::DesignCode code);
     const std::vector<femoop::CaseAction>& actions() const { return actions_; } ///< of every load case
     void set_action(std::size_t load_case, const femoop::ActionKind* kind);
     bool has(femoop::LimitState state) const { return has_[static_cast<std::size_t>(state)]; }
@@ -35,12 +36,14 @@ public:
     std::optional<std::string> run_command(Session& session, std::string_view verb, std::string_view argument);
 
 private:
+    void set_code(const Session& session, femoop::DesignCode code);
     void combine();
     std::optional<std::string> set_named_action(const Session& session, std::string_view argument);
     std::optional<std::string> toggle_state(std::string_view argument);
 
     bool is_open_ = false;
     femoop::DesignCode code_ = femoop::DesignCode::EN1990;
+    bool is_chosen_ = false; ///< that code
     std::vector<femoop::CaseAction> actions_;
     std::vector<bool> has_{true, true, true, true}; ///< of each limit state
     bool has_too_many_ = false;

@@ -24,7 +24,7 @@ void show_codes(Workspace& workspace, ui::TabStops& stops)
     for (const DesignCode code : femoop::design_codes()) {
         const std::string label = std::string(name(code)) + "###" + std::string(id(code));
         const bool is_chosen = draft.code() == code;
-        if (ImGui::RadioButton(label.c_str(), is_chosen)) draft.set_code(workspace.session, code);
+        if (ImGui::RadioButton(label.c_str(), is_chosen)) draft.choose_code(workspace.session, code);
         if (is_chosen) stops.add();
     }
 }
