@@ -38,6 +38,14 @@ Table table_of(const Session& session, TableKind kind)
     return result_table({session.model(), *results, session.view.load_case, chosen}, kind, session.manner());
 }
 
+// Where an envelope is chosen, its values stand for those of one case.
+TableKind shown_kind(const Session& session, TableKind kind)
+{
+    if (!session.view.is_envelope || session.shows_train_envelope()) return kind;
+    if (kind == TableKind::Extremes) return TableKind::Envelope;
+    return kind == TableKind::Reactions ? TableKind::ReactionEnvelope : kind;
+}
+
 bool have_same_headings(const Table& a, const Table& b)
 {
     const auto label = [](const Heading& heading) { return heading.column.label(); };
@@ -69,19 +77,21 @@ float TablesPanel::height(const Workspace& workspace, float room) const
 void TablesPanel::follow(const Workspace& workspace)
 {
     const Session& session = workspace.session;
-    const std::string now =
-        std::to_string(session.number()) + ' ' + std::to_string(static_cast<int>(session.model().analysis)) + ' ' +
-        std::to_string(session.generation()) + ' ' + std::to_string(session.view.load_case.index) + ' ' +
-        std::string(code(session.units().system())) + ' ' + session.view.unit_choices.text() + ' ' +
-        std::string(code(session.view.tr.language())) + ' ' + std::to_string(static_cast<int>(workspace.bottom.table)) +
-        (session.hidden ? " hidden " : " ") + envelope_text(session.model(), session.results_view());
-    const bool is_other = kind_ != workspace.bottom.table || session_ != session.number();
+    const TableKind kind = shown_kind(session, workspace.bottom.table);
+    const std::string now = std::to_string(session.number()) + ' ' +
+                            std::to_string(static_cast<int>(session.model().analysis)) + ' ' +
+                            std::to_string(session.generation()) + ' ' + std::to_string(session.view.load_case.index) +
+                            ' ' + std::string(code(session.units().system())) + ' ' + session.view.unit_choices.text() +
+                            ' ' + std::string(code(session.view.tr.language())) + ' ' +
+                            std::to_string(static_cast<int>(kind)) + (session.hidden ? " hidden " : " ") +
+                            envelope_text(session.model(), session.results_view());
+    const bool is_other = kind_ != kind || session_ != session.number();
     if (is_other) {
         grid_.reset();
         message_.clear();
         chosen_ = {};
     }
-    kind_ = workspace.bottom.table;
+    kind_ = kind;
     session_ = session.number();
     if (now == made_for_) return;
     made_for_ = now;
@@ -296,7 +306,8 @@ void TablesPanel::settle(Workspace& workspace)
 // To another table one goes with what was typed into this one, and not at all where that is refused.
 void TablesPanel::settle_before_leaving(Workspace& workspace)
 {
-    const bool stays = workspace.bottom.table == kind_ && workspace.bottom.shows(BottomContent::Table);
+    const bool stays = shown_kind(workspace.session, workspace.bottom.table) == kind_ &&
+                       workspace.bottom.shows(BottomContent::Table);
     if (!grid_.is_editing() || stays) return;
     const auto wanted = workspace.bottom;
     workspace.bottom.table = kind_;
@@ -372,7 +383,7 @@ void TablesPanel::show_dialog(Workspace& workspace)
 
 std::optional<ui::Message> TablesPanel::export_to(const Workspace& workspace, const std::filesystem::path& path)
 {
-    const Table table = table_of(workspace.session, workspace.bottom.table);
+    const Table table = table_of(workspace.session, shown_kind(workspace.session, workspace.bottom.table));
     const ui::Message::Argument file{"file", path.filename().string()};
     if (table.headings.empty()) return why_no_table(workspace.session);
     if (!files::write_whole_file(path, csv(table, workspace.session.units().format().mark))) return std::nullopt;
