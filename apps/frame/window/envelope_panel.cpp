@@ -54,11 +54,11 @@ public:
         const std::string id(name(component, model().analysis));
         const ui::Measure measure = measure_of(component);
         if (!result_section(tr()("Members: {value}", {{"value", units_.label(id, measure)}}), id.c_str())) return;
-        result_list(id.c_str(), headings(tr()("Member")), model().members.size(), [&](std::size_t i) {
-            part_cell(session_, MemberId(i), model().members[i].id);
+        result_list(id.c_str(), headings(tr()("Member")), model().members.size(), [&](ResultRow& row, std::size_t i) {
+            row.part(session_, MemberId(i), model().members[i].id);
             const GoverningExtremes found = envelope_.extremes(MemberId(i), component);
             for (const GoverningExtreme& extreme : {found.max, found.min})
-                cells({extreme.value, extreme.load_case}, measure);
+                cells(row, {extreme.value, extreme.load_case}, measure);
         });
     }
 
@@ -71,10 +71,10 @@ public:
         const std::string id(force_name(dof));
         const ui::Measure measure = force_measures.of(dof);
         if (!result_section(tr()("Reactions: {value}", {{"value", units_.label(id, measure)}}), id.c_str())) return;
-        result_list(id.c_str(), headings(tr()("Node")), supported.size(), [&](std::size_t i) {
-            part_cell(session_, supported[i], model()[supported[i]].id);
+        result_list(id.c_str(), headings(tr()("Node")), supported.size(), [&](ResultRow& row, std::size_t i) {
+            row.part(session_, supported[i], model()[supported[i]].id);
             const GoverningRange range = envelope_.reaction(supported[i], dof);
-            for (const Governing& bound : {range.max, range.min}) cells(bound, measure);
+            for (const Governing& bound : {range.max, range.min}) cells(row, bound, measure);
         });
     }
 
@@ -86,10 +86,10 @@ private:
     {
         return {part, tr()("max"), tr()("Case") + "###of max", tr()("min"), tr()("Case") + "###of min"};
     }
-    void cells(const Governing& bound, ui::Measure measure)
+    void cells(ResultRow& row, const Governing& bound, ui::Measure measure)
     {
-        number_cell(numbers_[bound.load_case].number(bound.value, measure));
-        name_cell(model().case_name(bound.load_case));
+        row.number(numbers_[bound.load_case].number(bound.value, measure));
+        row.name(model().case_name(bound.load_case));
     }
 
     Session& session_;

@@ -94,12 +94,12 @@ public:
         const std::vector<std::string> headings{units_.label("s", ui::Measure::Length), tr()("direction"),
                                                 tr()("candidate"), units_.label(component(), measure)};
         const std::vector<CandidatePosition> all = worst_first(line.candidates(), is_max);
-        result_list("candidates", headings, all.size(), [&](std::size_t i) {
-            place_cell({all[i].position, all[i].reversed});
-            name_cell(all[i].reversed ? "<" : ">");
-            name_cell(tr()(name_of(all[i].kind)));
-            number_cell(workspace_, text(all[i].value, measure),
-                        under({.place = {all[i].position, all[i].reversed}, .is_unit_load = false}));
+        result_list("candidates", headings, all.size(), [&](ResultRow& row, std::size_t i) {
+            place_cell(row, {all[i].position, all[i].reversed});
+            row.name(all[i].reversed ? "<" : ">");
+            row.name(tr()(name_of(all[i].kind)));
+            row.number(workspace_, text(all[i].value, measure),
+                       under({.place = {all[i].position, all[i].reversed}, .is_unit_load = false}));
         });
         ui::wrapped_text(tr()(
             "s is the place of the leading axle. At a break an axle passes an end of a piece of the line (− before "
@@ -114,12 +114,13 @@ public:
         const std::vector<femoop::influence::LineStation> all = stations(picture_.line, n);
         const std::string heading = "η" + (unit_.name.empty() ? "" : " [" + unit_.name + "]");
         const double rounding = drawing::written_as_zero * picture_.line.ordinates.largest();
-        result_list("ordinates", {units_.label("s", ui::Measure::Length), heading}, all.size(), [&](std::size_t i) {
-            ImGui::TextUnformatted(text(all[i].s, ui::Measure::Length).c_str());
-            const double value = std::abs(all[i].value) > rounding ? all[i].value : 0.0;
-            number_cell(workspace_, text(value * unit_.factor, ui::Measure::Plain),
-                        under({.place = {.position = all[i].s}, .is_unit_load = true}));
-        });
+        result_list("ordinates", {units_.label("s", ui::Measure::Length), heading}, all.size(),
+                    [&](ResultRow& row, std::size_t i) {
+                        row.name(text(all[i].s, ui::Measure::Length));
+                        const double value = std::abs(all[i].value) > rounding ? all[i].value : 0.0;
+                        row.number(workspace_, text(value * unit_.factor, ui::Measure::Plain),
+                                   under({.place = {.position = all[i].s}, .is_unit_load = true}));
+                    });
         if (picture_.line.ordinates.largest() > 0.0) ui::wrapped_text(areas_text(units_, picture_, tr()));
     }
 
@@ -145,12 +146,10 @@ private:
         return all;
     }
 
-    void place_cell(const AskedTrain::Place& place) const
+    void place_cell(ResultRow& row, const AskedTrain::Place& place) const
     {
         AskedLine& line = session_.influence;
-        const std::string label = text(place.position, ui::Measure::Length) + "###candidate";
-        if (ImGui::Selectable(label.c_str(), line.stands_at(place), ImGuiSelectableFlags_SpanAllColumns))
-            line.put_train(place);
+        if (row.choice(text(place.position, ui::Measure::Length), line.stands_at(place))) line.put_train(place);
     }
 
     static std::string_view name_of(CandidatePosition::Kind kind)

@@ -53,12 +53,12 @@ void displacements(const ShownCase& shown)
     const std::vector<Dof> list = dof_list(shown.model().analysis);
     std::vector<std::string> headings{shown.tr()("Node")};
     for (const Dof dof : list) headings.push_back(shown.units.label(name(dof), displacement_measures.of(dof)));
-    result_list("displacements", headings, shown.model().nodes.size(), [&](std::size_t i) {
-        part_cell(shown.session(), NodeId(i), shown.model().nodes[i].id);
+    result_list("displacements", headings, shown.model().nodes.size(), [&](ResultRow& row, std::size_t i) {
+        row.part(shown.session(), NodeId(i), shown.model().nodes[i].id);
         const NodeVector u = shown.result.displacement(NodeId(i));
         for (const Dof dof : list)
-            number_cell(shown.workspace, shown.numbers.number(u[index(dof)], displacement_measures.of(dof)),
-                        {{.quantity = ExpectedQuantity::Displacement, .node = NodeId(i), .dof = dof}}, NodeId(i));
+            row.number(shown.workspace, shown.numbers.number(u[index(dof)], displacement_measures.of(dof)),
+                       {{.quantity = ExpectedQuantity::Displacement, .node = NodeId(i), .dof = dof}}, NodeId(i));
     });
 }
 
@@ -73,15 +73,15 @@ void reactions(const ShownCase& shown)
     for (const Dof dof : list) headings.push_back(shown.units.label(force_name(dof), force_measures.of(dof)));
     const bool has_slanting = drawing::has_slanting_support(shown.model());
     if (has_slanting) headings.push_back(shown.units.label("R", ui::Measure::Force));
-    result_list("reactions", headings, supported.size(), [&](std::size_t i) {
-        part_cell(shown.session(), supported[i], shown.model()[supported[i]].id);
+    result_list("reactions", headings, supported.size(), [&](ResultRow& row, std::size_t i) {
+        row.part(shown.session(), supported[i], shown.model()[supported[i]].id);
         const NodeVector r = shown.result.reaction(supported[i]);
         for (const Dof dof : list)
-            number_cell(shown.workspace, shown.numbers.number(r[index(dof)], force_measures.of(dof)),
-                        {{.quantity = ExpectedQuantity::Reaction, .node = supported[i], .dof = dof}}, supported[i]);
+            row.number(shown.workspace, shown.numbers.number(r[index(dof)], force_measures.of(dof)),
+                       {{.quantity = ExpectedQuantity::Reaction, .node = supported[i], .dof = dof}}, supported[i]);
         if (!has_slanting) return;
         const bool is_slanting = drawing::slanting_normal(shown.model(), supported[i]).has_value();
-        number_cell(is_slanting ? shown.numbers.number(drawing::resultant(r), ui::Measure::Force) : "");
+        row.number(is_slanting ? shown.numbers.number(drawing::resultant(r), ui::Measure::Force) : "");
     });
 }
 
@@ -133,12 +133,12 @@ void member_forces(const ShownCase& shown, MemberComponent component, const std:
     std::vector<std::string> headings{tr("Member"), tr("start"), tr("end"), tr("max"), tr("min")};
     const bool has_ends = have_room(shown, component, headings);
     if (!has_ends) headings.erase(headings.begin() + 1, headings.begin() + 3);
-    result_list(id.c_str(), headings, shown.model().members.size(), [&](std::size_t i) {
-        part_cell(shown.session(), MemberId(i), shown.model().members[i].id);
+    result_list(id.c_str(), headings, shown.model().members.size(), [&](ResultRow& row, std::size_t i) {
+        row.part(shown.session(), MemberId(i), shown.model().members[i].id);
         const auto texts = force_texts(shown, component, i);
         const auto numbers = force_numbers(shown, component, i);
         for (std::size_t j = has_ends ? 0 : 2; j < texts.size(); ++j)
-            number_cell(shown.workspace, texts[j], {numbers[j]}, MemberId(i));
+            row.number(shown.workspace, texts[j], {numbers[j]}, MemberId(i));
     });
 }
 
@@ -188,15 +188,15 @@ std::string section_text(const ShownCase& shown, const Difference& one)
 }
 
 /// "BC (3.2 m): M [kN·m]", the value, that of what is compared with, and the change.
-void difference_row(const ShownCase& shown, const Difference& one)
+void difference_row(ResultRow& row, const ShownCase& shown, const Difference& one)
 {
     const Measure measure = measure_of_difference(one);
     const auto part = std::visit([](auto id) { return Part(id); }, one.part);
     const std::string id = std::visit([&](auto id_of_part) { return shown.model()[id_of_part].id; }, one.part);
     const std::string component = shown.units.label(component_name(one, shown.model().analysis), measure);
-    part_cell(shown.session(), part, id + section_text(shown, one) + ": " + component);
+    row.part(shown.session(), part, id + section_text(shown, one) + ": " + component);
     for (const std::optional<double>& value : {std::optional(one.now), one.then, one.change()})
-        number_cell(value ? with_minus(shown.units.number(*value, measure)) : "");
+        row.number(value ? with_minus(shown.units.number(*value, measure)) : "");
 }
 
 /// The present results beside those that are kept, part by part.
@@ -210,7 +210,8 @@ void show_differences(const ShownCase& shown)
     if (!result_section(tr("Compared with {name}", {{"name", name}}), "differences")) return;
     const Differences all({&shown.model(), shown.result}, {&reference.model, reference.results[*counterpart]});
     const std::vector<std::string> headings{tr("Part"), tr("now"), tr("kept"), "Δ"};
-    result_list("differences", headings, all.size(), [&](std::size_t i) { difference_row(shown, all[i]); });
+    result_list("differences", headings, all.size(),
+                [&](ResultRow& row, std::size_t i) { difference_row(row, shown, all[i]); });
     ImGui::TextDisabled("%s", tr("Of a section force where it differs most").c_str());
 }
 

@@ -103,10 +103,10 @@ public:
                                                 {{"value", units_.label(id, drawing::measure_of(component_))}});
         if (!result_section(title, id.c_str())) return;
         const auto& all = session_.train_envelope.members(component_);
-        result_list(id.c_str(), headings(), all.size(), [&](std::size_t i) {
-            part_cell(session_, MemberId(i), model.members[i].id);
-            cells(MemberId(i), ExtremeKind::Max, all[i].extreme.max, *all[i].extreme.max_train);
-            cells(MemberId(i), ExtremeKind::Min, all[i].extreme.min, *all[i].extreme.min_train);
+        result_list(id.c_str(), headings(), all.size(), [&](ResultRow& row, std::size_t i) {
+            row.part(session_, MemberId(i), model.members[i].id);
+            cells(row, MemberId(i), ExtremeKind::Max, all[i].extreme.max, *all[i].extreme.max_train);
+            cells(row, MemberId(i), ExtremeKind::Min, all[i].extreme.min, *all[i].extreme.min_train);
         });
     }
 
@@ -124,24 +124,24 @@ private:
         return all;
     }
 
-    void cells(MemberId member, ExtremeKind kind, const WorstSection& worst, const femoop::Train& train) const
+    void cells(ResultRow& row, MemberId member, ExtremeKind kind, const WorstSection& worst,
+               const femoop::Train& train) const
     {
-        value_cell(member, kind, worst);
-        number_cell(worst.sections.empty() ? "" : units_.number(worst.sections.front(), ui::Measure::Length));
-        if (has_several_) name_cell(train.id);
+        value_cell(row, member, kind, worst);
+        row.number(worst.sections.empty() ? "" : units_.number(worst.sections.front(), ui::Measure::Length));
+        if (has_several_) row.name(train.id);
     }
 
     /// It can be asked where it comes from: at the section where it is worst.
-    void value_cell(MemberId member, ExtremeKind kind, const WorstSection& worst) const
+    void value_cell(ResultRow& row, MemberId member, ExtremeKind kind, const WorstSection& worst) const
     {
         const std::string text = drawing::with_minus(units_.number(
             session_.train_envelope.without_noise(worst.placing.value, component_), drawing::measure_of(component_)));
-        if (worst.sections.empty()) return number_cell(text);
+        if (worst.sections.empty()) return row.number(text);
         const double length = femoop::geometry_of(session_.model(), session_.model()[member]).length;
-        number_cell(
-            workspace_, text,
-            {.effect = number_at_section({member, worst.sections.front()}, component_, length), .extreme = kind},
-            member);
+        row.number(workspace_, text,
+                   {.effect = number_at_section({member, worst.sections.front()}, component_, length), .extreme = kind},
+                   member);
     }
 
     Workspace& workspace_;
