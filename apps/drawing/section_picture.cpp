@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <initializer_list>
 #include <numbers>
 #include <optional>
 #include <string>
@@ -115,12 +116,20 @@ public:
         text({x + px(6), 0.5 * (top.y + under.y)}, value(tf), Anchor::Left);
     }
 
-    void draw_web(double from, double to, double y)
+    /// At the first of these heights where the value beside it lies on no part of the figure.
+    void draw_web(double from, double to, std::initializer_list<double> heights)
     {
+        const std::string words = value(to - from);
+        const ui::TextExtent extent = painter_.measure(words, style_of(Role::Dimension));
+        const ui::Size size{extent.width, extent.height()};
+        const auto corner = [&](double y) { return fit_(y, to) + Point{px(18), -0.5 * size.height}; };
+        const auto* const clear = std::ranges::find_if(
+            heights, [&](double y) { return is_clear(ui::box_at(corner(y), size).grown(px(4))); });
+        const double y = clear != heights.end() ? *clear : *heights.begin();
         const Point left = fit_(y, from), right = fit_(y, to);
         arrow(left - Point{px(14), 0}, left);
         arrow(right + Point{px(14), 0}, right);
-        text(right + Point{px(18), 0}, value(to - from), Anchor::Left);
+        text(right + Point{px(18), 0}, words, Anchor::Left);
     }
 
 private:
@@ -136,6 +145,33 @@ private:
     }
     ui::Color color(Role role) const { return look_.theme.stroke(role).color; }
     std::string value(double stored) const { return look_.units.number(stored, ui::Measure::SectionLength); }
+    /// No line of the outline passes it, and none goes round it.
+    bool is_clear(const ui::Box& box) const
+    {
+        const std::vector<Point> outer = fit_(figure_.outer);
+        bool is_inside = false;
+        for (std::size_t i = 0; i < outer.size(); ++i) {
+            const Point a = outer[i], b = outer[(i + 1) % outer.size()];
+            if (passes(a, b, box)) return false;
+            const Point at = box.center();
+            const bool is_beside = (a.y > at.y) != (b.y > at.y);
+            if (is_beside && at.x < a.x + (at.y - a.y) * (b.x - a.x) / (b.y - a.y)) is_inside = !is_inside;
+        }
+        return !is_inside;
+    }
+    /// Where the line lies within the box, from one share of its length to another.
+    static bool passes(Point a, Point b, const ui::Box& box)
+    {
+        double from = 0.0, to = 1.0;
+        const auto cut = [&](double start, double step, double least, double most) {
+            if (step == 0.0) return start >= least && start <= most;
+            const auto [first, last] = std::minmax((least - start) / step, (most - start) / step);
+            from = std::max(from, first);
+            to = std::min(to, last);
+            return from <= to;
+        };
+        return cut(a.x, b.x - a.x, box.min.x, box.max.x) && cut(a.y, b.y - a.y, box.min.y, box.max.y);
+    }
     void text(Point at, const std::string& words, Anchor anchor)
     {
         const ui::LayerScope labels(painter_, ui::Layer::Labels);
@@ -241,8 +277,10 @@ void draw_plates(SectionSheet& sheet, const Plates& plates, const SectionOutline
 {
     if (plates.flange > 0.0) sheet.draw_flange(plates.flange);
     const bool is_round = figure.outer.size() > 40; // whose thickness is seen on a diameter only
-    const double y = is_round ? 0.0 : figure.bottom + 0.28 * figure.height(); // clear of the axes
-    sheet.draw_web(plates.web_from, plates.web_from + plates.web, y);
+    const double to = plates.web_from + plates.web;
+    if (is_round) return sheet.draw_web(plates.web_from, to, {0.0});
+    const auto at = [&](double share) { return figure.bottom + share * figure.height(); };
+    sheet.draw_web(plates.web_from, to, {at(0.28), at(0.72), at(0.85)}); // clear of the axes
 }
 
 } // namespace
