@@ -277,12 +277,13 @@ void show_theory(const Rows& rows, const Group<MemberId>& members)
         });
 }
 
-void show(const Rows& rows, const Group<MemberId>& members)
+void show(const Rows& rows, const Group<MemberId>& members, const std::function<void(const Rows&)>& show_depths_below)
 {
     const ui::Catalogue& tr = members.tr();
     show_properties(rows, members);
     if (is_truss(members.model().analysis)) return;
     show_taper(members);
+    show_depths_below(rows);
     show_theory(rows, members);
     rows.name(tr("Releases, start"));
     show_releases(members, MemberEndName::Start);
@@ -369,22 +370,24 @@ void show(const Rows& rows, const Group<DimensionPlace>& lines)
         });
 }
 
-template <class Id> void show_group(Session& session, std::span<const Part> parts)
+template <class Id, class... More> void show_group(Session& session, std::span<const Part> parts, const More&... more)
 {
     if (!std::holds_alternative<Id>(parts.front())) return;
     Group<Id> group{session, {}};
     for (const Part& part : parts) group.ids.push_back(std::get<Id>(part));
     const Rows rows("choices");
-    if (rows.is_open()) show(rows, group);
+    if (rows.is_open()) show(rows, group, more...);
 }
 
 } // namespace
 
-void show_choices(Session& session, std::span<const Part> parts)
+void show_choices(Workspace& workspace, ui::NumberFields& fields, std::span<const Part> parts)
 {
     if (parts.empty()) return;
+    Session& session = workspace.session;
+    const auto depths = [&](const Rows& rows) { show_depths(rows, workspace, fields, parts); };
     show_group<NodeId>(session, parts);
-    show_group<MemberId>(session, parts);
+    show_group<MemberId>(session, parts, std::function<void(const Rows&)>(depths));
     show_group<MemberLoadPlace>(session, parts);
     show_group<DimensionPlace>(session, parts);
 }

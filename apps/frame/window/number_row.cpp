@@ -5,6 +5,7 @@
 #include <functional>
 #include <optional>
 #include <utility>
+#include <variant>
 #include <vector>
 
 #include "apps/frame/document/fault/sentence.h"
@@ -128,6 +129,12 @@ void show_number(const Rows& rows, Workspace& workspace, ui::NumberFields& field
     if (event.kind == Kind::Typed) take_text(workspace, fields, number, event);
 }
 
+bool is_depth(const SharedNumber& number)
+{
+    return std::holds_alternative<femoop::MemberId>(number.of_first.id.part) &&
+           number.of_first.measure == ui::Measure::SectionLength;
+}
+
 } // namespace
 
 ui::Message change_label(const femoop::Model& model, const ui::Message& what, std::span<const Part> parts)
@@ -139,11 +146,18 @@ ui::Message change_label(const femoop::Model& model, const ui::Message& what, st
 
 void show_numbers(Workspace& workspace, ui::NumberFields& fields, std::span<const Part> parts, bool begins)
 {
-    const std::vector<SharedNumber> all = shared_numbers(workspace.session.model(), parts);
+    std::vector<SharedNumber> all = shared_numbers(workspace.session.model(), parts);
+    std::erase_if(all, is_depth);
     const Rows rows("numbers");
     if (!rows.is_open()) return;
     for (const SharedNumber& number : all)
         show_number(rows, workspace, fields, number, begins && &number == &all.front());
+}
+
+void show_depths(const Rows& rows, Workspace& workspace, ui::NumberFields& fields, std::span<const Part> parts)
+{
+    for (const SharedNumber& number : shared_numbers(workspace.session.model(), parts))
+        if (is_depth(number)) show_number(rows, workspace, fields, number, false);
 }
 
 bool edit_quantity(Workspace& workspace, ui::NumberFields& fields, const FieldPlace& place, femoop::Quantity& value)

@@ -30,9 +30,13 @@ private:
 /// How the history names the change of something of these parts: "Change qy: Node B", "Change qy: the selection".
 ui::Message change_label(const femoop::Model& model, const ui::Message& what, std::span<const Part> parts);
 
-/// The numbers that the parts share, in a table of their own. Each follows every movement of the hand.
+/// The numbers that the parts share but the depths of tapered members, in a table of their own. Each follows every
+/// movement of the hand.
 /// \param begins  the first of them gets the keyboard now
 void show_numbers(Workspace& workspace, ui::NumberFields& fields, std::span<const Part> parts, bool begins = false);
+
+/// Those depths, as rows below the tick that brings them.
+void show_depths(const Rows& rows, Workspace& workspace, ui::NumberFields& fields, std::span<const Part> parts);
 
 /// A field of its own for a quantity that is no number of the document, such as a setting of a tool.
 struct FieldPlace {

@@ -45,7 +45,7 @@ void show_parts(Workspace& workspace, ui::NumberFields& fields, std::span<const 
 {
     show_numbers(workspace, fields, parts, begins);
     show_offset(workspace, fields, parts, begins);
-    show_choices(workspace.session, parts);
+    show_choices(workspace, fields, parts);
     named_set_rows(workspace.session, parts);
 }
 
