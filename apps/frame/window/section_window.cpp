@@ -178,7 +178,7 @@ void SectionWindow::show(Workspace& workspace, ui::ImGuiSession& gui, ui::Number
 {
     SectionDraft& draft = workspace.section;
     if (!draft.is_open()) {
-        is_listing_ = false;
+        is_listing_ = is_naming_ = false;
         family_.reset();
         filter_.clear();
     }
@@ -218,12 +218,11 @@ void SectionWindow::show_name(Workspace& workspace, ui::TabStops& stops)
     ImGui::TextUnformatted(tr("Name").c_str());
     ImGui::SameLine();
     ImGui::SetNextItemWidth(-1.0F);
+    if (!is_naming_) name_ = draft.section().id; // another's was typed before
     if (ImGui::InputText("###name", &name_)) reason_ = draft.set_name(workspace.session, name_);
     stops.add(ui::TabStops::Kind::Text);
-    if (!ImGui::IsItemActive()) {
-        name_ = draft.section().id;
-        reason_.reset();
-    }
+    is_naming_ = ImGui::IsItemActive();
+    if (!is_naming_) reason_.reset();
     if (reason_) ui::wrapped_text(tr(*reason_));
 }
 

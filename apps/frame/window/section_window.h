@@ -45,6 +45,7 @@ private:
     ui::SideWindow window_;
     std::string name_;                            ///< as it is typed
     std::optional<ui::Message> reason_;           ///< why it is not taken
+    bool is_naming_ = false;                      ///< it has the keyboard
     std::string filter_;                          ///< of profiles
     std::optional<femoop::ProfileFamily> family_; ///< of profiles; all when absent
     const femoop::Profile* seen_ = nullptr;       ///< the chosen one that was last brought into sight

@@ -324,6 +324,7 @@ void TrainWindow::show_content(Workspace& workspace, ui::ImGuiSession& gui, ui::
     show_new(workspace, stops);
     stops.add();
     if (workspace.trains.trains().empty()) return;
+    if (!draft.is_open()) is_naming_ = false;
     ImGui::PushID(static_cast<int>(workspace.trains.chosen()));
     show_name(workspace, stops);
     show_picture(workspace, gui);
@@ -385,10 +386,8 @@ void TrainWindow::show_name(Workspace& workspace, ui::TabStops& stops)
     if (std::exchange(named_, draft.chosen()) != draft.chosen()) reason_.reset();
     if (ImGui::InputText("###name", &name_)) reason_ = draft.set_name(workspace.session, name_);
     stops.add(ui::TabStops::Kind::Text);
-    if (!ImGui::IsItemActive()) {
-        name_ = draft.train().id;
-        reason_.reset();
-    }
+    is_naming_ = ImGui::IsItemActive();
+    if (!is_naming_) reason_.reset();
     if (reason_) ui::wrapped_text(tr(*reason_));
 }
 
@@ -400,6 +399,7 @@ void TrainWindow::show_picture(const Workspace& workspace, ui::ImGuiSession& gui
     ui::Painter painter({static_cast<double>(width) / gui.scale(), static_cast<double>(height) / gui.scale()}, fonts_);
     draw_train(painter, workspace.trains.train(),
                {.theme = ui::Theme(workspace.session.view.theme),
+    if (!is_naming_) name_ = draft.train().id; // another's was typed before
                 .units = workspace.session.units(),
                 .tr = workspace.session.view.tr});
     gui.show(painter.picture(), *ImGui::GetWindowDrawList(),
