@@ -2,11 +2,18 @@
 
 #include <algorithm>
 #include <array>
+#include <charconv>
+#include <cmath>
 #include <cstddef>
 #include <iterator>
 #include <numbers>
+#include <optional>
 #include <string>
+#include <system_error>
+#include <utility>
+#include <vector>
 
+#include "femoop/model/check/suggestion.h"
 #include "femoop/section/area_sums.h"
 
 namespace femoop {
@@ -314,6 +321,83 @@ const Profile* find_profile(std::string_view name)
     const std::string wanted = key(name);
     const auto found = std::ranges::find(all_profiles, std::string_view(wanted), &Profile::name);
     return found == all_profiles.end() ? nullptr : &*found;
+}
+
+namespace {
+
+std::string_view letters_before_sizes(std::string_view name)
+{
+    return name.substr(0, std::min(name.find_first_of("0123456789"), name.size()));
+}
+
+/// "L150X90X10": 150, 90, 10.
+std::vector<double> sizes(std::string_view name)
+{
+    std::vector<double> found;
+    const char* at = name.data() + letters_before_sizes(name).size();
+    const char* const end = name.data() + name.size();
+    while (at < end) {
+        double size = 0.0;
+        const auto [next, error] = std::from_chars(at, end, size);
+        if (error != std::errc() || !(size > 0.0)) return {};
+        found.push_back(size);
+        at = next < end ? next + 1 : end; // behind the X
+    }
+    return found;
+}
+
+/// How far apart the sizes of two names are, each by its ratio; nothing where one has more of them.
+std::optional<double> apart(const std::vector<double>& a, const std::vector<double>& b)
+{
+    if (a.empty() || a.size() != b.size()) return std::nullopt;
+    double sum = 0.0;
+    for (std::size_t i = 0; i < a.size(); ++i) sum += std::abs(std::log(a[i] / b[i]));
+    return sum;
+}
+
+std::vector<std::string_view> of_about_the_sizes(std::string_view wanted, const std::vector<std::string_view>& names,
+                                                 std::size_t most)
+{
+    constexpr double farthest = 0.5; // one size is half as large again and a little more
+    const std::vector<double> sizes_wanted = sizes(wanted);
+    std::vector<std::pair<double, std::string_view>> near;
+    for (const std::string_view name : names)
+        if (const auto distance = apart(sizes_wanted, sizes(name)); distance && *distance <= farthest)
+            near.emplace_back(*distance, name);
+    std::ranges::stable_sort(near, {}, &std::pair<double, std::string_view>::first);
+    std::vector<std::string_view> found;
+    for (const auto& [distance, name] : near)
+        if (found.size() < most) found.push_back(name);
+    return found;
+}
+
+std::vector<std::string_view> nearest_ones(const std::string& wanted, std::vector<std::string_view> names,
+                                           std::size_t most)
+{
+    std::vector<std::string_view> found;
+    while (found.size() < most) {
+        const auto near = nearest(wanted, names);
+        if (!near) break;
+        const auto place = std::ranges::find(names, std::string_view(*near));
+        found.push_back(*place);
+        names.erase(place);
+    }
+    return found;
+}
+
+} // namespace
+
+std::vector<std::string_view> near_profiles(std::string_view name, std::size_t most)
+{
+    const std::string wanted = key(name);
+    std::vector<std::string_view> of_kind, all;
+    for (const Profile& profile : all_profiles) {
+        all.push_back(profile.name);
+        if (letters_before_sizes(profile.name) == letters_before_sizes(wanted)) of_kind.push_back(profile.name);
+    }
+    std::vector<std::string_view> found = of_about_the_sizes(wanted, of_kind, most);
+    if (found.empty()) found = nearest_ones(wanted, std::move(of_kind), most);
+    return found.empty() ? nearest_ones(wanted, std::move(all), most) : found;
 }
 
 std::span<const Profile> profiles() { return all_profiles; }

@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <span>
 #include <string_view>
+#include <vector>
 
 #include "femoop/model/quantity/units.h"
 
@@ -62,6 +63,10 @@ struct Profile {
 /// Source  [EN10365] (IPE, HEA, HEB, HEM, UPN), [AiscShapes16] (W), [GerdauPerfis] and [NBR15980] (WMetric, HPMetric),
 ///         [EN10056-1] (L), [EN10210-2] (CHS, SHS, RHS), [ElDarwishJohnston1965] (J of L)
 const Profile* find_profile(std::string_view name);
+/// Of a name that no profile has, so many names at the most that may be meant: of the same kind, whose names begin with
+/// the same letters, those of about the same sizes, the nearest first; where there are none, those that are a slip or two
+/// away, and only then such ones of other kinds.
+std::vector<std::string_view> near_profiles(std::string_view name, std::size_t most);
 
 std::span<const Profile> profiles();                     ///< every profile, family by family
 std::span<const Profile> profiles(ProfileFamily family); ///< in the standard's order

@@ -286,6 +286,11 @@ std::vector<const femoop::Profile*> SectionWindow::listed_profiles() const
     std::vector<const femoop::Profile*> listed;
     for (const femoop::Profile& profile : family_ ? femoop::profiles(*family_) : femoop::profiles())
         if (profile.name.find(wanted) != std::string_view::npos) listed.push_back(&profile);
+    if (!listed.empty()) return listed;
+    constexpr std::size_t most = 8;
+    const bool is_size = family_ && !wanted.empty() && std::isdigit(static_cast<unsigned char>(wanted.front())) != 0;
+    const std::string asked = is_size ? std::string(name(*family_)) + wanted : wanted;
+    for (const std::string_view name : femoop::near_profiles(asked, most)) listed.push_back(femoop::find_profile(name));
     return listed;
 }
 
@@ -304,6 +309,7 @@ SectionWindow::Filtering SectionWindow::show_filter(const Workspace& workspace, 
         "###filter", hint.c_str(), &filter_,
         ImGuiInputTextFlags_AutoSelectAll | ImGuiInputTextFlags_EnterReturnsTrue | ImGuiInputTextFlags_CallbackHistory,
         on_arrow, &done.step);
+    done.is_edited = ImGui::IsItemEdited();
     stops.add(ui::TabStops::Kind::Text);
     ImGui::PopID();
     return done;
@@ -331,13 +337,17 @@ void SectionWindow::show_profiles(Workspace& workspace, ui::TabStops& stops)
     const ui::Catalogue& tr = workspace.session.view.tr;
     const Filtering filtering = show_filter(workspace, stops);
     ImGui::BeginChild("###profiles", {0.0F, 4.0F * ImGui::GetTextLineHeightWithSpacing()}, true);
+    if (filtering.is_edited) ImGui::SetScrollY(0.0F);
     const femoop::Profile* const chosen = draft.section().profile ? femoop::find_profile(*draft.section().profile)
                                                                   : nullptr;
     const std::vector<const femoop::Profile*> listed = listed_profiles();
     if (filtering.is_entered && listed.size() == 1) draft.choose_profile(workspace.session, listed.front()->name);
     if (const auto* const next = stepped(listed, chosen, filtering.step))
         draft.choose_profile(workspace.session, next->name);
-    if (listed.empty()) ui::wrapped_text(tr("no profile has {text} in its name", {{"text", filter_}}));
+    const bool is_found = std::ranges::any_of(listed, [wanted = plain(filter_)](const femoop::Profile* profile) {
+        return profile->name.find(wanted) != std::string_view::npos;
+    });
+    if (!is_found) ui::wrapped_text(tr("no profile has {text} in its name", {{"text", filter_}}));
     for (const femoop::Profile* const profile : listed) {
         const std::string label(profile->name);
         if (ImGui::Selectable(label.c_str(), profile == chosen)) draft.choose_profile(workspace.session, profile->name);

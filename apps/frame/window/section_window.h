@@ -30,6 +30,7 @@ private:
     /// What was pressed in the filter of profiles.
     struct Filtering {
         bool is_entered = false;
+        bool is_edited = false;
         int step = 0; ///< through the list: 1 down, -1 up
     };
     Filtering show_filter(const Workspace& workspace, ui::TabStops& stops);
@@ -44,8 +45,8 @@ private:
     const ui::Fonts& fonts_;
     ui::SideWindow window_;
     std::string name_;                            ///< as it is typed
-    std::optional<ui::Message> reason_;           ///< why it is not taken
     bool is_naming_ = false;                      ///< it has the keyboard
+    std::optional<ui::Message> reason_;           ///< why it is not taken
     std::string filter_;                          ///< of profiles
     std::optional<femoop::ProfileFamily> family_; ///< of profiles; all when absent
     const femoop::Profile* seen_ = nullptr;       ///< the chosen one that was last brought into sight

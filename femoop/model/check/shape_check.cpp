@@ -1,5 +1,3 @@
-#include <algorithm>
-#include <iterator>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -59,12 +57,8 @@ void Checker::check_profile(const std::string& profile, const Entry& place)
         if (is_unsymmetric && !is_truss(model_.analysis)) add(FaultKind::IyzLeftOut, place, {"l"});
         return;
     }
-    std::string typed; // as the tables write names: without blanks
-    std::copy_if(profile.begin(), profile.end(), std::back_inserter(typed), [](char c) { return c != ' '; });
-    std::vector<std::string_view> names;
-    for (const Profile& known : profiles()) names.push_back(known.name);
-    const auto near = nearest(typed, names);
-    if (near) add(FaultKind::UnknownProfileNear, place, {profile, *near});
+    const std::vector<std::string_view> near = near_profiles(profile, 1);
+    if (!near.empty()) add(FaultKind::UnknownProfileNear, place, {profile, std::string(near.front())});
     else add(FaultKind::UnknownProfile, place, {profile});
 }
 

@@ -562,3 +562,15 @@ TEST_CASE("A name that no table has finds nothing")
         CHECK(find_profile(text) == nullptr);
     }
 }
+
+TEST_CASE("Of a name that no table has those of the same kind are near: by their sizes, else by a slip")
+{
+    using Names = std::vector<std::string_view>;
+    CHECK(near_profiles("L 150 x 90 x 8", 1) == Names{"L150X90X10"}); // letter by letter it were L100X50X8
+    CHECK(near_profiles("L 102x102x9,5", 1) == Names{"L100X100X10"});
+    CHECK(near_profiles("L100x11", 2) == Names{"L100X100X12", "L100X100X10"});
+    CHECK(near_profiles("IPE 310", 1) == Names{"IPE300"});
+    CHECK(near_profiles("HEA 30", 1) == Names{"HEA300"});
+    CHECK(near_profiles("IEP300", 1) == Names{"IPE300"});
+    CHECK(near_profiles("granite", 3).empty());
+}
