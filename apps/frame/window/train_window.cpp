@@ -13,6 +13,7 @@
 #include "apps/frame/document/train_command.h"
 #include "apps/frame/session/train_commands.h"
 #include "apps/frame/window/number_row.h"
+#include "femoop/methods/influence/train/train_library.h"
 #include "ui/widgets/item_label.h"
 #include "ui/widgets/wrapped_text.h"
 
@@ -305,9 +306,25 @@ void accept_or_cancel(Workspace& workspace, ui::NumberFields& fields)
 
 } // namespace
 
+namespace {
+
+/// Where a train of the library is from, and what its standard has besides.
+void show_origin(const Workspace& workspace)
+{
+    const Session& session = workspace.session;
+    const auto* const entry = femoop::influence::library_entry(workspace.trains.train(), session.model().units);
+    if (entry == nullptr) return;
+    ImGui::PushStyleColor(ImGuiCol_Text, ImGui::GetColorU32(ImGuiCol_TextDisabled));
+    ui::wrapped_text(std::string(entry->source) + ". " + session.tr()(entry->left_out));
+    ImGui::PopStyleColor();
+}
+
+} // namespace
+
 void TrainWindow::show(Workspace& workspace, ui::ImGuiSession& gui, ui::NumberFields& fields)
 {
     const TrainDraft& draft = workspace.trains;
+    if (!draft.is_open()) is_naming_ = false;
     if (!window_.begin(draft.is_open(), "###trains", workspace.session.tr()("Trains"), fields.stops())) return;
     ui::SideWindow::begin_content();
     show_content(workspace, gui, fields);
@@ -324,10 +341,10 @@ void TrainWindow::show_content(Workspace& workspace, ui::ImGuiSession& gui, ui::
     show_new(workspace, stops);
     stops.add();
     if (workspace.trains.trains().empty()) return;
-    if (!draft.is_open()) is_naming_ = false;
     ImGui::PushID(static_cast<int>(workspace.trains.chosen()));
     show_name(workspace, stops);
     show_picture(workspace, gui);
+    show_origin(workspace);
     AxleTable(workspace, fields, begun_).show();
     TrainRows(workspace, fields).show();
     ImGui::PopID();
@@ -384,6 +401,7 @@ void TrainWindow::show_name(Workspace& workspace, ui::TabStops& stops)
     ImGui::SameLine();
     ImGui::SetNextItemWidth(-1.0F);
     if (std::exchange(named_, draft.chosen()) != draft.chosen()) reason_.reset();
+    if (!is_naming_) name_ = draft.train().id; // another's was typed before
     if (ImGui::InputText("###name", &name_)) reason_ = draft.set_name(workspace.session, name_);
     stops.add(ui::TabStops::Kind::Text);
     is_naming_ = ImGui::IsItemActive();
@@ -399,7 +417,6 @@ void TrainWindow::show_picture(const Workspace& workspace, ui::ImGuiSession& gui
     ui::Painter painter({static_cast<double>(width) / gui.scale(), static_cast<double>(height) / gui.scale()}, fonts_);
     draw_train(painter, workspace.trains.train(),
                {.theme = ui::Theme(workspace.session.view.theme),
-    if (!is_naming_) name_ = draft.train().id; // another's was typed before
                 .units = workspace.session.units(),
                 .tr = workspace.session.view.tr});
     gui.show(painter.picture(), *ImGui::GetWindowDrawList(),

@@ -1,10 +1,12 @@
 #include "femoop/methods/influence/train/train_library.h"
 
+#include <algorithm>
 #include <array>
 #include <utility>
 #include <variant>
 #include <vector>
 
+#include "femoop/model/fault/translator.h"
 #include "femoop/model/quantity/dimension.h"
 #include "femoop/model/quantity/number_text.h"
 #include "femoop/model/quantity/quantity_parser.h"
@@ -39,14 +41,34 @@ constexpr std::array tb450_spacings{1.5, 1.5};
 constexpr double tb450_length = 6.0, tb450_width = 3.0, crowd = 5.0; // [m], [kN/m^2]
 
 constexpr std::string_view aashto = "AASHTO Standard Specifications for Highway Bridges, 2002, 3.7.6";
-constexpr std::string_view lrfd =
-    "AASHTO LRFD Bridge Design Specifications, 2020, 3.6.1.2; with 33 % on the axles, 3.6.2";
+constexpr std::string_view lrfd = "AASHTO LRFD Bridge Design Specifications, 2020, 3.6.1.2 and 3.6.2";
 constexpr std::string_view lm1 = "EN 1991-2:2003, 4.3.2, adjustment factors 1";
+
+// What of the standards' models is not in these trains.
+constexpr std::string_view without_truck_effects = translatable(
+    "Left out: the impact, which depends on the span (3.8), and the reduction for several lanes (3.12).");
+constexpr std::string_view without_second_force = translatable(
+    "Left out: the second single force for moments over inner supports (3.11.3), the impact (3.8), and the reduction "
+    "for several lanes (3.12).");
+constexpr std::string_view without_truck_train = translatable(
+    "With 33 % on the axles. Left out: the pair of trucks over inner supports (3.6.1.3.1), and the factor for several "
+    "lanes (3.6.1.1.2).");
+constexpr std::string_view without_cars = translatable(
+    "The two engines alone. Left out: the cars behind them, the alternate load of four axles, and the impact.");
+constexpr std::string_view without_other_lanes = translatable(
+    "One lane alone, dynamic effects included. Left out: the other lanes, what lies beside them, and the single axle "
+    "of load model 2.");
+constexpr std::string_view without_dynamic_factor = translatable(
+    "Left out: the dynamic factor, and the heavy models SW/0 and SW/2.");
+constexpr std::string_view without_impact = translatable(
+    "The vehicle and the crowd before and behind it. Left out: the impact, which depends on the span, and the crowd "
+    "beside the vehicle.");
 
 constexpr LibraryTrain lm1_lane(std::string_view name, std::span<const double> axles, double pressure)
 {
     return {.name = name,
             .source = lm1,
+            .left_out = without_other_lanes,
             .units = si,
             .axles = axles,
             .spacings = lm1_spacings,
@@ -56,6 +78,7 @@ constexpr LibraryTrain lm1_lane(std::string_view name, std::span<const double> a
 constexpr std::array library{
     LibraryTrain{.name = "HS20-44 truck",
                  .source = aashto,
+                 .left_out = without_truck_effects,
                  .units = us,
                  .axles = truck_axles,
                  .spacings = truck_spacings,
@@ -63,11 +86,13 @@ constexpr std::array library{
                  .both_directions = true},
     LibraryTrain{.name = "HS20-44 lane",
                  .source = aashto,
+                 .left_out = without_second_force,
                  .units = us,
                  .uniform = 0.64,
                  .concentrated = LibraryTrain::Concentrated{.for_moments = 18.0, .for_others = 26.0}},
     LibraryTrain{.name = "HL-93 truck + lane",
                  .source = lrfd,
+                 .left_out = without_truck_train,
                  .units = us,
                  .axles = truck_axles,
                  .spacings = truck_spacings,
@@ -77,13 +102,15 @@ constexpr std::array library{
                  .both_directions = true},
     LibraryTrain{.name = "HL-93 tandem + lane",
                  .source = lrfd,
+                 .left_out = without_truck_train,
                  .units = us,
                  .axles = tandem_axles,
                  .spacings = tandem_spacings,
                  .impact = 1.33,
                  .uniform = 0.64},
     LibraryTrain{.name = "Cooper E80 engines",
-                 .source = "AREMA Manual for Railway Engineering, chapter 15, 1.3.3; the two engines without the cars",
+                 .source = "AREMA Manual for Railway Engineering, chapter 15, 1.3.3",
+                 .left_out = without_cars,
                  .units = us,
                  .axles = cooper_axles,
                  .spacings = cooper_spacings,
@@ -93,6 +120,7 @@ constexpr std::array library{
     lm1_lane("LM1 lane 3", lane_3_axles, 2.5),
     LibraryTrain{.name = "LM71",
                  .source = "EN 1991-2:2003, 6.3.2, classification factor 1",
+                 .left_out = without_dynamic_factor,
                  .units = si,
                  .axles = lm71_axles,
                  .spacings = lm71_spacings,
@@ -100,7 +128,8 @@ constexpr std::array library{
                  .extent = UniformExtent::Outside,
                  .gap = 0.8},
     LibraryTrain{.name = "TB-450",
-                 .source = "ABNT NBR 7188:2013, 5.1; the vehicle and the crowd before and behind it, without impact",
+                 .source = "ABNT NBR 7188:2013, 5.1",
+                 .left_out = without_impact,
                  .units = si,
                  .axles = tb450_axles,
                  .spacings = tb450_spacings,
@@ -155,6 +184,16 @@ Train train_from(const LibraryTrain& entry, const Units& units, LoadPathReferenc
         train.concentrated.push_back({written(entry.concentrated->for_moments, dimension::force),
                                       written(entry.concentrated->for_others, dimension::force)});
     return train;
+}
+
+const LibraryTrain* library_entry(const Train& train, const Units& units)
+{
+    const auto found = std::ranges::find_if(library, [&](const LibraryTrain& entry) {
+        Train taken = train_from(entry, units, train.path);
+        taken.id = train.id;
+        return taken == train;
+    });
+    return found != library.end() ? &*found : nullptr;
 }
 
 } // namespace femoop::influence

@@ -25,8 +25,9 @@ struct LibraryTrain {
         double for_moments, for_others;
     };
 
-    std::string_view name;   ///< HS20-44 truck: what it is called in every language
-    std::string_view source; ///< standard and clause
+    std::string_view name;     ///< HS20-44 truck: what it is called in every language
+    std::string_view source;   ///< standard and clause
+    std::string_view left_out; ///< of the standard's loads, in a sentence that can be translated
     Units units;
     std::span<const double> axles{}, spacings{}; ///< from the leading axle
     std::optional<Range> range{};
@@ -47,5 +48,9 @@ std::span<const LibraryTrain> train_library();
 /// It as a train of a model of these units, along a path of it. Forces and lengths that the standard counts in other
 /// units keep them: "32 kip".
 Train train_from(const LibraryTrain& entry, const Units& units, LoadPathReference path);
+
+/// The entry that a train of a model of these units was taken from, whatever it is called and wherever it runs; null
+/// where something of it was changed since.
+const LibraryTrain* library_entry(const Train& train, const Units& units);
 
 } // namespace femoop::influence

@@ -122,4 +122,19 @@ TEST_CASE("Every train of the library is one that a file may have")
     }
 }
 
+TEST_CASE("A train is known as that of the library whatever it is called, until a number of it is changed")
+{
+    for (const LibraryTrain& one : train_library()) {
+        CAPTURE(one.name);
+        Train train = train_from(one, si, std::vector{MemberId(3)});
+        train.id = "heavy";
+        const LibraryTrain* const known = library_entry(train, si);
+        REQUIRE(known != nullptr);
+        CHECK(known->name == one.name);
+        CHECK(!known->left_out.empty());
+        train.impact *= 1.07;
+        CHECK(library_entry(train, si) == nullptr);
+    }
+}
+
 TEST_SUITE_END();
