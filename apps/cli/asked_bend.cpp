@@ -1,6 +1,5 @@
 #include "apps/cli/asked_bend.h"
 
-#include <CLI/CLI.hpp>
 #include <array>
 
 #include "apps/cli/argument.h"
@@ -61,15 +60,16 @@ std::string bent_text(const std::string& member, const femoop::Model& model, con
 
 } // namespace
 
-void AskedBend::declare(CLI::App& app, const ui::Catalogue& tr)
+void AskedBend::declare(OptionParser& options, const ui::Catalogue& tr)
 {
-    app.add_option(
-           "--bend", bends_,
-           tr("bend members into curves of straight parts, as the frame app does, with the loads on them: "
-              "members=M,..,curve=arc|parabola,rise=F,parts=N; F is the rise of the middle over the chord, to the left "
-              "of the way from the first end to the last, negative to the other side; N is 2 to 200 (default 12); may "
-              "be given again"))
-        ->option_text("WHAT");
+    options
+        .add_option(
+            "--bend", bends_,
+            tr("bend members into curves of straight parts, as the frame app does, with the loads on them: "
+               "members=M,..,curve=arc|parabola,rise=F,parts=N; F is the rise of the middle over the chord, to the left "
+               "of the way from the first end to the last, negative to the other side; N is 2 to 200 (default 12); may "
+               "be given again"))
+        .option_text("WHAT");
 }
 
 void AskedBend::apply(femoop::Model& model, const Console& console) const

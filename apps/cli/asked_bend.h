@@ -12,7 +12,7 @@ namespace cli {
 /// `--bend`: members that become arcs or parabolas.
 class AskedBend {
 public:
-    void declare(CLI::App& app, const ui::Catalogue& tr);
+    void declare(OptionParser& options, const ui::Catalogue& tr);
     bool is_asked() const { return !bends_.empty(); }
     /// Bends them, one option after the other, and says on stderr what each became. \throws UsageError
     void apply(femoop::Model& model, const Console& console) const;

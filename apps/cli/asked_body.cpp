@@ -1,6 +1,5 @@
 #include "apps/cli/asked_body.h"
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <array>
 #include <charconv>
@@ -64,19 +63,21 @@ Cut cut_named(const Model& model, const std::string& text, const ui::Catalogue& 
 
 } // namespace
 
-void AskedBody::declare(CLI::App& app, const ui::Catalogue& tr)
+void AskedBody::declare(OptionParser& options, const ui::Catalogue& tr)
 {
-    app.add_option(
-           "--free-body", what_,
-           tr("print the forces on a part of the structure and its equations of equilibrium, instead of the results: "
-              "node=N, members=M,.., or cut=M@X,..,beside=N for all that hangs together with a node where members are "
-              "cut; of the first load case, or that of --case"))
-        ->option_text("WHAT");
-    app.add_option(
-           "--about", about_,
-           tr("with --free-body: the point that moments are taken about (default: the first Ritter point of a cut "
-              "through bars, or the first section, or node)"))
-        ->option_text("X,Y");
+    options
+        .add_option(
+            "--free-body", what_,
+            tr("print the forces on a part of the structure and its equations of equilibrium, instead of the results: "
+               "node=N, members=M,.., or cut=M@X,..,beside=N for all that hangs together with a node where members are "
+               "cut; of the first load case, or that of --case"))
+        .option_text("WHAT");
+    options
+        .add_option(
+            "--about", about_,
+            tr("with --free-body: the point that moments are taken about (default: the first Ritter point of a cut "
+               "through bars, or the first section, or node)"))
+        .option_text("X,Y");
 }
 
 void AskedBody::require_sensible(const ui::Catalogue& tr) const

@@ -14,7 +14,7 @@ namespace cli {
 /// The free body that `solve --free-body WHAT --about X,Y` asks for.
 class AskedBody {
 public:
-    void declare(CLI::App& app, const ui::Catalogue& tr);
+    void declare(OptionParser& options, const ui::Catalogue& tr);
 
     bool is_asked() const { return what_.has_value(); }
     /// The point without the body asks for nothing. \throws UsageError

@@ -1,6 +1,5 @@
 #include "apps/cli/asked_effect.h"
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <array>
 #include <charconv>
@@ -63,17 +62,18 @@ femoop::Position position_named(const std::string& option, const std::string& fo
 
 } // namespace
 
-void AskedEffect::declare(CLI::App& app, const ui::Catalogue& tr)
+void AskedEffect::declare(OptionParser& options, const ui::Catalogue& tr)
 {
-    app.add_option("--member", member_, tr("ask for a section force or a displacement of this member"))
-        ->option_text("M");
-    app.add_option("--at", at_, tr("where on it: a length from its first node, or a part of its length like 50%"))
-        ->option_text("X");
-    app.add_option("--node", node_, tr("ask for a reaction or a displacement of this node"))->option_text("N");
-    app.add_option("--component", component_,
-                   tr("of a member N V M u v (in space N Vy Vz T My Mz u v w), of a node fx fy fz mx my mz for its "
-                      "reaction, ux uy uz rx ry rz for its displacement"))
-        ->option_text("C");
+    options.add_option("--member", member_, tr("ask for a section force or a displacement of this member"))
+        .option_text("M");
+    options.add_option("--at", at_, tr("where on it: a length from its first node, or a part of its length like 50%"))
+        .option_text("X");
+    options.add_option("--node", node_, tr("ask for a reaction or a displacement of this node")).option_text("N");
+    options
+        .add_option("--component", component_,
+                    tr("of a member N V M u v (in space N Vy Vz T My Mz u v w), of a node fx fy fz mx my mz for its "
+                       "reaction, ux uy uz rx ry rz for its displacement"))
+        .option_text("C");
 }
 
 std::string AskedEffect::named(std::string_view key) const

@@ -15,7 +15,7 @@ namespace cli {
 /// An effect of a moving load that options ask for: --member M --at X --component C, or --node N --component C.
 class AskedEffect {
 public:
-    void declare(CLI::App& app, const ui::Catalogue& tr);
+    void declare(OptionParser& options, const ui::Catalogue& tr);
 
     /// The same in one text: member=M,at=X,component=C or node=N,component=C. \throws UsageError naming `option`
     void set(std::string_view option, std::string_view text, const ui::Catalogue& tr);

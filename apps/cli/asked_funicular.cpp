@@ -1,6 +1,5 @@
 #include "apps/cli/asked_funicular.h"
 
-#include <CLI/CLI.hpp>
 #include <array>
 #include <variant>
 #include <vector>
@@ -16,22 +15,25 @@ namespace cli {
 using femoop::Model;
 using namespace femoop::funicular;
 
-void AskedFunicular::declare(CLI::App& app, const ui::Catalogue& tr)
+void AskedFunicular::declare(OptionParser& options, const ui::Catalogue& tr)
 {
-    app.add_option(
-           "--funicular", what_,
-           tr("print the funicular of the vertical loads on a chain of members that runs from left to right, an arch "
-              "or a beam, instead of the results: members=M,.., or automatic for the only chain of the structure; of "
-              "the first load case, or that of --case"))
-        ->option_text("WHAT");
-    app.add_option("--closing", closing_,
-                   tr("with --funicular: heights of its closing line at the left end and at the right one (default: "
-                      "those of the chain)"))
-        ->option_text("YA,YB");
-    app.add_option("--through", through_,
-                   tr("with --funicular: a point that it passes through (default: the hinge of the chain, else where "
-                      "the chain is farthest from the line between its ends)"))
-        ->option_text("X,Y");
+    options
+        .add_option(
+            "--funicular", what_,
+            tr("print the funicular of the vertical loads on a chain of members that runs from left to right, an arch "
+               "or a beam, instead of the results: members=M,.., or automatic for the only chain of the structure; of "
+               "the first load case, or that of --case"))
+        .option_text("WHAT");
+    options
+        .add_option("--closing", closing_,
+                    tr("with --funicular: heights of its closing line at the left end and at the right one (default: "
+                       "those of the chain)"))
+        .option_text("YA,YB");
+    options
+        .add_option("--through", through_,
+                    tr("with --funicular: a point that it passes through (default: the hinge of the chain, else where "
+                       "the chain is farthest from the line between its ends)"))
+        .option_text("X,Y");
 }
 
 void AskedFunicular::require_sensible(const ui::Catalogue& tr) const

@@ -13,7 +13,7 @@ namespace cli {
 /// The funicular that `solve --funicular WHAT --closing YA,YB --through X,Y` asks for.
 class AskedFunicular {
 public:
-    void declare(CLI::App& app, const ui::Catalogue& tr);
+    void declare(OptionParser& options, const ui::Catalogue& tr);
 
     bool is_asked() const { return what_.has_value(); }
     /// A closing line or a point without the funicular asks for nothing. \throws UsageError

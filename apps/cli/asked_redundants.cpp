@@ -1,6 +1,5 @@
 #include "apps/cli/asked_redundants.h"
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
 
 #include "apps/cli/asked_effect.h"
@@ -19,16 +18,16 @@ constexpr const char* automatic = "automatic";
 
 } // namespace
 
-void AskedRedundants::declare(CLI::App& app, const ui::Catalogue& tr)
+void AskedRedundants::declare(OptionParser& options, const ui::Catalogue& tr)
 {
-    app.add_option(
-           option, what_,
-           tr("solve by the force method, instead of printing the results: the redundant to release, "
-              "node=N,component=fy or member=M,at=X,component=M, once for each; or automatic: the program chooses as "
-              "many as the degree of indeterminacy; of the first load case, or that of --case"))
-        ->option_text("WHAT|automatic")
-        ->expected(1)
-        ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+    options
+        .add_option(
+            option, what_,
+            tr("solve by the force method, instead of printing the results: the redundant to release, "
+               "node=N,component=fy or member=M,at=X,component=M, once for each; or automatic: the program chooses as "
+               "many as the degree of indeterminacy; of the first load case, or that of --case"))
+        .option_text("WHAT|automatic")
+        .one_value_each();
 }
 
 void AskedRedundants::count_lengths_in(std::string_view unit)

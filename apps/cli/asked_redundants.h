@@ -17,7 +17,7 @@ enum class StepFormat : std::uint8_t { Text, Json, Latex };
 /// The force method with the redundants that `solve --force-method WHAT` asks for, once for each, or `automatic`.
 class AskedRedundants {
 public:
-    void declare(CLI::App& app, const ui::Catalogue& tr);
+    void declare(OptionParser& options, const ui::Catalogue& tr);
 
     bool are_asked() const { return !what_.empty(); }
 

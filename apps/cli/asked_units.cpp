@@ -1,6 +1,5 @@
 #include "apps/cli/asked_units.h"
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <charconv>
 #include <cmath>
@@ -32,13 +31,14 @@ void choose(ui::UnitChoices& choices, const std::string& word, const ui::Catalog
 
 } // namespace
 
-void AskedUnits::declare(CLI::App& app, const ui::Catalogue& tr)
+void AskedUnits::declare(OptionParser& options, const ui::Catalogue& tr)
 {
-    app.add_option(
-           "--unit", words_,
-           tr("units of single quantities, separated by commas, such as moment=kN*cm,length=cm; the others' follow "
-              "from the file's"))
-        ->option_text("QUANTITY=UNIT");
+    options
+        .add_option(
+            "--unit", words_,
+            tr("units of single quantities, separated by commas, such as moment=kN*cm,length=cm; the others' follow "
+               "from the file's"))
+        .option_text("QUANTITY=UNIT");
 }
 
 UsageError units_of_file(std::string_view option, const ui::Catalogue& tr)

@@ -17,7 +17,7 @@ namespace cli {
 /// `--unit`: units of single quantities, in place of those that follow from the file's.
 class AskedUnits {
 public:
-    void declare(CLI::App& app, const ui::Catalogue& tr);
+    void declare(OptionParser& options, const ui::Catalogue& tr);
     bool are_given() const { return !words_.empty(); }
     /// \throws UsageError for what is no quantity or no unit of it
     ui::UnitChoices choices(const ui::Catalogue& tr) const;

@@ -1,6 +1,5 @@
 #include "apps/cli/bench.h"
 
-#include <CLI/CLI.hpp>
 #include <iomanip>
 #include <sstream>
 #include <string>
@@ -23,7 +22,7 @@ class Bench : public Subcommand {
 public:
     std::string_view name() const override { return "bench"; }
     HelpText help(const ui::Catalogue& tr) const override;
-    void declare(CLI::App& app, const ui::Catalogue& tr) override;
+    void declare(OptionParser& options, const ui::Catalogue& tr) override;
     ExitStatus run(Console& console) override;
 
 private:
@@ -67,26 +66,28 @@ HelpText Bench::help(const ui::Catalogue& tr) const
           tr("A thousand lines that cross everywhere.")}}};
 }
 
-void Bench::declare(CLI::App& app, const ui::Catalogue& tr)
+void Bench::declare(OptionParser& options, const ui::Catalogue& tr)
 {
-    app.add_option("WHAT", what_, tr("what is built: frame, halfedge, mesh, plane or regions"))->option_text(" ");
-    app.add_option("--bays", bays_, tr("how many bays the frame has (default 19)"))->option_text("B");
-    app.add_option("--storeys", storeys_, tr("how many storeys the frame has (default 50)"))->option_text("S");
-    app.add_option("--solver", solver_,
-                   tr("who solves K u = f: automatic (the fastest, default), skyline, multifrontal, ldlt or cholmod"))
-        ->option_text("NAME");
-    app.add_option("--n", n_,
-                   tr("how many quadrilaterals or elements lie along each side (default 1000; 100 of `plane`)"))
-        ->option_text("N");
-    app.add_option("--element", element_, tr("of `plane`: T3, T6, Q4 (default), Q8 or Q9"))->option_text("KIND");
-    app.add_option("--triangles", triangles_, tr("how many triangles fill the square, about (default 100000)"))
-        ->option_text("N");
-    app.add_option("--segments", segments_, tr("how many lines divide the square (default 1000)"))->option_text("N");
-    app.add_option("--kind", kind_, tr("the lines are long (default), from anywhere to anywhere, or short"))
-        ->option_text("KIND");
-    app.add_option("--seed", seed_, tr("what the random numbers begin with (default 1)"))->option_text("S");
-    app.add_flag("--one-by-one", is_one_by_one_, tr("ask for the number of regions after every line"));
-    app.add_flag("--json", is_json_, tr("print JSON with every digit instead of tables"));
+    options.add_option("WHAT", what_, tr("what is built: frame, halfedge, mesh, plane or regions")).option_text(" ");
+    options.add_option("--bays", bays_, tr("how many bays the frame has (default 19)")).option_text("B");
+    options.add_option("--storeys", storeys_, tr("how many storeys the frame has (default 50)")).option_text("S");
+    options
+        .add_option("--solver", solver_,
+                    tr("who solves K u = f: automatic (the fastest, default), skyline, multifrontal, ldlt or cholmod"))
+        .option_text("NAME");
+    options
+        .add_option("--n", n_,
+                    tr("how many quadrilaterals or elements lie along each side (default 1000; 100 of `plane`)"))
+        .option_text("N");
+    options.add_option("--element", element_, tr("of `plane`: T3, T6, Q4 (default), Q8 or Q9")).option_text("KIND");
+    options.add_option("--triangles", triangles_, tr("how many triangles fill the square, about (default 100000)"))
+        .option_text("N");
+    options.add_option("--segments", segments_, tr("how many lines divide the square (default 1000)")).option_text("N");
+    options.add_option("--kind", kind_, tr("the lines are long (default), from anywhere to anywhere, or short"))
+        .option_text("KIND");
+    options.add_option("--seed", seed_, tr("what the random numbers begin with (default 1)")).option_text("S");
+    options.add_flag("--one-by-one", is_one_by_one_, tr("ask for the number of regions after every line"));
+    options.add_flag("--json", is_json_, tr("print JSON with every digit instead of tables"));
 }
 
 /// The shapes of plane elements, by their names.

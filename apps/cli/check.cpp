@@ -1,6 +1,5 @@
 #include "apps/cli/check.h"
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <optional>
 #include <string>
@@ -103,7 +102,7 @@ class Check : public Subcommand {
 public:
     std::string_view name() const override { return "check"; }
     HelpText help(const ui::Catalogue& tr) const override;
-    void declare(CLI::App& app, const ui::Catalogue& tr) override;
+    void declare(OptionParser& options, const ui::Catalogue& tr) override;
     ExitStatus run(Console& console) override;
 
 private:
@@ -129,14 +128,15 @@ HelpText Check::help(const ui::Catalogue& tr) const
          {"cremona check homework/*.json", tr("A class's files: the status is 2 if any has an error.")}}};
 }
 
-void Check::declare(CLI::App& app, const ui::Catalogue& tr)
+void Check::declare(OptionParser& options, const ui::Catalogue& tr)
 {
-    app.add_option("FILE", files_, tr("model files and view files; - is standard input"))->option_text(" ");
-    app.add_flag("--count", is_counted_,
-                 tr("print what the degree of static indeterminacy of each sound file is made of; a structure that can "
-                    "move is counted too; of a determinate plane truss the bars that carry nothing under its first "
-                    "load case, each with its rule"));
-    app.add_flag("--json", is_json_, tr("print the sound files and their warnings as JSON"));
+    options.add_option("FILE", files_, tr("model files and view files; - is standard input")).option_text(" ");
+    options.add_flag(
+        "--count", is_counted_,
+        tr("print what the degree of static indeterminacy of each sound file is made of; a structure that can "
+           "move is counted too; of a determinate plane truss the bars that carry nothing under its first "
+           "load case, each with its rule"));
+    options.add_flag("--json", is_json_, tr("print the sound files and their warnings as JSON"));
 }
 
 void Check::print_json(const std::vector<SoundFile>& files, Console& console) const

@@ -56,7 +56,8 @@ public:
             const HelpText help = subcommand->help(tr_);
             CLI::App* app = app_.add_subcommand(std::string(subcommand->name()),
                                                 help.summary + "\n\n" + help.description);
-            subcommand->declare(*app, tr_);
+            OptionParser options(*app);
+            subcommand->declare(options, tr_);
             app->footer(help_footer(help, tr_));
             prepare(*app);
         }

@@ -1,6 +1,5 @@
 #include "apps/cli/compare.h"
 
-#include <CLI/CLI.hpp>
 #include <optional>
 #include <string>
 #include <utility>
@@ -34,7 +33,7 @@ class Compare : public Subcommand {
 public:
     std::string_view name() const override { return "compare"; }
     HelpText help(const ui::Catalogue& tr) const override;
-    void declare(CLI::App& app, const ui::Catalogue& tr) override;
+    void declare(OptionParser& options, const ui::Catalogue& tr) override;
     ExitStatus run(Console& console) override;
 
 private:
@@ -68,19 +67,20 @@ HelpText Compare::help(const ui::Catalogue& tr) const
           tr("What changes most in one case, in sentences.")}}};
 }
 
-void Compare::declare(CLI::App& app, const ui::Catalogue& tr)
+void Compare::declare(OptionParser& options, const ui::Catalogue& tr)
 {
-    app.add_option("FILE", file_, tr("the model file; - is standard input"))->option_text(" ");
-    app.add_option("OTHER", other_, tr("the model file that it is compared with; without it two cases of FILE are"))
-        ->option_text(" ");
-    app.add_option("--case", case_, tr("the load case or combination of FILE that is compared (default: all)"))
-        ->option_text("ID");
-    app.add_option("--with", with_,
-                   tr("the load case or combination that it is compared with (default: the one of the same name)"))
-        ->option_text("ID");
-    units_.declare(app, tr);
-    app.add_flag("--json", is_json_, tr("print JSON with every digit instead of tables"));
-    app.add_flag("--describe", is_described_, tr("print what changes most in sentences instead of tables"));
+    options.add_option("FILE", file_, tr("the model file; - is standard input")).option_text(" ");
+    options.add_option("OTHER", other_, tr("the model file that it is compared with; without it two cases of FILE are"))
+        .option_text(" ");
+    options.add_option("--case", case_, tr("the load case or combination of FILE that is compared (default: all)"))
+        .option_text("ID");
+    options
+        .add_option("--with", with_,
+                    tr("the load case or combination that it is compared with (default: the one of the same name)"))
+        .option_text("ID");
+    units_.declare(options, tr);
+    options.add_flag("--json", is_json_, tr("print JSON with every digit instead of tables"));
+    options.add_flag("--describe", is_described_, tr("print what changes most in sentences instead of tables"));
 }
 
 void Compare::require_sensible(const ui::Catalogue& tr) const

@@ -1,6 +1,5 @@
 #include "apps/cli/convert.h"
 
-#include <CLI/CLI.hpp>
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -27,7 +26,7 @@ class Convert : public Subcommand {
 public:
     std::string_view name() const override { return "convert"; }
     HelpText help(const ui::Catalogue& tr) const override;
-    void declare(CLI::App& app, const ui::Catalogue& tr) override;
+    void declare(OptionParser& options, const ui::Catalogue& tr) override;
     ExitStatus run(Console& console) override;
 
 private:
@@ -65,27 +64,33 @@ HelpText Convert::help(const ui::Catalogue& tr) const
          {"cremona convert examples/cube.eul cube.off", tr("The surface of a solid, for another program.")}}};
 }
 
-void Convert::declare(CLI::App& app, const ui::Catalogue& tr)
+void Convert::declare(OptionParser& options, const ui::Catalogue& tr)
 {
-    app.add_option("IN", in_, tr("the model file (.json; - is standard input), or a file of solids (.eul, .obj, .off)"))
-        ->option_text(" ");
-    app.add_option(
-           "OUT", out_,
-           tr("the file to write: .json, .csv, .svg, .pdf or .png (- is standard output, as JSON); .eul, .obj or .off"))
-        ->option_text(" ");
-    app.add_option("--units", units_,
-                   tr("base units of the new file: a length (m mm cm km in ft) and a force (N kN MN lbf kip tf kgf)"))
-        ->option_text("LENGTH,FORCE");
-    app.add_option(
-           "--combinations", combinations_,
-           tr("add the combinations of a code: NBR8681, EN1990 or ASCE7; --actions says what the load cases are"))
-        ->option_text("CODE");
-    app.add_option(
-           "--actions", actions_,
-           tr("the action that each load case is, such as G=permanent,Q=offices,W=wind; a case without one is left "
-              "out of the combinations"))
-        ->option_text("CASE=ACTION,...");
-    bend_.declare(app, tr);
+    options
+        .add_option("IN", in_,
+                    tr("the model file (.json; - is standard input), or a file of solids (.eul, .obj, .off)"))
+        .option_text(" ");
+    options
+        .add_option(
+            "OUT", out_,
+            tr("the file to write: .json, .csv, .svg, .pdf or .png (- is standard output, as JSON); .eul, .obj or .off"))
+        .option_text(" ");
+    options
+        .add_option("--units", units_,
+                    tr("base units of the new file: a length (m mm cm km in ft) and a force (N kN MN lbf kip tf kgf)"))
+        .option_text("LENGTH,FORCE");
+    options
+        .add_option(
+            "--combinations", combinations_,
+            tr("add the combinations of a code: NBR8681, EN1990 or ASCE7; --actions says what the load cases are"))
+        .option_text("CODE");
+    options
+        .add_option(
+            "--actions", actions_,
+            tr("the action that each load case is, such as G=permanent,Q=offices,W=wind; a case without one is left "
+               "out of the combinations"))
+        .option_text("CASE=ACTION,...");
+    bend_.declare(options, tr);
 }
 
 femoop::Units units_named(const std::string& text, const ui::Catalogue& tr)

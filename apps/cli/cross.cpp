@@ -1,6 +1,5 @@
 #include "apps/cli/cross.h"
 
-#include <CLI/CLI.hpp>
 #include <optional>
 #include <string>
 
@@ -31,7 +30,7 @@ class Cross : public Subcommand {
 public:
     std::string_view name() const override { return "cross"; }
     HelpText help(const ui::Catalogue& tr) const override;
-    void declare(CLI::App& app, const ui::Catalogue& tr) override;
+    void declare(OptionParser& options, const ui::Catalogue& tr) override;
     ExitStatus run(Console& console) override;
 
 private:
@@ -70,33 +69,36 @@ HelpText Cross::help(const ui::Catalogue& tr) const
           tr("A frame that sways: its sheets and equations, for a program.")}}};
 }
 
-void Cross::declare(CLI::App& app, const ui::Catalogue& tr)
+void Cross::declare(OptionParser& options, const ui::Catalogue& tr)
 {
-    app.add_option("FILE", file_, tr("the model file; - is standard input"))->option_text(" ");
-    app.add_option("--case", case_, tr("the load case or combination (default the first)"))->option_text("ID");
-    app.add_option("--order", order_,
-                   tr("which joint is balanced next: largest (the one with the largest unbalance, "
-                      "default), left-to-right, all-at-once, or names of joints in turn, again and again: A,C,B"))
-        ->option_text("ORDER");
-    app.add_option("--tolerance", tolerance_,
-                   tr("stop when no unbalance is larger, "
-                      "in the file's unit of moments (default 0.001 of the largest fixed-end moment)"))
-        ->option_text("T");
-    app.add_option("--digits", digits_, tr("round every number to so many significant digits (default all)"))
-        ->option_text("D");
-    app.add_option("--method", method_, tr("cross (default), or on the same structure kani or slope-deflection"))
-        ->option_text("NAME");
-    app.add_option("--report", report_,
-                   tr("write the whole calculation with its pictures as a report: OUT.html or OUT.report.pdf"))
-        ->option_text("OUT");
-    app.add_flag("--unmodified", is_unmodified_,
-                 tr("lock hinged and overhanging far ends too, instead of taking 3EI/L for their members"));
-    app.add_flag("--modified", is_modified_, tr("do not, though the file's block locks them"));
-    app.add_flag("--symmetry", is_by_halves_,
-                 tr("balance half of a symmetric structure, with 2EI/L or 6EI/L where members cross the axis"));
-    app.add_flag("--whole", is_whole_, tr("balance every joint, though the file's block asks for half"));
-    app.add_flag("--json", is_json_, tr("print JSON instead of tables"));
-    app.add_flag("--csv", is_csv_, tr("print the rows of the sheet for a spreadsheet"));
+    options.add_option("FILE", file_, tr("the model file; - is standard input")).option_text(" ");
+    options.add_option("--case", case_, tr("the load case or combination (default the first)")).option_text("ID");
+    options
+        .add_option("--order", order_,
+                    tr("which joint is balanced next: largest (the one with the largest unbalance, "
+                       "default), left-to-right, all-at-once, or names of joints in turn, again and again: A,C,B"))
+        .option_text("ORDER");
+    options
+        .add_option("--tolerance", tolerance_,
+                    tr("stop when no unbalance is larger, "
+                       "in the file's unit of moments (default 0.001 of the largest fixed-end moment)"))
+        .option_text("T");
+    options.add_option("--digits", digits_, tr("round every number to so many significant digits (default all)"))
+        .option_text("D");
+    options.add_option("--method", method_, tr("cross (default), or on the same structure kani or slope-deflection"))
+        .option_text("NAME");
+    options
+        .add_option("--report", report_,
+                    tr("write the whole calculation with its pictures as a report: OUT.html or OUT.report.pdf"))
+        .option_text("OUT");
+    options.add_flag("--unmodified", is_unmodified_,
+                     tr("lock hinged and overhanging far ends too, instead of taking 3EI/L for their members"));
+    options.add_flag("--modified", is_modified_, tr("do not, though the file's block locks them"));
+    options.add_flag("--symmetry", is_by_halves_,
+                     tr("balance half of a symmetric structure, with 2EI/L or 6EI/L where members cross the axis"));
+    options.add_flag("--whole", is_whole_, tr("balance every joint, though the file's block asks for half"));
+    options.add_flag("--json", is_json_, tr("print JSON instead of tables"));
+    options.add_flag("--csv", is_csv_, tr("print the rows of the sheet for a spreadsheet"));
 }
 
 void Cross::require_sensible(const ui::Catalogue& tr) const

@@ -1,6 +1,5 @@
 #include "apps/cli/euler.h"
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <limits>
 #include <string>
@@ -31,7 +30,7 @@ class Euler : public Subcommand {
 public:
     std::string_view name() const override { return "euler"; }
     HelpText help(const ui::Catalogue& tr) const override;
-    void declare(CLI::App& app, const ui::Catalogue& tr) override;
+    void declare(OptionParser& options, const ui::Catalogue& tr) override;
     ExitStatus run(Console& console) override;
 
 private:
@@ -58,18 +57,19 @@ HelpText Euler::help(const ui::Catalogue& tr) const
          {"cremona euler --from part.obj --to-script part.eul", tr("A script that makes the solid of a mesh.")}}};
 }
 
-void Euler::declare(CLI::App& app, const ui::Catalogue& tr)
+void Euler::declare(OptionParser& options, const ui::Catalogue& tr)
 {
-    app.add_option("SCRIPT", script_, tr("the script (.eul); - is standard input; with --from it may be left out"))
-        ->option_text(" ");
-    app.add_flag("--tables", has_tables_, tr("print the tables of the half-edge structure after each step"));
-    app.add_option("--step", step_, tr("run the first N lines that are operators"))->option_text("N");
-    app.add_flag("--json", is_json_, tr("print JSON instead of tables"));
-    app.add_option("--obj", obj_, tr("also write the solids as a mesh of polygons"))->option_text("OUT.obj");
-    app.add_option("--to-script", to_script_, tr("also write a script that makes the solids from nothing"))
-        ->option_text("OUT.eul");
-    app.add_option("--from", from_, tr("begin with the solids of this file (.obj, .off, .eul); a mesh's is named s1"))
-        ->option_text("FILE");
+    options.add_option("SCRIPT", script_, tr("the script (.eul); - is standard input; with --from it may be left out"))
+        .option_text(" ");
+    options.add_flag("--tables", has_tables_, tr("print the tables of the half-edge structure after each step"));
+    options.add_option("--step", step_, tr("run the first N lines that are operators")).option_text("N");
+    options.add_flag("--json", is_json_, tr("print JSON instead of tables"));
+    options.add_option("--obj", obj_, tr("also write the solids as a mesh of polygons")).option_text("OUT.obj");
+    options.add_option("--to-script", to_script_, tr("also write a script that makes the solids from nothing"))
+        .option_text("OUT.eul");
+    options
+        .add_option("--from", from_, tr("begin with the solids of this file (.obj, .off, .eul); a mesh's is named s1"))
+        .option_text("FILE");
 }
 
 std::vector<NamedSolid> living(const ScriptRunner& runner)

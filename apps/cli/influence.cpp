@@ -1,6 +1,5 @@
 #include "apps/cli/influence.h"
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <optional>
 #include <string>
@@ -34,7 +33,7 @@ class Influence : public Subcommand {
 public:
     std::string_view name() const override { return "influence"; }
     HelpText help(const ui::Catalogue& tr) const override;
-    void declare(CLI::App& app, const ui::Catalogue& tr) override;
+    void declare(OptionParser& options, const ui::Catalogue& tr) override;
     ExitStatus run(Console& console) override;
 
 private:
@@ -70,25 +69,26 @@ HelpText Influence::help(const ui::Catalogue& tr) const
           tr("The reaction at B for a load on two of the members, for a program.")}}};
 }
 
-void Influence::declare(CLI::App& app, const ui::Catalogue& tr)
+void Influence::declare(OptionParser& options, const ui::Catalogue& tr)
 {
-    app.add_option("FILE", file_, tr("the model file; - is standard input"))->option_text(" ");
-    app.add_option("--line", lines_, tr("a line of the file by its id; may be given again (default all)"))
-        ->option_text("ID")
-        ->expected(1)
-        ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
-    app.add_option("--path", path_,
-                   tr("the members that the load moves along: a path of the file, or members that follow one another; "
-                      "lines of the file are then taken along it (default theirs, or the only one)"))
-        ->option_text("ID|m1,m2,..");
-    asked_.declare(app, tr);
-    app.add_option("--stations", stations_,
-                   tr("how many evenly spaced places of each member have their ordinates printed (default 11); "
-                      "a jump has two"))
-        ->option_text("N");
-    units_.declare(app, tr);
-    app.add_flag("--json", is_json_, tr("print JSON with every digit instead of tables"));
-    app.add_flag("--describe", is_described_, tr("print sentences instead of tables: for a screen reader"));
+    options.add_option("FILE", file_, tr("the model file; - is standard input")).option_text(" ");
+    options.add_option("--line", lines_, tr("a line of the file by its id; may be given again (default all)"))
+        .option_text("ID")
+        .one_value_each();
+    options
+        .add_option("--path", path_,
+                    tr("the members that the load moves along: a path of the file, or members that follow one another; "
+                       "lines of the file are then taken along it (default theirs, or the only one)"))
+        .option_text("ID|m1,m2,..");
+    asked_.declare(options, tr);
+    options
+        .add_option("--stations", stations_,
+                    tr("how many evenly spaced places of each member have their ordinates printed (default 11); "
+                       "a jump has two"))
+        .option_text("N");
+    units_.declare(options, tr);
+    options.add_flag("--json", is_json_, tr("print JSON with every digit instead of tables"));
+    options.add_flag("--describe", is_described_, tr("print sentences instead of tables: for a screen reader"));
 }
 
 std::vector<InfluenceLineDefinition> Influence::of_file(const Model& model, const Console& console) const

@@ -1,6 +1,5 @@
 #include "apps/cli/mesh.h"
 
-#include <CLI/CLI.hpp>
 #include <string>
 #include <utility>
 #include <variant>
@@ -160,7 +159,7 @@ class MeshCommand : public Subcommand {
 public:
     std::string_view name() const override { return "mesh"; }
     HelpText help(const ui::Catalogue& tr) const override;
-    void declare(CLI::App& app, const ui::Catalogue& tr) override;
+    void declare(OptionParser& options, const ui::Catalogue& tr) override;
     ExitStatus run(Console& console) override;
 
 private:
@@ -185,16 +184,17 @@ HelpText MeshCommand::help(const ui::Catalogue& tr) const
          {"cremona mesh examples/plate.json --regions", tr("The faces of a drawing, as a table.")}}};
 }
 
-void MeshCommand::declare(CLI::App& app, const ui::Catalogue& tr)
+void MeshCommand::declare(OptionParser& options, const ui::Catalogue& tr)
 {
-    app.add_option("FILE", file_, tr("the model file; - is standard input"))->option_text(" ");
-    app.add_option(
-           "-o,--output", out_,
-           tr("write the mesh to this file: .json is the model with its elements, .vtu for ParaView, .svg, .pdf or .png a picture"))
-        ->option_text("FILE");
-    app.add_flag("--regions", shows_regions_,
-                 tr("print vertices, edges and components of the drawing, and its faces, without a mesh"));
-    app.add_flag("--json", is_json_, tr("print JSON with every digit instead of tables"));
+    options.add_option("FILE", file_, tr("the model file; - is standard input")).option_text(" ");
+    options
+        .add_option(
+            "-o,--output", out_,
+            tr("write the mesh to this file: .json is the model with its elements, .vtu for ParaView, .svg, .pdf or .png a picture"))
+        .option_text("FILE");
+    options.add_flag("--regions", shows_regions_,
+                     tr("print vertices, edges and components of the drawing, and its faces, without a mesh"));
+    options.add_flag("--json", is_json_, tr("print JSON with every digit instead of tables"));
 }
 
 void MeshCommand::require_possible_output(const ui::Catalogue& tr) const

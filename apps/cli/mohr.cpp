@@ -1,6 +1,5 @@
 #include "apps/cli/mohr.h"
 
-#include <CLI/CLI.hpp>
 #include <string>
 
 #include "apps/cli/argument.h"
@@ -15,7 +14,7 @@ class Mohr : public Subcommand {
 public:
     std::string_view name() const override { return "mohr"; }
     HelpText help(const ui::Catalogue& tr) const override;
-    void declare(CLI::App& app, const ui::Catalogue& tr) override;
+    void declare(OptionParser& options, const ui::Catalogue& tr) override;
     ExitStatus run(Console& console) override;
 
 private:
@@ -46,36 +45,43 @@ HelpText Mohr::help(const ui::Catalogue& tr) const
          {"cremona mohr --cases tests/states/published.json", tr("Every published state, compared.")}}};
 }
 
-void Mohr::declare(CLI::App& app, const ui::Catalogue& tr)
+void Mohr::declare(OptionParser& options, const ui::Catalogue& tr)
 {
-    app.add_option("--stress", stress_, tr("SX,SY,TXY of a plane stress, or SX,SY,SZ,TXY,TYZ,TZX in space"))
-        ->option_text("LIST");
-    app.add_option("--strain", strain_, tr("EX,EY,GXY of a plane strain (EZ is 0), or EX,EY,EZ,GXY,GYZ,GZX in space"))
-        ->option_text("LIST");
-    app.add_option("--rosette", rosette_,
-                   tr("A1,A2,A3:R1,R2,R3: directions of three gauges in degrees, and their readings"))
-        ->option_text("LIST");
-    app.add_option("--inertia", inertia_, tr("IX,IY,IXY, second moments of area"))->option_text("LIST");
-    app.add_option("--angle", angle_, tr("also the components in axes turned by so many degrees, counter-clockwise"))
-        ->option_text("DEG");
-    app.add_option("--normal", normal_, tr("NX,NY,NZ: also what acts on the plane that is square to this vector"))
-        ->option_text("LIST");
-    app.add_option("--E", E_, tr("Young's modulus: stresses follow from strains"))->option_text("E");
-    app.add_option("--nu", nu_,
-                   tr("Poisson's ratio; of a plane strain it frees the surface: EZ = -NU (EX + EY)/(1 - NU)"))
-        ->option_text("NU");
-    app.add_flag("--plane-strain", is_plane_strain_, tr("SZ of a plane stress is NU (SX + SY) instead of 0"));
-    app.add_option("--criterion", criterion_,
-                   tr("also the safety factor and the planes that fail: "
-                      "tresca, von_mises, rankine, mohr_coulomb, drucker_prager or hoek_brown"))
-        ->option_text("NAME");
-    app.add_option(
-           "--strength", strength_,
-           tr("what the criterion reads: fy=...; ft=...,fc=...; c=...,phi=...; sci=...,m=...,s=...; phi in degrees"))
-        ->option_text("LIST");
-    app.add_option("--cases", cases_, tr("run every state of a file and compare what it expects; - is standard input"))
-        ->option_text("FILE");
-    app.add_flag("--json", is_json_, tr("print JSON instead of tables"));
+    options.add_option("--stress", stress_, tr("SX,SY,TXY of a plane stress, or SX,SY,SZ,TXY,TYZ,TZX in space"))
+        .option_text("LIST");
+    options
+        .add_option("--strain", strain_, tr("EX,EY,GXY of a plane strain (EZ is 0), or EX,EY,EZ,GXY,GYZ,GZX in space"))
+        .option_text("LIST");
+    options
+        .add_option("--rosette", rosette_,
+                    tr("A1,A2,A3:R1,R2,R3: directions of three gauges in degrees, and their readings"))
+        .option_text("LIST");
+    options.add_option("--inertia", inertia_, tr("IX,IY,IXY, second moments of area")).option_text("LIST");
+    options
+        .add_option("--angle", angle_, tr("also the components in axes turned by so many degrees, counter-clockwise"))
+        .option_text("DEG");
+    options.add_option("--normal", normal_, tr("NX,NY,NZ: also what acts on the plane that is square to this vector"))
+        .option_text("LIST");
+    options.add_option("--E", E_, tr("Young's modulus: stresses follow from strains")).option_text("E");
+    options
+        .add_option("--nu", nu_,
+                    tr("Poisson's ratio; of a plane strain it frees the surface: EZ = -NU (EX + EY)/(1 - NU)"))
+        .option_text("NU");
+    options.add_flag("--plane-strain", is_plane_strain_, tr("SZ of a plane stress is NU (SX + SY) instead of 0"));
+    options
+        .add_option("--criterion", criterion_,
+                    tr("also the safety factor and the planes that fail: "
+                       "tresca, von_mises, rankine, mohr_coulomb, drucker_prager or hoek_brown"))
+        .option_text("NAME");
+    options
+        .add_option(
+            "--strength", strength_,
+            tr("what the criterion reads: fy=...; ft=...,fc=...; c=...,phi=...; sci=...,m=...,s=...; phi in degrees"))
+        .option_text("LIST");
+    options
+        .add_option("--cases", cases_, tr("run every state of a file and compare what it expects; - is standard input"))
+        .option_text("FILE");
+    options.add_flag("--json", is_json_, tr("print JSON instead of tables"));
 }
 
 std::vector<std::string> list_of(const std::string& text)

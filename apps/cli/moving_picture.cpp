@@ -1,6 +1,5 @@
 #include "apps/cli/moving_picture.h"
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -249,18 +248,19 @@ std::string train_in_words(const Model& model, const femoop::Train& train, const
     return drawing.words(drawing.standing(asked, {}), options);
 }
 
-void MovingPicture::declare(CLI::App& app, const ui::Catalogue& tr)
+void MovingPicture::declare(OptionParser& options, const ui::Catalogue& tr)
 {
-    app.add_option("--influence", line_, tr("draw this influence line on the structure, with ordinates and areas"))
-        ->option_text("ID");
-    app.add_option("--train", train_,
-                   tr("draw this train where it is worst, and the structure under it: for the effect that --member or "
-                      "--node asks for, else for the largest bending moment on its path (of a truss, for the largest "
-                      "force)"))
-        ->option_text("ID");
-    app.add_option("--at-position", position_, tr("draw the train with its leading axle at this place of its path"))
-        ->option_text("S");
-    effect_.declare(app, tr);
+    options.add_option("--influence", line_, tr("draw this influence line on the structure, with ordinates and areas"))
+        .option_text("ID");
+    options
+        .add_option("--train", train_,
+                    tr("draw this train where it is worst, and the structure under it: for the effect that --member or "
+                       "--node asks for, else for the largest bending moment on its path (of a truss, for the largest "
+                       "force)"))
+        .option_text("ID");
+    options.add_option("--at-position", position_, tr("draw the train with its leading axle at this place of its path"))
+        .option_text("S");
+    effect_.declare(options, tr);
 }
 
 void MovingPicture::require_sensible(const ui::Catalogue& tr) const

@@ -26,7 +26,7 @@ std::string train_in_words(const femoop::Model& model, const femoop::Train& trai
 /// What options of `render` ask for of loads that move: one influence line, or one train.
 class MovingPicture {
 public:
-    void declare(CLI::App& app, const ui::Catalogue& tr);
+    void declare(OptionParser& options, const ui::Catalogue& tr);
     bool is_asked() const { return line_ || train_ || position_ || effect_.is_asked(); }
     /// `--at` alone says where a plane model is looked at.
     bool is_of_members() const { return is_asked() && (line_ || train_ || position_ || !effect_.is_place_alone()); }

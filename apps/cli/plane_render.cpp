@@ -1,6 +1,5 @@
 #include "apps/cli/plane_render.h"
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
 
 #include "apps/cli/analysis_run.h"
@@ -55,37 +54,40 @@ void require_room(const ::plane::PlateOptions& options, const PlaneRender::Order
 
 } // namespace
 
-void PlaneRender::declare(CLI::App& app, const ui::Catalogue& tr)
+void PlaneRender::declare(OptionParser& options, const ui::Catalogue& tr)
 {
-    CLI::Option* const at = app.get_option("--at");
-    at->multi_option_policy(CLI::MultiOptionPolicy::TakeLast);
-    at->description(
-        at->get_description() + "; " +
+    at_ = options.option("--at");
+    at_->last_value().add_description(
         tr("of a plane model a place X,Y where displacements and stresses are written, may be given again"));
-    at_ = at;
-    app.add_option("--cut", cuts_,
-                   tr("of a plane model: draw the stresses on the cut from one place to another, N, V and M, and those "
-                      "of beam theory; may be given again"))
-        ->option_text("X1,Y1,X2,Y2")
-        ->allow_extra_args(false);
-    app.add_option("--read", read_,
-                   tr("of a plane model: stresses smoothed (default), or element: those of each element, with jumps"))
-        ->option_text("READING");
-    app.add_option("--range", range_,
-                   tr("of a plane model: the least and the largest value of the colours, in the file's units"))
-        ->option_text("LOW,HIGH");
-    app.add_option(
-           "--step", step_,
-           tr("of a plane model that is drawn: its mesh as it stands after so many steps of being made, and what "
-              "the last of them did"))
-        ->option_text("K");
-    app.add_option("--analysis", analysis_,
-                   tr("of a plane model: linear (default), or modal: how it vibrates by itself"))
-        ->option_text("KIND");
-    app.add_option("--mode", mode_, tr("with --analysis modal: which natural mode is drawn, from 1 (default)"))
-        ->option_text("N");
-    app.add_flag("--describe", is_described_,
-                 tr("of a plane model: print what the picture shows in sentences; then -o may be left out"));
+    options
+        .add_option(
+            "--cut", cuts_,
+            tr("of a plane model: draw the stresses on the cut from one place to another, N, V and M, and those "
+               "of beam theory; may be given again"))
+        .option_text("X1,Y1,X2,Y2")
+        .one_value_each();
+    options
+        .add_option("--read", read_,
+                    tr("of a plane model: stresses smoothed (default), or element: those of each element, with jumps"))
+        .option_text("READING");
+    options
+        .add_option("--range", range_,
+                    tr("of a plane model: the least and the largest value of the colours, in the file's units"))
+        .option_text("LOW,HIGH");
+    options
+        .add_option(
+            "--step", step_,
+            tr("of a plane model that is drawn: its mesh as it stands after so many steps of being made, and what "
+               "the last of them did"))
+        .option_text("K");
+    options
+        .add_option("--analysis", analysis_,
+                    tr("of a plane model: linear (default), or modal: how it vibrates by itself"))
+        .option_text("KIND");
+    options.add_option("--mode", mode_, tr("with --analysis modal: which natural mode is drawn, from 1 (default)"))
+        .option_text("N");
+    options.add_flag("--describe", is_described_,
+                     tr("of a plane model: print what the picture shows in sentences; then -o may be left out"));
 }
 
 void PlaneRender::look(::plane::PlateOptions& options, const Order& order, const ui::Catalogue& tr) const

@@ -13,10 +13,6 @@
 #include "apps/plane/view/plate_picture.h"
 #include "femoop/io/plane/plane_file.h"
 
-namespace CLI { // NOLINT(readability-identifier-naming): as in option_parser.h
-class Option;
-} // namespace CLI
-
 namespace cli {
 
 /// What `cremona render` does with a plane model, and the options that only such a model has.
@@ -29,9 +25,10 @@ public:
         ::plane::PlateOptions look; ///< theme, units, language, scale of displacements
     };
 
-    void declare(CLI::App& app, const ui::Catalogue& tr); ///< \pre `--at` is declared: it says a place of either
-    void require_none(const ui::Catalogue& tr) const;     ///< \throws UsageError if an option is given: no plane model
-    bool is_described() const { return is_described_; }   ///< so that it needs no output
+    void declare(OptionParser& options,
+                 const ui::Catalogue& tr);              ///< \pre `--at` is declared: it says a place of either
+    void require_none(const ui::Catalogue& tr) const;   ///< \throws UsageError if an option is given: no plane model
+    bool is_described() const { return is_described_; } ///< so that it needs no output
     /// \param name  of the file, as messages call it  \throws UsageError
     ExitStatus draw(femoop::plane::PlaneReading& reading, const std::string& name, const Order& order,
                     Console& console) const;
@@ -47,7 +44,7 @@ private:
     std::unique_ptr<discretize::MeshPlayer> player_at_step(const discretize::Drawing* drawing,
                                                            const ui::Catalogue& tr) const;
 
-    const CLI::Option* at_ = nullptr;
+    std::optional<DeclaredOption> at_;
     void look(::plane::PlateOptions& options, const Order& order, const ui::Catalogue& tr) const;
 
     std::vector<std::string> cuts_;

@@ -1,6 +1,5 @@
 #include "apps/cli/plane_solve.h"
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cstddef>
 #include <optional>
@@ -67,27 +66,31 @@ fp::ElementId element_named(const std::string& text, const fp::PlaneModel& mesh,
 
 } // namespace
 
-void PlaneSolve::declare(CLI::App& app, const ui::Catalogue& tr)
+void PlaneSolve::declare(OptionParser& options, const ui::Catalogue& tr)
 {
-    app.add_option("--at", places_,
-                   tr("of a plane model: print displacement and stresses at this place too; may be given again"))
-        ->option_text("X,Y")
-        ->allow_extra_args(false);
-    app.add_option("--cut", cuts_,
-                   tr("of a plane model: print N, V and M on the cut from one place to another; may be given again"))
-        ->option_text("X1,Y1,X2,Y2")
-        ->allow_extra_args(false);
-    app.add_option(
-           "--cycles", cycles_,
-           tr("of a drawn plane model: refine its mesh by the estimated error so many times, 1 to 8, each time to "
-              "half of it, and print what each mesh has instead of the results"))
-        ->option_text("N");
-    app.add_option("--analysis", analysis_,
-                   tr("of a plane model: linear (default), or modal: how it vibrates by itself, loads aside"))
-        ->option_text("KIND");
-    app.add_option("--modes", modes_, tr("with --analysis modal: how many natural modes, 1 to 1000 (default 10)"))
-        ->option_text("N");
-    app.add_flag("--full", is_full_, tr("of a plane model: write the mesh into the JSON too"));
+    options
+        .add_option("--at", places_,
+                    tr("of a plane model: print displacement and stresses at this place too; may be given again"))
+        .option_text("X,Y")
+        .one_value_each();
+    options
+        .add_option("--cut", cuts_,
+                    tr("of a plane model: print N, V and M on the cut from one place to another; may be given again"))
+        .option_text("X1,Y1,X2,Y2")
+        .one_value_each();
+    options
+        .add_option(
+            "--cycles", cycles_,
+            tr("of a drawn plane model: refine its mesh by the estimated error so many times, 1 to 8, each time to "
+               "half of it, and print what each mesh has instead of the results"))
+        .option_text("N");
+    options
+        .add_option("--analysis", analysis_,
+                    tr("of a plane model: linear (default), or modal: how it vibrates by itself, loads aside"))
+        .option_text("KIND");
+    options.add_option("--modes", modes_, tr("with --analysis modal: how many natural modes, 1 to 1000 (default 10)"))
+        .option_text("N");
+    options.add_flag("--full", is_full_, tr("of a plane model: write the mesh into the JSON too"));
 }
 
 bool PlaneSolve::is_modal(const ui::Catalogue& tr) const

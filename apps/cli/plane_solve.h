@@ -6,12 +6,9 @@
 
 #include "apps/cli/console.h"
 #include "apps/cli/exit_status.h"
+#include "apps/cli/option_parser.h"
 #include "femoop/analysis/analysis_options.h"
 #include "femoop/io/plane/plane_file.h"
-
-namespace CLI {
-class App;
-}
 
 namespace cli {
 
@@ -28,7 +25,7 @@ public:
         std::optional<std::string> traced_element{}; ///< of --trace
     };
 
-    void declare(CLI::App& app, const ui::Catalogue& tr);
+    void declare(OptionParser& options, const ui::Catalogue& tr);
     void require_none(const ui::Catalogue& tr) const; ///< \throws UsageError if an option is given: no plane model
     bool is_modal(const ui::Catalogue& tr) const;     ///< of --analysis. \throws UsageError
     ExitStatus solve(const Question& question, const femoop::AnalysisOptions& options, Console& console) const;

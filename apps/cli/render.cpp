@@ -1,6 +1,5 @@
 #include "apps/cli/render.h"
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <optional>
 #include <string>
@@ -26,7 +25,7 @@ class Render : public Subcommand {
 public:
     std::string_view name() const override { return "render"; }
     HelpText help(const ui::Catalogue& tr) const override;
-    void declare(CLI::App& app, const ui::Catalogue& tr) override;
+    void declare(OptionParser& options, const ui::Catalogue& tr) override;
     ExitStatus run(Console& console) override;
 
 private:
@@ -83,45 +82,53 @@ HelpText Render::help(const ui::Catalogue& tr) const
               tr("A truss beside its Cremona diagram.")}}};
 }
 
-void Render::declare(CLI::App& app, const ui::Catalogue& tr)
+void Render::declare(OptionParser& options, const ui::Catalogue& tr)
 {
-    app.add_option("FILE", file_, tr("the model file; - is standard input"))->option_text(" ");
-    app.add_option("-o,--output", out_, tr("the picture to write; its extension chooses the kind: .png, .svg or .pdf"))
-        ->option_text("OUT");
-    app.add_option("--show", show_,
-                   tr("what is drawn, separated by commas (default loads,reactions,labels):") + show_list(tr) +
-                       plate_show_list(tr))
-        ->option_text("LIST");
-    app.add_option("--case", case_,
-                   tr("the load case or combination that is drawn (default the first), or envelope: "
-                      "the largest and smallest of all"))
-        ->option_text("ID|envelope");
-    app.add_option("--view", view_,
-                   tr("a view that the frame app keeps beside the model: what it shows, of which case, and how large"))
-        ->option_text("NAME");
-    app.add_option("--size", size_, tr("width and height in pixels (default 1280x800)"))->option_text("WxH");
-    app.add_option("--scale", scale_,
-                   tr("pixels per pixel of --size in a PNG: 2 draws it twice as sharp and twice as large (default 1)"))
-        ->option_text("K");
-    app.add_option("--magnify", magnification_,
-                   tr("draw displacements K times as large (default: a round number that shows them well)"))
-        ->option_text("K");
-    app.add_option("--theme", theme_, tr("light (default), dark, print or projector (large type, thick lines)"))
-        ->option_text("NAME");
-    units_.declare(app, tr);
-    app.add_option("--mechanism", mechanism_, tr("which motion is drawn of a structure that can move (default 1)"))
-        ->option_text("N");
-    app.add_option(
-           "--compare", other_,
-           tr("another model file, whose results stand behind, faint, to the same scale, matched by the names of "
-              "the cases"))
-        ->option_text("OTHER");
-    app.add_option("--with", with_,
-                   tr("the load case or combination that is drawn behind: of the file of --compare, else of FILE"))
-        ->option_text("ID");
-    moving_.declare(app, tr);
-    truss_.declare(app, tr);
-    plane_.declare(app, tr);
+    options.add_option("FILE", file_, tr("the model file; - is standard input")).option_text(" ");
+    options
+        .add_option("-o,--output", out_, tr("the picture to write; its extension chooses the kind: .png, .svg or .pdf"))
+        .option_text("OUT");
+    options
+        .add_option("--show", show_,
+                    tr("what is drawn, separated by commas (default loads,reactions,labels):") + show_list(tr) +
+                        plate_show_list(tr))
+        .option_text("LIST");
+    options
+        .add_option("--case", case_,
+                    tr("the load case or combination that is drawn (default the first), or envelope: "
+                       "the largest and smallest of all"))
+        .option_text("ID|envelope");
+    options
+        .add_option("--view", view_,
+                    tr("a view that the frame app keeps beside the model: what it shows, of which case, and how large"))
+        .option_text("NAME");
+    options.add_option("--size", size_, tr("width and height in pixels (default 1280x800)")).option_text("WxH");
+    options
+        .add_option("--scale", scale_,
+                    tr("pixels per pixel of --size in a PNG: 2 draws it twice as sharp and twice as large (default 1)"))
+        .option_text("K");
+    options
+        .add_option("--magnify", magnification_,
+                    tr("draw displacements K times as large (default: a round number that shows them well)"))
+        .option_text("K");
+    options.add_option("--theme", theme_, tr("light (default), dark, print or projector (large type, thick lines)"))
+        .option_text("NAME");
+    units_.declare(options, tr);
+    options.add_option("--mechanism", mechanism_, tr("which motion is drawn of a structure that can move (default 1)"))
+        .option_text("N");
+    options
+        .add_option(
+            "--compare", other_,
+            tr("another model file, whose results stand behind, faint, to the same scale, matched by the names of "
+               "the cases"))
+        .option_text("OTHER");
+    options
+        .add_option("--with", with_,
+                    tr("the load case or combination that is drawn behind: of the file of --compare, else of FILE"))
+        .option_text("ID");
+    moving_.declare(options, tr);
+    truss_.declare(options, tr);
+    plane_.declare(options, tr);
 }
 
 drawing::ShowSet shown(const std::string& list, const ui::Catalogue& tr)

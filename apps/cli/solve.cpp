@@ -1,6 +1,5 @@
 #include "apps/cli/solve.h"
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <array>
 #include <cstdio>
@@ -52,7 +51,7 @@ class Solve : public Subcommand {
 public:
     std::string_view name() const override { return "solve"; }
     HelpText help(const ui::Catalogue& tr) const override;
-    void declare(CLI::App& app, const ui::Catalogue& tr) override;
+    void declare(OptionParser& options, const ui::Catalogue& tr) override;
     ExitStatus run(Console& console) override;
 
 private:
@@ -131,59 +130,67 @@ HelpText Solve::help(const ui::Catalogue& tr) const
          {"cremona solve - < examples/portal.json", tr("Reads the model from standard input.")}}};
 }
 
-void Solve::declare(CLI::App& app, const ui::Catalogue& tr)
+void Solve::declare(OptionParser& options, const ui::Catalogue& tr)
 {
-    app.add_option("FILE", file_, tr("the model file; - is standard input"))->option_text(" ");
-    app.add_option("--case", case_,
-                   tr("what to print: one load case or combination, all (default), or envelope: "
-                      "the largest and smallest of all, with the case that governs"))
-        ->option_text("ID|all|envelope");
-    app.add_flag("--json", is_json_, tr("print JSON with every digit instead of tables"));
-    app.add_flag(
+    options.add_option("FILE", file_, tr("the model file; - is standard input")).option_text(" ");
+    options
+        .add_option("--case", case_,
+                    tr("what to print: one load case or combination, all (default), or envelope: "
+                       "the largest and smallest of all, with the case that governs"))
+        .option_text("ID|all|envelope");
+    options.add_flag("--json", is_json_, tr("print JSON with every digit instead of tables"));
+    options.add_flag(
         "--latex", is_latex_,
         tr("with --why or --force-method: print the body of a LaTeX document instead of text, its matrices by the "
            "package amsmath"));
-    app.add_option("--stations", stations_,
-                   tr("how many evenly spaced places along each member JSON and CSV have (default 21); "
-                      "load points are always there too, and a jump gives two"))
-        ->option_text("N");
-    app.add_option("--csv", csv_folder_,
-                   tr("write the results as CSV files into this folder too; it is made if missing"))
-        ->option_text("DIR");
-    app.add_option("--solver", solver_,
-                   tr("who solves K u = f: automatic (the fastest, default), skyline, multifrontal, ldlt or cholmod"))
-        ->option_text("NAME");
-    app.add_flag(
+    options
+        .add_option("--stations", stations_,
+                    tr("how many evenly spaced places along each member JSON and CSV have (default 21); "
+                       "load points are always there too, and a jump gives two"))
+        .option_text("N");
+    options
+        .add_option("--csv", csv_folder_,
+                    tr("write the results as CSV files into this folder too; it is made if missing"))
+        .option_text("DIR");
+    options
+        .add_option("--solver", solver_,
+                    tr("who solves K u = f: automatic (the fastest, default), skyline, multifrontal, ldlt or cholmod"))
+        .option_text("NAME");
+    options.add_flag(
         "--refine", is_refined_,
         tr("correct the displacements by their own residuals until rounding is left; --time tells how good they are"));
-    app.add_flag("--time", is_timed_, tr("print to stderr how long each phase took, and the size of the system"));
-    app.add_option(
-           "--trace", traced_member_,
-           tr("print how this member enters the system instead of the results: stiffness in "
-              "its own axes and in those of the nodes, transformation, fixed-end forces, places in the system matrix; "
-              "of a plane model an element, by its name or by a place X,Y in it: D, of each integration point N, J and "
-              "B, stiffness, nodal forces of its loads, places"))
-        ->option_text("MEMBER");
-    app.add_option(
-           "--why", asked_number_,
-           tr("print where one number comes from, instead of the results: every step from the data to it. "
-              "member=M,at=X,component=C asks for a section force or a displacement of a member (without at: its "
-              "extreme), node=N,component=C for a reaction (fx ..) or a displacement (ux ..); of the first load "
-              "case, or that of --case, of an envelope the one that governs"))
-        ->option_text("WHAT");
-    app.add_option("--virtual-work", worked_displacement_,
-                   tr("print one displacement as virtual work, instead of the results: the forces of a unit load times "
-                      "the strains, integrated along each member. node=N,component=ux or member=M,at=X,component=v; of "
-                      "the first load case, or that of --case"))
-        ->option_text("WHAT");
-    units_.declare(app, tr);
-    redundants_.declare(app, tr);
-    body_.declare(app, tr);
-    funicular_.declare(app, tr);
-    plane_.declare(app, tr);
-    solver_trace_.declare(app, tr);
-    app.add_flag("--describe", is_described_,
-                 tr("print sentences instead of tables: for a screen reader, or beside a picture"));
+    options.add_flag("--time", is_timed_, tr("print to stderr how long each phase took, and the size of the system"));
+    options
+        .add_option(
+            "--trace", traced_member_,
+            tr("print how this member enters the system instead of the results: stiffness in "
+               "its own axes and in those of the nodes, transformation, fixed-end forces, places in the system matrix; "
+               "of a plane model an element, by its name or by a place X,Y in it: D, of each integration point N, J and "
+               "B, stiffness, nodal forces of its loads, places"))
+        .option_text("MEMBER");
+    options
+        .add_option(
+            "--why", asked_number_,
+            tr("print where one number comes from, instead of the results: every step from the data to it. "
+               "member=M,at=X,component=C asks for a section force or a displacement of a member (without at: its "
+               "extreme), node=N,component=C for a reaction (fx ..) or a displacement (ux ..); of the first load "
+               "case, or that of --case, of an envelope the one that governs"))
+        .option_text("WHAT");
+    options
+        .add_option(
+            "--virtual-work", worked_displacement_,
+            tr("print one displacement as virtual work, instead of the results: the forces of a unit load times "
+               "the strains, integrated along each member. node=N,component=ux or member=M,at=X,component=v; of "
+               "the first load case, or that of --case"))
+        .option_text("WHAT");
+    units_.declare(options, tr);
+    redundants_.declare(options, tr);
+    body_.declare(options, tr);
+    funicular_.declare(options, tr);
+    plane_.declare(options, tr);
+    solver_trace_.declare(options, tr);
+    options.add_flag("--describe", is_described_,
+                     tr("print sentences instead of tables: for a screen reader, or beside a picture"));
 }
 
 Selection Solve::selection(const Model& model, const ui::Catalogue& tr) const

@@ -1,7 +1,5 @@
 #include "apps/cli/solver_trace.h"
 
-#include <CLI/CLI.hpp>
-
 #include "apps/cli/argument.h"
 #include "apps/cli/picture_file.h"
 #include "apps/frame/view/solver/solver_picture.h"
@@ -11,27 +9,30 @@ namespace cli {
 using femoop::Ordering;
 using femoop::SolverTrace;
 
-void SolverTraceOptions::declare(CLI::App& app, const ui::Catalogue& tr)
+void SolverTraceOptions::declare(OptionParser& options, const ui::Catalogue& tr)
 {
-    app.add_flag(
+    options.add_flag(
         "--trace-solver", is_traced_,
         tr("print how the system is eliminated instead of the results: "
            "the orders side by side with what they cost, the fronts one after the other, and where L fills in"));
-    app.add_option("--ordering", ordering_,
-                   tr("with --trace-solver: whose fronts walk, natural, "
-                      "cuthill-mckee, minimum-degree or nested-dissection (default: the solver's own order)"))
-        ->option_text("NAME");
-    app.add_option("--step", step_, tr("with --trace-solver: the front that is shown more closely, from 1"))
-        ->option_text("N");
-    app.add_option("-o,--output", out_,
-                   tr("with --trace-solver: draw the step too; the extension chooses the kind: .png, .svg or .pdf"))
-        ->option_text("OUT");
-    app.add_option("--size", size_, tr("width and height in pixels (default 1280x800)"))->option_text("WxH");
-    app.add_option("--scale", scale_,
-                   tr("pixels per pixel of --size in a PNG: 2 draws it twice as sharp and twice as large (default 1)"))
-        ->option_text("K");
-    app.add_option("--theme", theme_, tr("light (default), dark, print or projector (large type, thick lines)"))
-        ->option_text("NAME");
+    options
+        .add_option("--ordering", ordering_,
+                    tr("with --trace-solver: whose fronts walk, natural, "
+                       "cuthill-mckee, minimum-degree or nested-dissection (default: the solver's own order)"))
+        .option_text("NAME");
+    options.add_option("--step", step_, tr("with --trace-solver: the front that is shown more closely, from 1"))
+        .option_text("N");
+    options
+        .add_option("-o,--output", out_,
+                    tr("with --trace-solver: draw the step too; the extension chooses the kind: .png, .svg or .pdf"))
+        .option_text("OUT");
+    options.add_option("--size", size_, tr("width and height in pixels (default 1280x800)")).option_text("WxH");
+    options
+        .add_option("--scale", scale_,
+                    tr("pixels per pixel of --size in a PNG: 2 draws it twice as sharp and twice as large (default 1)"))
+        .option_text("K");
+    options.add_option("--theme", theme_, tr("light (default), dark, print or projector (large type, thick lines)"))
+        .option_text("NAME");
 }
 
 void SolverTraceOptions::require_trace(const ui::Catalogue& tr) const

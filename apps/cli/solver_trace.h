@@ -14,7 +14,7 @@ namespace cli {
 /// The options of `cremona solve` that show the solver at work, and what they print.
 class SolverTraceOptions {
 public:
-    void declare(CLI::App& app, const ui::Catalogue& tr);
+    void declare(OptionParser& options, const ui::Catalogue& tr);
 
     bool are_given() const { return is_traced_; }
     /// \throws UsageError if the others are given without --trace-solver

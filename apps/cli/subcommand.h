@@ -32,7 +32,7 @@ public:
     virtual std::string_view name() const = 0;
     virtual HelpText help(const ui::Catalogue& tr) const = 0;
     /// Binds every option to a member; its description is in the user's language.
-    virtual void declare(CLI::App& app, const ui::Catalogue& tr) = 0;
+    virtual void declare(OptionParser& options, const ui::Catalogue& tr) = 0;
     /// \throws UsageError, femoop::ModelError
     virtual ExitStatus run(Console& console) = 0;
 };

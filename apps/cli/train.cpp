@@ -1,6 +1,5 @@
 #include "apps/cli/train.h"
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <optional>
 #include <string>
@@ -42,7 +41,7 @@ class Train : public Subcommand {
 public:
     std::string_view name() const override { return "train"; }
     HelpText help(const ui::Catalogue& tr) const override;
-    void declare(CLI::App& app, const ui::Catalogue& tr) override;
+    void declare(OptionParser& options, const ui::Catalogue& tr) override;
     ExitStatus run(Console& console) override;
 
 private:
@@ -83,28 +82,29 @@ HelpText Train::help(const ui::Catalogue& tr) const
           tr("Permanent load and the worst of the trains, for a program.")}}};
 }
 
-void Train::declare(CLI::App& app, const ui::Catalogue& tr)
+void Train::declare(OptionParser& options, const ui::Catalogue& tr)
 {
-    app.add_option("FILE", file_, tr("the model file; - is standard input"))->option_text(" ");
-    app.add_option("--train", trains_, tr("this train alone; may be given again"))
-        ->option_text("ID")
-        ->allow_extra_args(false);
-    app.add_option("--envelope", envelopes_, tr("this envelope alone; may be given again"))
-        ->option_text("ID")
-        ->allow_extra_args(false);
-    asked_.declare(app, tr);
-    app.add_option("--stations", stations_, tr("how many sections of each member are looked at (default 11)"))
-        ->option_text("N");
-    units_.declare(app, tr);
-    app.add_flag("--proof", is_proved_, tr("print breaks and roots, and the value at each of them"));
-    app.add_option(
-           "--why", why_,
-           tr("print where one number of a train or an envelope comes from: member=M,at=X,component=C (without at: "
-              "where it is worst) or node=N,component=fy; which train governs and where it stands, its forces "
-              "times the ordinates of the line, and the analysis with the train standing there"))
-        ->option_text("WHAT");
-    app.add_flag("--json", is_json_, tr("print JSON with every digit instead of tables"));
-    app.add_flag(
+    options.add_option("FILE", file_, tr("the model file; - is standard input")).option_text(" ");
+    options.add_option("--train", trains_, tr("this train alone; may be given again"))
+        .option_text("ID")
+        .one_value_each();
+    options.add_option("--envelope", envelopes_, tr("this envelope alone; may be given again"))
+        .option_text("ID")
+        .one_value_each();
+    asked_.declare(options, tr);
+    options.add_option("--stations", stations_, tr("how many sections of each member are looked at (default 11)"))
+        .option_text("N");
+    units_.declare(options, tr);
+    options.add_flag("--proof", is_proved_, tr("print breaks and roots, and the value at each of them"));
+    options
+        .add_option(
+            "--why", why_,
+            tr("print where one number of a train or an envelope comes from: member=M,at=X,component=C (without at: "
+               "where it is worst) or node=N,component=fy; which train governs and where it stands, its forces "
+               "times the ordinates of the line, and the analysis with the train standing there"))
+        .option_text("WHAT");
+    options.add_flag("--json", is_json_, tr("print JSON with every digit instead of tables"));
+    options.add_flag(
         "--describe", is_described_,
         tr("print sentences instead of tables, for a screen reader: of the effect that is asked for, else of the "
            "one that `render` draws"));

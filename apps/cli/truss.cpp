@@ -1,6 +1,5 @@
 #include "apps/cli/truss.h"
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <array>
 #include <optional>
@@ -27,7 +26,7 @@ class Truss : public Subcommand {
 public:
     std::string_view name() const override { return "truss"; }
     HelpText help(const ui::Catalogue& tr) const override;
-    void declare(CLI::App& app, const ui::Catalogue& tr) override;
+    void declare(OptionParser& options, const ui::Catalogue& tr) override;
     ExitStatus run(Console& console) override;
 
 private:
@@ -63,19 +62,20 @@ HelpText Truss::help(const ui::Catalogue& tr) const
          {"cremona truss examples/truss.json --latex", tr("The same sheet for a LaTeX document.")}}};
 }
 
-void Truss::declare(CLI::App& app, const ui::Catalogue& tr)
+void Truss::declare(OptionParser& options, const ui::Catalogue& tr)
 {
-    app.add_option("FILE", file_, tr("the model file; - is standard input"))->option_text(" ");
-    app.add_option("--case", case_, tr("the load case or combination (default the first)"))->option_text("ID");
-    app.add_option("--method", method_, tr("joints (default), zero-force, sections (needs --cut) or cremona"))
-        ->option_text("NAME");
-    app.add_option("--cut", cut_,
-                   tr("the bars that a section cuts, separated by commas: each is found by itself if the "
-                      "others meet in one point or are parallel"))
-        ->option_text("BARS");
-    units_.declare(app, tr);
-    app.add_flag("--json", is_json_, tr("print JSON instead of text"));
-    app.add_flag("--latex", is_latex_, tr("print the body of a LaTeX document instead of text"));
+    options.add_option("FILE", file_, tr("the model file; - is standard input")).option_text(" ");
+    options.add_option("--case", case_, tr("the load case or combination (default the first)")).option_text("ID");
+    options.add_option("--method", method_, tr("joints (default), zero-force, sections (needs --cut) or cremona"))
+        .option_text("NAME");
+    options
+        .add_option("--cut", cut_,
+                    tr("the bars that a section cuts, separated by commas: each is found by itself if the "
+                       "others meet in one point or are parallel"))
+        .option_text("BARS");
+    units_.declare(options, tr);
+    options.add_flag("--json", is_json_, tr("print JSON instead of text"));
+    options.add_flag("--latex", is_latex_, tr("print the body of a LaTeX document instead of text"));
 }
 
 void Truss::require_sensible(const ui::Catalogue& tr) const

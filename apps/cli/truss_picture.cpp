@@ -1,6 +1,5 @@
 #include "apps/cli/truss_picture.h"
 
-#include <CLI/CLI.hpp>
 #include <variant>
 
 #include "apps/cli/analysis_run.h"
@@ -20,15 +19,16 @@ UsageError refused(const femoop::truss::Refusal& refusal, const femoop::Model& m
 
 } // namespace
 
-void TrussPicture::declare(CLI::App& app, const ui::Catalogue& tr)
+void TrussPicture::declare(OptionParser& options, const ui::Catalogue& tr)
 {
-    app.add_option("--truss", method_,
-                   tr("draw a plane truss worked out by hand: zero-force (bars that carry nothing, with their rules), "
-                      "joints (joint by joint, with the force polygon of each) or cremona (Bow's notation, and the "
-                      "Cremona diagram beside it)"))
-        ->option_text("METHOD");
-    app.add_flag("--cremona", is_cremona_, tr("the same as --truss cremona"));
-    app.add_option("--stage", stage_, tr("draw the truss up to this stage, from 1 (default all)"))->option_text("N");
+    options
+        .add_option("--truss", method_,
+                    tr("draw a plane truss worked out by hand: zero-force (bars that carry nothing, with their rules), "
+                       "joints (joint by joint, with the force polygon of each) or cremona (Bow's notation, and the "
+                       "Cremona diagram beside it)"))
+        .option_text("METHOD");
+    options.add_flag("--cremona", is_cremona_, tr("the same as --truss cremona"));
+    options.add_option("--stage", stage_, tr("draw the truss up to this stage, from 1 (default all)")).option_text("N");
 }
 
 void TrussPicture::require_sensible(const ui::Catalogue& tr) const

@@ -15,7 +15,7 @@ namespace cli {
 /// What options of `render` ask for of a truss: how it is worked out by hand.
 class TrussPicture {
 public:
-    void declare(CLI::App& app, const ui::Catalogue& tr);
+    void declare(OptionParser& options, const ui::Catalogue& tr);
     bool is_asked() const { return is_cremona_ || method_; }
     /// \throws UsageError for options that do not go together
     void require_sensible(const ui::Catalogue& tr) const;

@@ -1,6 +1,5 @@
 #include "apps/cli/verify.h"
 
-#include <CLI/CLI.hpp>
 #include <array>
 #include <cstdio>
 #include <optional>
@@ -65,7 +64,7 @@ class Verify : public Subcommand {
 public:
     std::string_view name() const override { return "verify"; }
     HelpText help(const ui::Catalogue& tr) const override;
-    void declare(CLI::App& app, const ui::Catalogue& tr) override;
+    void declare(OptionParser& options, const ui::Catalogue& tr) override;
     ExitStatus run(Console& console) override;
 
 private:
@@ -91,11 +90,11 @@ HelpText Verify::help(const ui::Catalogue& tr) const
           tr("Failed checks alone, then the count of all files.")}}};
 }
 
-void Verify::declare(CLI::App& app, const ui::Catalogue& tr)
+void Verify::declare(OptionParser& options, const ui::Catalogue& tr)
 {
-    app.add_option("FILE", files_, tr("model files with expected results; - is standard input"))->option_text(" ");
-    app.add_flag("-q,--quiet", is_quiet_, tr("print failed checks and the count alone"));
-    app.add_flag("--json", is_json_, tr("print the checks as JSON"));
+    options.add_option("FILE", files_, tr("model files with expected results; - is standard input")).option_text(" ");
+    options.add_flag("-q,--quiet", is_quiet_, tr("print failed checks and the count alone"));
+    options.add_flag("--json", is_json_, tr("print the checks as JSON"));
 }
 
 FileOutcome Verify::verify_file(const std::string& file, const Console& console) const
