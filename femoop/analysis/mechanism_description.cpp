@@ -1,6 +1,5 @@
 #include "femoop/analysis/mechanism_description.h"
 
-#include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
 #include <optional>
@@ -9,6 +8,7 @@
 #include <string_view>
 #include <utility>
 
+#include "femoop/algebra/least_squares.h"
 #include "femoop/analysis/node_names.h"
 #include "femoop/element/analysis_model.h"
 #include "femoop/result/end_vectors.h"
@@ -50,7 +50,7 @@ std::optional<Eigen::Vector3d> pivot(const Discretisation& structure, const std:
         A.row(row + 1) << 0.0, 1.0, at.x();
         c.segment<2>(row) = translation(motion[moving[i].index]).head<2>();
     }
-    const Eigen::Vector3d fit = A.colPivHouseholderQr().solve(c);
+    const Eigen::Vector3d fit = least_squares(A, c);
     if ((A * fit - c).cwiseAbs().maxCoeff() > still || std::abs(fit[2]) < 1e-9) return std::nullopt;
     return Eigen::Vector3d(-fit[1] / fit[2], fit[0] / fit[2], 0.0);
 }

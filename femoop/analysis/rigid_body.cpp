@@ -1,11 +1,11 @@
 #include "femoop/analysis/rigid_body.h"
 
-#include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
 #include <numeric>
 #include <string>
 
+#include "femoop/algebra/symmetric_eigen.h"
 #include "femoop/analysis/node_names.h"
 #include "femoop/discretisation/equations.h"
 
@@ -62,8 +62,8 @@ private:
     static Eigen::Index rank(const Eigen::Matrix<double, 6, 6>& squares)
     {
         constexpr double negligible = 1e-14; // of squares: 1e-7 of the part's size
-        const Eigen::SelfAdjointEigenSolver<Eigen::Matrix<double, 6, 6>> eigen(squares, Eigen::EigenvaluesOnly);
-        return (eigen.eigenvalues().array() > negligible * eigen.eigenvalues().maxCoeff()).count();
+        const Eigen::VectorXd values = symmetric_eigen(squares).values;
+        return (values.array() > negligible * values.maxCoeff()).count();
     }
 
     /// Displacement of a point along a direction.

@@ -5,6 +5,7 @@
 #include <functional>
 #include <utility>
 
+#include "femoop/algebra/congruence.h"
 #include "femoop/analysis/assembler.h"
 #include "femoop/analysis/constraints.h"
 #include "femoop/discretisation/case_loads.h"
@@ -162,8 +163,8 @@ void separate_own_ends(MemberTrace& trace, const Equations& equations, MemberId 
                              std::string(name(all_dofs[index(axis)])) + "'");
     });
     const Eigen::MatrixXd& T = trace.transformation;
-    trace.global_stiffness = T.transpose() * trace.local_stiffness * T;
-    if (joints.size() > 0) trace.global_stiffness += gaps.transpose() * joints.asDiagonal() * gaps;
+    trace.global_stiffness = congruence(trace.local_stiffness, T);
+    if (joints.size() > 0) trace.global_stiffness += congruence(joints.asDiagonal(), gaps);
     for (MemberTrace::FixedEnd& forces : trace.fixed_end) forces.global = T.transpose() * forces.local;
 }
 

@@ -1,10 +1,10 @@
 #include "femoop/analysis/unrestrained_rotation.h"
 
-#include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
 #include <utility>
 
+#include "femoop/algebra/symmetric_eigen.h"
 #include "femoop/analysis/collinear_torsion.h"
 #include "femoop/analysis/coupled_members.h"
 
@@ -60,11 +60,11 @@ std::vector<ArtificialRestraint> unrestrained_at_node(const std::vector<Artifici
     for (Eigen::Index i = 0; i < size; ++i)
         for (Eigen::Index j = 0; j < size; ++j)
             block(i, j) = entry(K, parts[static_cast<std::size_t>(i)].row, parts[static_cast<std::size_t>(j)].row);
-    const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(block);
+    const SymmetricEigen eigen = symmetric_eigen(block);
     std::vector<ArtificialRestraint> unrestrained;
     for (Eigen::Index mode = 0; mode < size; ++mode)
-        if (eigen.eigenvalues()[mode] <= negligible_stiffness * stiffness)
-            unrestrained.push_back({.parts = parts, .direction = eigen.eigenvectors().col(mode)});
+        if (eigen.values[mode] <= negligible_stiffness * stiffness)
+            unrestrained.push_back({.parts = parts, .direction = eigen.vectors.col(mode)});
     return unrestrained;
 }
 
@@ -78,11 +78,11 @@ std::vector<ArtificialRestraint> uncoupled_rotations(std::vector<ArtificialRestr
     for (std::size_t i = 0; i < unrestrained.size(); ++i)
         directions.col(static_cast<Eigen::Index>(i)) = unrestrained[i].direction;
     const Eigen::MatrixXd moved = coupled.motion(parts) * directions;
-    const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(moved.transpose() * moved);
+    const SymmetricEigen eigen = symmetric_eigen(moved.transpose() * moved);
     std::vector<ArtificialRestraint> still;
     for (Eigen::Index i = 0; i < directions.cols(); ++i)
-        if (eigen.eigenvalues()[i] < uncoupled * uncoupled)
-            still.push_back({.parts = parts, .direction = directions * eigen.eigenvectors().col(i)});
+        if (eigen.values[i] < uncoupled * uncoupled)
+            still.push_back({.parts = parts, .direction = directions * eigen.vectors.col(i)});
     return still;
 }
 

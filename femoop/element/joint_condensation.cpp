@@ -5,6 +5,8 @@
 #include <cmath>
 #include <utility>
 
+#include "femoop/algebra/congruence.h"
+
 namespace femoop {
 
 namespace {
@@ -102,10 +104,10 @@ JointCondensation::JointCondensation(const StrainForm& member, const Eigen::Vect
 {
     sort();
     const Eigen::MatrixXd at_springs = B_(Eigen::all, sprung_);
-    flexibility_ = member_flexibility_ + at_springs * spring_flexibility_.asDiagonal() * at_springs.transpose();
+    flexibility_ = member_flexibility_ + congruence(spring_flexibility_.asDiagonal(), at_springs.transpose());
     separate_releases();
     separate_strains();
-    stiffness_ = inverse(free_.transpose() * flexibility_ * free_);
+    stiffness_ = inverse(congruence(flexibility_, free_));
 }
 
 void JointCondensation::sort()
@@ -155,7 +157,7 @@ Eigen::VectorXd JointCondensation::forces(const Eigen::VectorXd& strain_forces, 
     return p;
 }
 
-Eigen::MatrixXd JointCondensation::stiffness() const { return basis_.transpose() * stiffness_ * basis_; }
+Eigen::MatrixXd JointCondensation::stiffness() const { return congruence(stiffness_, basis_); }
 
 Eigen::VectorXd JointCondensation::end_forces(const Eigen::VectorXd& nodes, const Eigen::VectorXd& fixed) const
 {

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "femoop/algebra/congruence.h"
 #include "femoop/element/member_element.h"
 
 namespace femoop {
@@ -44,6 +45,13 @@ struct EndDisplacements {
         for (Eigen::Index i = 0; i < joints.size(); ++i)
             if (joints[i] > 0.0) sprung.push_back(i);
         return gaps(sprung, Eigen::all);
+    }
+    Eigen::MatrixXd joint_stiffness() const { return congruence(joints.asDiagonal(), gaps); }
+    PreciseMatrix precise_joint_stiffness() const
+    {
+        const PreciseMatrix precise_gaps = gaps.cast<DoubleDouble>();
+        const PreciseMatrix springs = joints.cast<DoubleDouble>().asDiagonal() * precise_gaps;
+        return precise_gaps.transpose() * springs;
     }
 };
 
@@ -137,8 +145,7 @@ public:
             return;
         }
         const EndDisplacements ends = end_displacements(elastic);
-        K = ends.B.transpose() * elastic.rigid_joint_stiffness() * ends.B +
-            ends.gaps.transpose() * (ends.joints.asDiagonal() * ends.gaps);
+        K = congruence(elastic.rigid_joint_stiffness(), ends.B) + ends.joint_stiffness();
     }
 
     PreciseMatrix precise_stiffness() const override
@@ -147,9 +154,7 @@ public:
         const Core elastic = this->elastic(geometry);
         if (!is_constrained()) return precise_stiffness_of(elastic.strains(), node_transformation(elastic));
         const EndDisplacements ends = end_displacements(elastic);
-        const PreciseMatrix gaps = ends.gaps.template cast<DoubleDouble>();
-        const PreciseMatrix springs = ends.joints.template cast<DoubleDouble>().asDiagonal() * gaps;
-        return precise_stiffness_of(elastic.rigid_joint_strains(), ends.B) + gaps.transpose() * springs;
+        return precise_stiffness_of(elastic.rigid_joint_strains(), ends.B) + ends.precise_joint_stiffness();
     }
 
     void equivalent_forces(const ElementLoads& loads, ElementVector& f) const override
@@ -193,8 +198,7 @@ public:
     {
         const MemberGeometry geometry = this->geometry();
         const Core constrained = this->constrained(geometry, *data_.properties);
-        const Eigen::MatrixXd B = end_displacements(constrained).B;
-        return B.transpose() * constrained.rigid_joint_stiffness() * B;
+        return congruence(constrained.rigid_joint_stiffness(), end_displacements(constrained).B);
     }
 
     PreciseMatrix precise_constrained_stiffness() const override

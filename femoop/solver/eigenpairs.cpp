@@ -1,6 +1,5 @@
 #include "femoop/solver/eigenpairs.h"
 
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -9,6 +8,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "femoop/algebra/symmetric_eigen.h"
 #include "femoop/solver/available_memory.h"
 
 namespace femoop {
@@ -149,9 +149,9 @@ private:
     void approximate()
     {
         const MatrixXd H = H_.topLeftCorner(n_, n_);
-        const Eigen::SelfAdjointEigenSolver<MatrixXd> eigen(0.5 * (H + H.transpose()));
-        values_ = eigen.eigenvalues().reverse();
-        S_ = eigen.eigenvectors().rowwise().reverse();
+        const SymmetricEigen eigen = symmetric_eigen(0.5 * (H + H.transpose()));
+        values_ = eigen.values.reverse();
+        S_ = eigen.vectors.rowwise().reverse();
     }
 
     const SparseMatrix& M_;

@@ -7,6 +7,8 @@
 #include <random>
 #include <utility>
 
+#include "femoop/algebra/symmetric_eigen.h"
+
 namespace femoop {
 
 namespace {
@@ -109,9 +111,9 @@ private:
     {
         const Eigen::MatrixXd space = orthonormal(inverse_->solve(vectors_));
         const Eigen::MatrixXd image = K_.selfadjointView<Eigen::Lower>() * space;
-        const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> ritz(space.transpose() * image);
-        values_ = ritz.eigenvalues();
-        vectors_ = space * ritz.eigenvectors();
+        const SymmetricEigen ritz = symmetric_eigen(space.transpose() * image);
+        values_ = ritz.values;
+        vectors_ = space * ritz.vectors;
     }
 
     const SparseMatrix& K_;

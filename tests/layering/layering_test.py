@@ -25,7 +25,7 @@ BROWSER = re.compile(r"emscripten(\.h$|/)|stb/")  # a page's own, and the pictur
 
 # The folders of femoop, each with those that it may know besides itself: from the model up to the analyses, no circles.
 # What no line names may know all of femoop: hand methods and files, which stand above.
-MODEL, NUMBERS = "femoop/model/", "femoop/solver/"
+MODEL, NUMBERS, ALGEBRA = "femoop/model/", "femoop/solver/", "femoop/algebra/"
 GEOMETRY, SECTION = "femoop/geometry/", "femoop/section/"
 ELEMENT = ["femoop/element/", "femoop/shape/", "femoop/rule/", "femoop/material/"]
 LOAD, DISCRETISATION, RESULT = "femoop/load/", "femoop/discretisation/", "femoop/result/"
@@ -35,15 +35,16 @@ FEMOOP = {
     "model/check": [MODEL, SECTION, GEOMETRY, LOAD, *ELEMENT],
     "section": [MODEL],
     "geometry": [MODEL],
-    "solver": [],
+    "algebra": [],
+    "solver": [ALGEBRA],
     "shape": [],
     "rule": ["femoop/shape/"],
     "material": [],
-    "element": [MODEL, GEOMETRY, NUMBERS, *ELEMENT],
+    "element": [MODEL, GEOMETRY, NUMBERS, ALGEBRA, *ELEMENT],
     "load": [MODEL, GEOMETRY, *ELEMENT],
     "discretisation": [MODEL, SECTION, GEOMETRY, LOAD, NUMBERS, *ELEMENT],
     "result": [MODEL, GEOMETRY, LOAD, NUMBERS, DISCRETISATION, *ELEMENT],
-    "analysis": [MODEL, GEOMETRY, LOAD, NUMBERS, DISCRETISATION, RESULT, *ELEMENT],
+    "analysis": [MODEL, GEOMETRY, LOAD, NUMBERS, ALGEBRA, DISCRETISATION, RESULT, *ELEMENT],
     "edit": [MODEL, SECTION, GEOMETRY, LOAD],
     "typical": [MODEL],
 }
@@ -58,7 +59,7 @@ ALLOWED = {
     "femoop": ["femoop/", EIGEN],
     "femoop/io": ["femoop/", EIGEN, JSON, SYSTEM],
     **{f"femoop/{folder}": [f"femoop/{folder}/", *below, EIGEN] for folder, below in FEMOOP.items()},
-    "femoop/solver": [NUMBERS, EIGEN, SPARSE, SYSTEM, BROWSER],
+    "femoop/solver": [NUMBERS, ALGEBRA, EIGEN, SPARSE, SYSTEM, BROWSER],
     "ui": ["ui/", "femoop/tabular/", "femoop/files/", WINDOW, FONTS_AND_CAIRO, SYSTEM],
     "ui/context/web": ["ui/", WINDOW, BROWSER],
     "ui/app": ["ui/", "femoop/files/", WINDOW, OPTIONS],

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <utility>
 
+#include "femoop/algebra/dense_solution.h"
 #include "femoop/analysis/linear_static.h"
 #include "femoop/methods/cross/kinematics.h"
 #include "femoop/methods/cross/state_model.h"
@@ -137,7 +138,7 @@ std::optional<Problem> propped_at(const Problem& problem, const std::vector<Prop
     if (props.size() != problem.sways.size()) return std::nullopt;
     if (props.empty()) return problem;
     if (!hold_apart(problem, props)) return std::nullopt;
-    const Eigen::MatrixXd shares = motions(problem, props).inverse();
+    const Eigen::MatrixXd shares = dense_inverse(motions(problem, props));
     Problem moved = problem;
     for (std::size_t k = 0; k < props.size(); ++k)
         moved.sways[k] = combined(problem, shares.col(static_cast<Eigen::Index>(k)), props[k]);

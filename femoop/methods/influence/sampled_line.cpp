@@ -1,9 +1,10 @@
 #include "femoop/methods/influence/sampled_line.h"
 
 #include <Eigen/Core>
-#include <Eigen/LU>
 #include <cmath>
 #include <numbers>
+
+#include "femoop/algebra/dense_solution.h"
 
 namespace femoop::influence {
 
@@ -28,7 +29,7 @@ LinePiece SampledStretch::piece(const std::vector<double>& values) const
     for (Eigen::Index i = 0; i < n; ++i)
         for (Eigen::Index k = 0; k < n; ++k)
             powers(i, k) = std::pow(nodes_[static_cast<std::size_t>(i)], static_cast<double>(k));
-    Eigen::VectorXd c = powers.partialPivLu().solve(Eigen::Map<const Eigen::VectorXd>(values.data(), n));
+    Eigen::VectorXd c = dense_solution(powers, Eigen::Map<const Eigen::VectorXd>(values.data(), n));
     // from powers of the place in -1 .. 1 to those of t = s - from: the argument is 2 t / h - 1
     for (Eigen::Index first = 0; first + 1 < n; ++first)
         for (Eigen::Index i = n - 1; i-- > first;) c[i] -= c[i + 1];

@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <numbers>
 
+#include "femoop/algebra/congruence.h"
 #include "femoop/element/continuum/element_geometry.h"
 #include "femoop/plane/analysis/plane_structure.h"
 #include "femoop/plane/mesh/mesh_geometry.h"
@@ -91,14 +92,14 @@ ElementTrace trace(const PlaneModel& model, ElementId id)
         at.area = at.J.determinant();
         at.depth = traced.volume(point.at) / at.area;
         at.B = all.middleRows(row, found.D.rows());
-        at.part = at.B.transpose() * (point.weight * at.area * at.depth * found.D) * at.B;
+        at.part = congruence(point.weight * at.area * at.depth * found.D, at.B);
         row += found.D.rows();
     }
     ElementMatrix K;
     traced.stiffness(K);
     found.stiffness = K;
     if (const Eigen::MatrixXd T = turned_axes(*structure.discretisation(), element.points); T.size() > 0)
-        found.to_nodes = T.transpose() * found.stiffness * T;
+        found.to_nodes = congruence(found.stiffness, T);
     const std::vector<CaseLoads> loads = structure.loads();
     for (std::size_t c = 0; c < loads.size(); ++c)
         for (const CaseLoads::OnElement& on : loads[c].elements) {

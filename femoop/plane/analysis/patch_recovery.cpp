@@ -1,6 +1,6 @@
 #include "femoop/plane/analysis/patch_recovery.h"
 
-#include <Eigen/Dense>
+#include <Eigen/LU>
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -8,6 +8,7 @@
 #include <set>
 #include <utility>
 
+#include "femoop/algebra/least_squares.h"
 #include "femoop/plane/mesh/mesh_geometry.h"
 
 namespace femoop::plane {
@@ -43,7 +44,7 @@ public:
             basis.rightCols<1>() = rest.normalized();
             kept_.push_back(term);
         }
-        coefficients_ = all(Eigen::all, kept_).householderQr().solve(Eigen::MatrixXd(values));
+        coefficients_ = least_squares(all(Eigen::all, kept_), values);
     }
 
     Eigen::RowVectorXd at(const Eigen::Vector2d& place) const

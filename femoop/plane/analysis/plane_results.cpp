@@ -1,10 +1,10 @@
 #include "femoop/plane/analysis/plane_results.h"
 
-#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 #include <utility>
 
+#include "femoop/algebra/dense_solution.h"
 #include "femoop/plane/analysis/patch_recovery.h"
 #include "femoop/plane/mesh/mesh_geometry.h"
 
@@ -292,14 +292,14 @@ const std::vector<double>& PlaneCase::element_errors() const
         const ElementField inside = field(ElementId(e));
         const TangentMatrix D = element.formulation().material().tangent(
             {.strain = StrainVector::Zero(n_components(state))});
-        const Eigen::PartialPivLU<Eigen::MatrixXd> compliance(D);
+        const TangentMatrix compliance = dense_inverse(D);
         double of_error = 0.0;
         for (const IntegrationPoint& point : element.formulation().rule().points) {
             const StressVector smooth = vector_of(smoothed_stress({.element = ElementId(e), .at = point.at}), state);
-            const Eigen::VectorXd error = smooth - inside.stress(point.at), whole = smooth;
+            const StressVector error = smooth - inside.stress(point.at);
             const double volume = point.weight * element.volume(point.at);
-            of_error += volume * error.dot(compliance.solve(error));
-            of_whole += volume * whole.dot(compliance.solve(whole));
+            of_error += volume * error.dot(compliance * error);
+            of_whole += volume * smooth.dot(compliance * smooth);
         }
         errors.push_back(std::max(of_error, 0.0));
     }

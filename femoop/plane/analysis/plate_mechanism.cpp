@@ -1,6 +1,5 @@
 #include "femoop/plane/analysis/plate_mechanism.h"
 
-#include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
 #include <numeric>
@@ -8,6 +7,7 @@
 #include <string>
 #include <utility>
 
+#include "femoop/algebra/symmetric_eigen.h"
 #include "femoop/result/element_field.h"
 
 namespace femoop::plane {
@@ -101,10 +101,10 @@ public:
     /// A basis of the motions that no condition stops, in its simplest form.
     Eigen::MatrixXd free_motions() const
     {
-        const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(squares_);
-        const double largest = std::max(1.0, eigen.eigenvalues().maxCoeff());
-        const Eigen::Index n = (eigen.eigenvalues().array() <= negligible_square * largest).count();
-        return simplified(eigen.eigenvectors().leftCols(n));
+        const SymmetricEigen eigen = symmetric_eigen(squares_);
+        const double largest = std::max(1.0, eigen.values.maxCoeff());
+        const Eigen::Index n = (eigen.values.array() <= negligible_square * largest).count();
+        return simplified(eigen.vectors.leftCols(n));
     }
 
     Eigen::Vector2d moved(const Eigen::Vector3d& motion, const Eigen::Vector2d& at) const

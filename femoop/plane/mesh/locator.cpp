@@ -46,7 +46,7 @@ NaturalPlace natural_place(const Shape& shape, const NodePositions& X, const Eig
     };
     for (int step = 0; step < most_steps; ++step) {
         const Eigen::Matrix2d J = jacobian(shape.derivatives(p), relative);
-        const Eigen::Vector2d move = J.transpose().fullPivLu().solve(miss(p));
+        const Eigen::Vector2d move = J.transpose().inverse() * miss(p);
         if (!move.allFinite()) break;
         const double shortened = std::min(1.0,
                                           1.0 / std::max(move.cwiseAbs().maxCoeff(), 1e-300)); // one step, one size

@@ -1,6 +1,6 @@
 #include "femoop/plane/mesh/node_supports.h"
 
-#include <Eigen/Dense>
+#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -190,7 +190,7 @@ ImposedDisplacement displacement(const NodeSupport& support, std::vector<Imposed
     }
     Eigen::Matrix2d D;
     D << first.held.direction.transpose(), second->held.direction.transpose();
-    found.value = D.fullPivLu().solve(Eigen::Vector2d(first.value, second->value));
+    found.value = D.inverse() * Eigen::Vector2d(first.value, second->value);
     return found;
 }
 

@@ -1,8 +1,8 @@
 #include "femoop/methods/cross/exercise/formulas.h"
 
-#include <Eigen/LU>
-
 #include <cmath>
+
+#include "femoop/algebra/dense_solution.h"
 
 namespace femoop::cross {
 
@@ -10,7 +10,7 @@ namespace {
 
 bool is_turned(const Turn& turn, JointId joint) { return !turn || *turn == joint; }
 
-Eigen::VectorXd multipliers(const Eigen::MatrixXd& R, const Eigen::VectorXd& r) { return R.partialPivLu().solve(-r); }
+Eigen::VectorXd multipliers(const Eigen::MatrixXd& R, const Eigen::VectorXd& r) { return dense_solution(R, -r); }
 
 } // namespace
 
