@@ -53,6 +53,11 @@ if(CREMONA_APPS)
     URL_HASH SHA256=26291377e892ba0e5b4972cdfd4a2ab3bf53af8dac1f4ea8fe0d1376b625c8cb
     SOURCE_SUBDIR headers-only
     FIND_PACKAGE_ARGS 2.1 CONFIG)
+  FetchContent_Declare(pugixml
+    URL https://github.com/zeux/pugixml/archive/v1.13.tar.gz
+    URL_HASH SHA256=5c5ad5d7caeb791420408042a7d88c2c6180781bf218feca259fd9d840a888e1
+    SOURCE_SUBDIR has-no-build-of-its-own
+    FIND_PACKAGE_ARGS 1.13 CONFIG)
   foreach(part DOCS TESTS EXAMPLES INSTALL)
     set(name GLFW_BUILD_${part})
     if(part STREQUAL "INSTALL")
@@ -60,7 +65,7 @@ if(CREMONA_APPS)
     endif()
     set(${name} OFF CACHE INTERNAL "GLFW alone, as a static library")
   endforeach()
-  FetchContent_MakeAvailable(glfw3 ImGui CLI11)
+  FetchContent_MakeAvailable(glfw3 ImGui CLI11 pugixml)
   header_only(CLI11::CLI11 CLI11 "/include")
 
   if(NOT TARGET imgui::imgui)
@@ -73,6 +78,13 @@ if(CREMONA_APPS)
       ${imgui_source} ${imgui_source}/misc/cpp ${imgui_source}/backends)
     target_link_libraries(imgui PRIVATE glfw)
     add_library(imgui::imgui ALIAS imgui)
+  endif()
+
+  if(NOT TARGET pugixml::pugixml)
+    FetchContent_GetProperties(pugixml SOURCE_DIR pugixml_source)
+    add_library(pugixml STATIC EXCLUDE_FROM_ALL ${pugixml_source}/src/pugixml.cpp)
+    target_include_directories(pugixml SYSTEM PUBLIC ${pugixml_source}/src)
+    add_library(pugixml::pugixml ALIAS pugixml)
   endif()
 
   # These two come with every desktop and are not fetched.

@@ -24,7 +24,7 @@ add_library(Threads::Threads INTERFACE IMPORTED GLOBAL)
 add_library(web_console INTERFACE)
 target_link_options(web_console INTERFACE -sNODERAWFS=1 -sEXIT_RUNTIME=1 "SHELL:--pre-js ${CMAKE_CURRENT_LIST_DIR}/node.js")
 
-# Dear ImGui and FreeType are compiled along, from Debian's source packages (.ci/debian_source.bash).
+# Dear ImGui, pugixml and FreeType are compiled along, from Debian's source packages (.ci/debian_source.bash).
 if(CREMONA_APPS)
   enable_language(C)
   set(CREMONA_IMGUI_SOURCE "" CACHE PATH "The unpacked source package imgui")
@@ -33,6 +33,11 @@ if(CREMONA_APPS)
     ${CREMONA_IMGUI_SOURCE}/imgui_widgets.cpp ${CREMONA_IMGUI_SOURCE}/misc/cpp/imgui_stdlib.cpp)
   target_include_directories(imgui SYSTEM PUBLIC "${CREMONA_IMGUI_SOURCE}" "${CREMONA_IMGUI_SOURCE}/misc/cpp")
   add_library(imgui::imgui ALIAS imgui)
+
+  set(CREMONA_PUGIXML_SOURCE "" CACHE PATH "The unpacked source package pugixml")
+  add_library(pugixml STATIC EXCLUDE_FROM_ALL "${CREMONA_PUGIXML_SOURCE}/src/pugixml.cpp")
+  target_include_directories(pugixml SYSTEM PUBLIC "${CREMONA_PUGIXML_SOURCE}/src")
+  add_library(pugixml::pugixml ALIAS pugixml)
 
   # Of FreeType the modules that freetype/ftmodule.h names: outlines of TrueType, light hinting, grey pictures.
   set(CREMONA_FREETYPE_SOURCE "" CACHE PATH "The unpacked source package freetype")
@@ -44,7 +49,7 @@ if(CREMONA_APPS)
   target_compile_definitions(freetype PRIVATE FT2_BUILD_LIBRARY
     "FT_CONFIG_MODULES_H=\"${CMAKE_CURRENT_LIST_DIR}/freetype/ftmodule.h\"")
   target_include_directories(freetype SYSTEM PUBLIC "${CREMONA_FREETYPE_SOURCE}/include")
-  set_target_properties(imgui freetype PROPERTIES UNITY_BUILD OFF)
+  set_target_properties(imgui pugixml freetype PROPERTIES UNITY_BUILD OFF)
   add_library(PkgConfig::FREETYPE ALIAS freetype)
 endif()
 

@@ -15,6 +15,7 @@
 #include "apps/cli/picture.h"
 #include "apps/cli/plane_input.h"
 #include "apps/cli/solid_file.h"
+#include "apps/plane/outline/outline.h"
 #include "femoop/io/results/results_csv.h"
 #include "femoop/model/quantity/in_units.h"
 
@@ -34,6 +35,7 @@ private:
     ExitStatus to_json(femoop::plane::PlaneReading& reading, const std::string& kind, Console& console) const;
     ExitStatus to_csv(const femoop::Model& model, Console& console) const;
     ExitStatus solids(Console& console) const;
+    ExitStatus outline(Console& console) const;
     void deliver(const std::string& text, Console& console) const;
 
     std::string in_, out_;
@@ -52,6 +54,9 @@ HelpText Convert::help(const ui::Catalogue& tr) const
            "To .csv the model is solved and every result is written in one long table: case, "
            "part, id, x, component, value, unit. To .svg, .pdf or .png it is drawn; render has more to choose from.") +
             "\n\n" +
+            tr("The curves of a drawing of another program, .dxf or .svg, become the drawing of a plane model in .json: "
+               "lines, arcs, circles, ellipses and splines as such. What is left out is told.") +
+            "\n\n" +
             tr("Solids go from .eul, .obj or .off to any of these; to .eul as a script "
                "of Euler operators that makes them, whose number of lines is the least that the theory asks for."),
         {{"cremona convert examples/portal.json portal_mm.json --units mm,N",
@@ -61,14 +66,17 @@ HelpText Convert::help(const ui::Catalogue& tr) const
           tr("The same structure with the combinations of a code.")},
          {"cremona convert examples/portal.json arch.json --bend members=BC,curve=parabola,rise=1.5,parts=16",
           tr("The same structure with a parabola of 16 straight parts for its beam.")},
+         {"cremona convert examples/bracket.dxf bracket.json", tr("The outline of a plate that was drawn elsewhere.")},
          {"cremona convert examples/cube.eul cube.off", tr("The surface of a solid, for another program.")}}};
 }
 
 void Convert::declare(OptionParser& options, const ui::Catalogue& tr)
 {
     options
-        .add_option("IN", in_,
-                    tr("the model file (.json; - is standard input), or a file of solids (.eul, .obj, .off)"))
+        .add_option(
+            "IN", in_,
+            tr("the model file (.json; - is standard input), an outline (.dxf, .svg), or a file of solids (.eul, "
+               ".obj, .off)"))
         .option_text(" ");
     options
         .add_option(
@@ -180,12 +188,36 @@ ExitStatus Convert::solids(Console& console) const
     return ExitStatus::Done;
 }
 
+/// The curves of another program's drawing, in its own unit of length where the file says it, else in mm.
+ExitStatus Convert::outline(Console& console) const
+{
+    const ui::Catalogue& tr = console.tr();
+    if (out_ != "-" && kind_of(out_) != ".json")
+        throw UsageError(tr("{in}: an outline is written as a plane model, to .json", {{"in", in_}}));
+    if (combinations_ || bend_.is_asked())
+        throw UsageError(tr("{in}: with an outline goes --units alone", {{"in", in_}}));
+    if (out_ != "-") require_writable(out_, tr);
+    const outline::Outline found = load_outline(in_, tr);
+    femoop::Units units{found.unit.value_or(femoop::LengthUnit::mm), femoop::ForceUnit::N};
+    if (units_) units = units_named(*units_, tr);
+    const femoop::plane::PlaneModel drawing = outline::drawing_of(found, units);
+    if (drawing.curves.empty()) throw UsageError(tr("{in}: there is no curve in it", {{"in", in_}}));
+    if (!found.unit)
+        console.message(tr("{in}: the file has no unit; its numbers are taken as {unit}; --units chooses another",
+                           {{"in", in_}, {"unit", std::string(femoop::name(units.length))}}));
+    if (!found.left_out.empty())
+        console.message(tr("{in}: left out: {what}", {{"in", in_}, {"what", outline::left_out_text(found)}}));
+    deliver(femoop::plane::write_plane_model(drawing), console);
+    return ExitStatus::Done;
+}
+
 ExitStatus Convert::run(Console& console)
 {
     const ui::Catalogue& tr = console.tr();
     if (in_.empty() || out_.empty())
         throw UsageError(
             tr("two files are needed, IN and OUT; see {command}", {{"command", "cremona convert --help"}}));
+    if (outline::is_outline_file(in_)) return outline(console);
     if (is_solid_file(in_) || is_solid_file(out_)) return solids(console);
     const std::string kind = out_ == "-" ? ".json" : kind_of(out_);
     if (kind != ".json" && kind != ".csv" && !is_picture(out_))

@@ -1,5 +1,8 @@
 #include "apps/cli/plane_input.h"
 
+#include "apps/cli/solid_file.h"
+#include "topology/text/line_error.h"
+
 namespace cli {
 
 std::unique_ptr<const discretize::Drawing> drawing_of(femoop::plane::PlaneReading& reading)
@@ -8,6 +11,16 @@ std::unique_ptr<const discretize::Drawing> drawing_of(femoop::plane::PlaneReadin
     auto drawing = std::make_unique<const discretize::Drawing>(reading.model);
     reading.faults.insert(reading.faults.end(), drawing->faults().begin(), drawing->faults().end());
     return drawing;
+}
+
+outline::Outline load_outline(const std::string& file, const ui::Catalogue& tr)
+{
+    const std::string text = text_of(file, tr);
+    try {
+        return outline::read_outline(file, text);
+    } catch (const topology::LineError& fault) {
+        throw UsageError(file + ": " + fault.sentence(tr));
+    }
 }
 
 PlaneInput::PlaneInput(femoop::plane::PlaneReading& reading, Depth depth)

@@ -3,16 +3,22 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
+#include <string>
 
 #include "apps/plane/discretize/meshed_drawing.h"
+#include "apps/plane/outline/outline.h"
 #include "femoop/io/plane/plane_file.h"
 #include "femoop/io/plane/plane_verify.h"
+#include "ui/text/catalogue.h"
 
 namespace cli {
 
 /// The drawing of a plane model, where it is drawn and nothing is wrong with its file; what is wrong with the drawing
 /// joins the reading's faults. The reading must outlive it.
 std::unique_ptr<const discretize::Drawing> drawing_of(femoop::plane::PlaneReading& reading);
+
+/// The curves of a file of another program. \throws UsageError naming the file and the line \pre is_outline_file(file)
+outline::Outline load_outline(const std::string& file, const ui::Catalogue& tr);
 
 /// A plane model that was read, with its drawing and the mesh of that where it is drawn.
 class PlaneInput {

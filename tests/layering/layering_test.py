@@ -21,6 +21,7 @@ FONTS_AND_CAIRO = re.compile(r"cairo|ft2build|freetype/|fontconfig/|png\.h$")
 WINDOW = re.compile(r"(imgui|imstb_|GLFW/|GL/|EGL/|GLES)")
 OPTIONS = re.compile(r"CLI/")
 SYSTEM = re.compile(r"(dlfcn|fcntl|spawn|unistd|windows)\.h$|sys/")
+XML = re.compile(r"pugixml\.hpp$")
 BROWSER = re.compile(r"emscripten(\.h$|/)|stb/")  # a page's own, and the pictures that Cairo reads elsewhere
 
 # The folders of femoop, each with those that it may know besides itself: from the model up to the analyses, no circles.
@@ -102,7 +103,9 @@ def rule(path):
             return CLI_ALLOWED
         inside = path.removeprefix(f"apps/{app}/")
         if inside.startswith("document"):
-            return [*APP_DOCUMENT_ALLOWED, f"apps/{app}/document", f"apps/{app}/discretize"]
+            return [*APP_DOCUMENT_ALLOWED, f"apps/{app}/document", f"apps/{app}/discretize", f"apps/{app}/outline"]
+        if inside.startswith("outline"):  # reads files of other programs
+            return ["topology/", "femoop/", EIGEN, XML, f"apps/{app}/outline"]
         if inside.startswith("view"):
             own = [f"apps/{app}/document", f"apps/{app}/predict", f"apps/{app}/view"]
             return [*APP_VIEW_ALLOWED, *own, *VIEW_BORROWED.get(app, [])]

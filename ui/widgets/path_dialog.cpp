@@ -52,9 +52,19 @@ void PathDialog::open(Purpose purpose, const fs::path& start, std::string extens
     n_marked_ = typed_.size();
 }
 
+void PathDialog::open_any(const fs::path& start, std::vector<std::string> endings)
+{
+    open_listing(Purpose::Open, start, std::move(endings));
+}
+
 void PathDialog::open_export(const fs::path& start, std::vector<std::string> endings)
 {
-    open(Purpose::Export, start, endings.front());
+    open_listing(Purpose::Export, start, std::move(endings));
+}
+
+void PathDialog::open_listing(Purpose purpose, const fs::path& start, std::vector<std::string> endings)
+{
+    open(purpose, start, endings.front());
     endings_ = std::move(endings);
     enter(folder_); // what has one of the endings is listed
 }
@@ -224,7 +234,7 @@ std::optional<fs::path> PathDialog::show(const Catalogue& tr)
     }
     ImGui::TextDisabled("%s", folder_.string().c_str());
     bool is_confirmed = show_list();
-    show_endings();
+    if (!is_opening()) show_endings();
     if (show_field(tr)) is_confirmed = true;
     if (must_confirm_overwrite_)
         wrapped_text(verb({}, translatable("This file exists. Save again to replace it."),

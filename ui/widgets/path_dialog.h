@@ -22,6 +22,8 @@ public:
 
     /// Lists the files with this extension, but for those whose names end in `left_out` where that is not empty.
     void open(Purpose purpose, const std::filesystem::path& start, std::string extension, std::string left_out = {});
+    /// Lists the files with any of these endings, to open one. \pre there is an ending
+    void open_any(const std::filesystem::path& start, std::vector<std::string> endings);
     /// Offers the endings that something can be exported with, the first one where none is typed.
     void open_export(const std::filesystem::path& start, std::vector<std::string> endings);
     bool is_open() const { return is_open_; }
@@ -38,6 +40,7 @@ private:
         bool is_folder;
     };
 
+    void open_listing(Purpose purpose, const std::filesystem::path& start, std::vector<std::string> endings);
     bool is_listed(const std::filesystem::path& file) const;
     void enter(const std::filesystem::path& folder);
     std::vector<std::string> wanted_endings() const;
@@ -59,7 +62,7 @@ private:
     std::optional<Message> refusal_{};
     Purpose purpose_ = Purpose::Open;
     std::string extension_, left_out_;
-    std::vector<std::string> endings_; ///< of an export
+    std::vector<std::string> endings_; ///< where more than one is listed
     std::filesystem::path start_;      ///< the path that the dialog began with: saving over it needs no question
     std::filesystem::path folder_;
     std::string typed_; ///< relative to the folder, or absolute

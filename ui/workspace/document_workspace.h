@@ -42,7 +42,7 @@ template <class Own, class Session> struct DocumentWorkspace : Workspace {
     }
     void open_dropped(const std::vector<std::string>& files)
     {
-        if (!files.empty()) open(files.front());
+        if (!files.empty()) own().open(files.front());
     }
     bool open_at_once(const std::filesystem::path& path) { return session.open(path); }
     bool save_as(const std::filesystem::path& path) { return session.save(path); }

@@ -7,6 +7,7 @@
 
 #include "apps/plane/document/attributes.h"
 #include "apps/plane/document/gallery/gallery.h"
+#include "apps/plane/outline/outline.h"
 #include "apps/plane/session/drawing_commands.h"
 #include "apps/plane/session/mesher_commands.h"
 #include "apps/plane/session/part_commands.h"
@@ -285,7 +286,35 @@ void add_view_commands(CommandTable& table)
     ui::standard::add_languages(table);
 }
 
+void add_insert(CommandTable& table)
+{
+    Menu menu(table, ui::standard::file_menu);
+    menu.step({"file.insert", translatable("Insert an outline (DXF, SVG)…"), {{Key::I, ui::ctrl}}},
+              [](Workspace& workspace) { workspace.asks_for_outline = true; });
+    table.with_argument("file.insert", [](Workspace& workspace, const ui::Argument& path) {
+        return ui::standard::notice_unless(workspace.insert_outline(path.text), workspace);
+    });
+}
+
 } // namespace
+
+void Workspace::open(const std::filesystem::path& path)
+{
+    if (outline::is_outline_file(path)) insert_outline(path);
+    else DocumentWorkspace::open(path);
+}
+
+bool Workspace::open_at_once(const std::filesystem::path& path)
+{
+    return outline::is_outline_file(path) ? insert_outline(path) : DocumentWorkspace::open_at_once(path);
+}
+
+bool Workspace::insert_outline(const std::filesystem::path& path)
+{
+    if (!session.insert_outline(path)) return false;
+    asked.push_back(ui::Request::Fit);
+    return true;
+}
 
 std::optional<ui::Message> Workspace::change(const Change& change)
 {
@@ -309,6 +338,7 @@ CommandTable command_table()
     CommandTable table;
     ui::standard::add_file_commands(
         table, {.exported = translatable("Export picture…"), .described = translatable("Drawing in words")});
+    add_insert(table);
     ui::standard::add_undo_and_redo(table);
     add_edit_commands(table);
     add_drawing_commands(table);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <filesystem>
 #include <optional>
 #include <span>
 #include <string>
@@ -23,12 +24,18 @@ enum class TableKind : std::uint8_t { Points, Curves, Regions, Materials, Cases,
 struct Workspace : ui::DocumentWorkspace<Workspace, Session> {
     using DocumentWorkspace::DocumentWorkspace;
 
+    /// The curves of a DXF or SVG file join the drawing, which loses nothing by it; another file is opened in its place.
+    void open(const std::filesystem::path& path);
+    bool open_at_once(const std::filesystem::path& path);
+    bool insert_outline(const std::filesystem::path& path); ///< all is shown then; false, with a notice, if it cannot
+
     /// Carries it out, or tells why not. \returns why not
     std::optional<ui::Message> change(const Change& change);
     /// Draws what the hand has ended.
     void draw(const std::optional<CurveDraft>& drawn);
 
     Hand hand;
+    bool asks_for_outline = false; ///< the window takes it, and asks for a file to insert
     Topic topic = Topic::Properties;
     std::optional<TableKind> table{}; ///< that is shown; none while the tables are closed
 };

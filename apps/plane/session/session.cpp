@@ -9,12 +9,15 @@
 
 #include "apps/drawing/quantity_typed.h"
 #include "apps/plane/document/fault_words.h"
+#include "apps/plane/document/insertion.h"
 #include "apps/plane/document/regions.h"
+#include "apps/plane/outline/outline.h"
 #include "apps/plane/view/error_curve.h"
 #include "apps/plane/view/field_picture.h"
 #include "femoop/files/whole_file.h"
 #include "femoop/io/plane/plane_file.h"
 #include "femoop/plane/check/plane_check.h"
+#include "topology/text/line_error.h"
 
 namespace plane {
 
@@ -184,6 +187,46 @@ std::optional<ui::Notice> Session::read(const std::filesystem::path& path)
             path, Message(translatable("it holds a mesh of elements; this app opens drawings of curves"))));
     restart({.model = std::move(reading.model)});
     return std::nullopt;
+}
+
+namespace {
+
+/// What of an outline's file was taken otherwise than it stands there.
+Message notice_of(const outline::Outline& outline, const femoop::Units& units, std::size_t n_curves,
+                  const ui::Catalogue& tr)
+{
+    std::string told = tr(translatable("curves: {n}"), {{"n", std::to_string(n_curves)}});
+    if (!outline.unit)
+        told += "; " + tr(translatable("the file has no unit; its numbers are taken as {unit}"),
+                          {{"unit", std::string(femoop::name(units.length))}});
+    if (!outline.left_out.empty())
+        told += "; " + tr(translatable("left out: {what}"), {{"what", outline::left_out_text(outline)}});
+    return Message(translatable("Inserted: {what}"), {{"what", told}});
+}
+
+} // namespace
+
+bool Session::insert_outline(const std::filesystem::path& path)
+{
+    const auto refuse = [&](const auto& reason) {
+        notice = ui::lasting(ui::not_opened(path, reason));
+        return false;
+    };
+    const files::WholeFile file = files::read_whole_file(path, most_bytes);
+    if (file.hindrance) return refuse(file.hindrance);
+    try {
+        const outline::Outline outline = outline::read_outline(path, file.text);
+        const PlaneModel drawing = outline::drawing_of(outline, model().units);
+        if (drawing.curves.empty()) return refuse(Message(translatable("there is no curve in it")));
+        const auto insert = [&](Document& document) { insert_drawing(document, drawing); };
+        const std::string name = path.filename().string();
+        if (const auto reason = change({{translatable("Insert {file}"), {{"file", name}}}, insert}))
+            return refuse(*reason);
+        notify(notice_of(outline, model().units, drawing.curves.size(), tr()));
+    } catch (const topology::LineError& fault) {
+        return refuse(Message(fault.sentence([this](std::string_view text) { return tr()(text); })));
+    }
+    return true;
 }
 
 std::string Session::file_text() const { return femoop::plane::write_plane_model(model()); }

@@ -47,6 +47,9 @@ public:
 
     std::size_t opening() const { return opening_; } ///< counts the documents that were opened
     void new_document();
+    /// The curves of a DXF or SVG file join the drawing, as a step that can be taken back; a notice tells what of the file
+    /// is left out. False, with a notice, where it cannot be read or has no curves; then nothing changes.
+    bool insert_outline(const std::filesystem::path& path);
     void show_example(Document document); ///< as a document without a file
 
     std::string name() const override; ///< without a file the model's title

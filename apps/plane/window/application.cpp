@@ -103,6 +103,17 @@ bool Application::close_topmost()
     return true;
 }
 
+void Application::handle_own_requests()
+{
+    if (std::exchange(workspace().asks_for_outline, false))
+        insert_dialog_.open_any(session().path().value_or(""), {".dxf", ".svg"});
+}
+
+void Application::show_own_dialogs()
+{
+    if (const auto path = insert_dialog_.show(session().tr())) workspace().insert_outline(*path);
+}
+
 // ---- what is shown
 
 std::optional<ui::FootMessage> Application::foot_message() const

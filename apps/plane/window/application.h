@@ -9,6 +9,7 @@
 #include "apps/plane/window/tables_panel.h"
 #include "ui/app/document_app.h"
 #include "ui/widgets/number_field.h"
+#include "ui/widgets/path_dialog.h"
 
 extern template class ui::DocumentApp<plane::Workspace>;
 
@@ -36,6 +37,9 @@ private:
     void zoom(double factor) override { canvas_.zoom(workspace().session, factor); }
     std::vector<ui::KeyEvent> take_keys(const ui::Input& input) override;
     bool close_topmost() override;
+    void show_own_dialogs() override;
+    void handle_own_requests() override;
+    bool is_asking() const override { return insert_dialog_.is_open(); }
     std::optional<ui::FootMessage> foot_message() const override;
     void answer(const ui::FootMessage& message, std::size_t pressed) override;
 
@@ -46,6 +50,7 @@ private:
     Canvas canvas_;
     ui::NumberFields fields_;
     TablesPanel tables_;
+    ui::PathDialog insert_dialog_;
 };
 
 } // namespace plane

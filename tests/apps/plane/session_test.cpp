@@ -7,6 +7,7 @@
 #include "apps/plane/session/part_commands.h"
 #include "apps/plane/tools/snap.h"
 #include "tests/apps/recovered.h"
+#include "tests/folder.h"
 
 #include <doctest/doctest.h>
 
@@ -328,4 +329,41 @@ TEST_CASE("Sizes of a refined mesh that are kept at the points make a mesh that 
     session.analyse_what_is_shown();
     REQUIRE(session.input().result != nullptr);
     CHECK(session.input().result->error_estimate() < 0.5 * before);
+}
+
+TEST_CASE("An outline joins the drawing as one step and leaves the file alone; one that cannot be read changes nothing")
+{
+    const Folder folder;
+    const std::string circle = "<svg><circle cx='100' cy='-20' r='5'/></svg>";
+    const std::string sound = folder.write("hole.svg", circle), torn = folder.write("torn.dxf", "0\nSECTION\n");
+    Workspace workspace = quarter_plate();
+    Session& session = workspace.session;
+    const PlaneModel before = session.model();
+    CHECK_FALSE(workspace.open_at_once(torn));
+    CHECK(session.model() == before);
+    CHECK(session.tr()(session.notice->sentence).find("ends before its EOF") != std::string::npos);
+
+    REQUIRE(workspace.open_at_once(sound));
+    CHECK(session.model().curves.size() == before.curves.size() + 1);
+    CHECK(session.model().points.size() == before.points.size() + 1);
+    CHECK(session.tr()(session.notice->sentence) ==
+          "Inserted: curves: 1; the file has no unit; its numbers are taken as mm");
+    CHECK_FALSE(session.path());
+    session.undo();
+    CHECK(session.model() == before);
+}
+
+TEST_CASE("A point of an outline that lies where one is already is that one, and names that are taken are left alone")
+{
+    const Folder folder;
+    const std::string file = folder.write("side.dxf",
+                                          "0\nSECTION\n2\nENTITIES\n0\nLINE\n10\n10\n20\n0\n11\n50\n21\n-7\n"
+                                          "0\nENDSEC\n0\nEOF\n");
+    Workspace workspace = quarter_plate(); // whose point A is at 10, 0
+    workspace.session.change({"name", [](Document& document) { document.model.points.back().id = "P1"; }});
+    REQUIRE(workspace.session.insert_outline(file));
+    const PlaneModel& model = workspace.session.model();
+    const auto& line = *model.curves.back().shape;
+    CHECK(model[*line.places[0].point].id == "A");
+    CHECK(model[*line.places[1].point].id == "P2");
 }
