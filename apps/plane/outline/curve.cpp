@@ -126,6 +126,12 @@ std::vector<DrawnShape> Drawing::operator()(const EllipticArc& arc) const
 
 } // namespace
 
+std::array<Place, 4> raised(const std::array<Place, 3>& quadratic)
+{
+    const auto& [a, b, c] = quadratic;
+    return {a, a + 2.0 / 3.0 * (b - a), c + 2.0 / 3.0 * (b - c), c};
+}
+
 Curve mapped(const Curve& curve, const Affine& map) { return std::visit(Mapping{map}, curve); }
 
 std::vector<DrawnShape> shapes_of(const Curve& curve) { return std::visit(Drawing{}, curve); }

@@ -2,6 +2,7 @@
 
 #include <Eigen/Core>
 #include <Eigen/Geometry>
+#include <array>
 #include <numbers>
 #include <variant>
 #include <vector>
@@ -39,6 +40,9 @@ struct SplineThrough {
 
 /// A curve as files of other programs draw it, of which any affine map is one again.
 using Curve = std::variant<Polyline, EllipticArc, CubicChain, SplineThrough>;
+
+/// A quadratic piece as a cubic one.
+std::array<Place, 4> raised(const std::array<Place, 3>& quadratic);
 
 Curve mapped(const Curve& curve, const Affine& map);
 

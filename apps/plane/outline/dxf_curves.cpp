@@ -1,5 +1,6 @@
 #include "apps/plane/outline/dxf_curves.h"
 
+#include <array>
 #include <cmath>
 #include <span>
 #include <utility>
@@ -69,12 +70,6 @@ std::vector<Curve> bulged_polyline(const std::vector<BulgedCorner>& corners, boo
     }
     end_run();
     return curves;
-}
-
-std::array<Place, 4> raised(const std::array<Place, 3>& quadratic)
-{
-    const auto& [a, b, c] = quadratic;
-    return {a, a + 2.0 / 3.0 * (b - a), c + 2.0 / 3.0 * (b - c), c};
 }
 
 Curve bspline(const std::vector<Place>& control, const std::vector<double>& knots, int degree)

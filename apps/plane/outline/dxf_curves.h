@@ -1,6 +1,5 @@
 #pragma once
 
-#include <array>
 #include <vector>
 
 #include "apps/plane/outline/curve.h"
@@ -21,8 +20,5 @@ std::vector<Curve> bulged_polyline(const std::vector<BulgedCorner>& corners, boo
 /// Source  Ramshaw, Blossoms are polar forms (1989): the control points of a piece are the spline's blossom at its ends
 /// \pre knots ascend, and are as many as control points + degree + 1
 Curve bspline(const std::vector<Place>& control, const std::vector<double>& knots, int degree);
-
-/// A quadratic piece as a cubic one.
-std::array<Place, 4> raised(const std::array<Place, 3>& quadratic);
 
 } // namespace outline

@@ -6,11 +6,12 @@
 #include <cctype>
 #include <cmath>
 #include <cstdint>
+#include <functional>
 #include <numbers>
 #include <unordered_map>
 #include <utility>
 
-#include "femoop/model/quantity/units.h"
+#include "femoop/model/quantity/quantity_parser.h"
 
 namespace outline {
 
@@ -36,21 +37,8 @@ template <class Visitor> void for_each_place(DrawnShape& shape, const Visitor& v
     if (shape.center) visit(*shape.center);
 }
 
-/// Lengths of one unit in another, with one rounding.
-class Scale {
-public:
-    Scale(std::optional<femoop::LengthUnit> from, femoop::LengthUnit to)
-    {
-        if (!from || *from == to) return;
-        const double ratio = femoop::metres(*from) / femoop::metres(to);
-        if (ratio < 1.0) divisor_ = femoop::metres(to) / femoop::metres(*from);
-        else factor_ = ratio;
-    }
-    Quantity operator()(double length) const { return length * factor_ / divisor_; }
-
-private:
-    double factor_ = 1.0, divisor_ = 1.0; // one of them is 1
-};
+/// A length in the base units of a model.
+using Scale = std::function<double(double)>;
 
 DrawnShape scaled(DrawnShape shape, const Scale& scale)
 {
@@ -216,7 +204,10 @@ Outline read_outline(const std::filesystem::path& path, std::string_view text)
 
 PlaneModel drawing_of(const Outline& outline, const femoop::Units& units)
 {
-    const Scale scale(outline.unit, units.length);
+    const femoop::Units of_file{outline.unit.value_or(units.length), units.force};
+    const Scale scale = [&](double length) {
+        return femoop::converted(length, femoop::dimension::length, of_file, units);
+    };
     PlaneModel model;
     model.is_drawn = true;
     model.units = units;

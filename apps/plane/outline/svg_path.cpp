@@ -7,7 +7,6 @@
 #include <string>
 #include <utility>
 
-#include "apps/plane/outline/dxf_curves.h"
 #include "apps/plane/outline/svg_scanner.h"
 #include "femoop/model/fault/translator.h"
 #include "topology/text/line_error.h"
@@ -59,7 +58,7 @@ public:
         char command = 0;
         while (!scanner_.is_at_end()) {
             if (!scanner_.is_at_number()) command = scanner_.letter();
-            else if (command == 0 || command == 'Z' || command == 'z')
+            else if (command == 'Z' || command == 'z')
                 throw LineError(translatable("path data begin with M, and no number follows Z"), {});
             else if (command == 'M') command = 'L'; // further pairs are lines
             else if (command == 'm') command = 'l';

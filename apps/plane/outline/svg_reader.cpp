@@ -194,11 +194,17 @@ private:
         return Affine::Identity() * Eigen::Scaling(scale, -scale) * Eigen::Translation2d(-left, -bottom);
     }
 
-    void draw_inside(const pugi::xml_node& parent, const Affine& map, std::size_t depth)
+    /// For one group more.
+    void require_room(std::size_t depth, std::size_t most)
     {
-        if (depth == deepest || ++n_groups_ > most_pieces)
+        if (depth == deepest || ++n_groups_ > most)
             throw LineError(translatable("groups lie more than {0} deep in one another, or too many"),
                             {std::to_string(deepest)});
+    }
+
+    void draw_inside(const pugi::xml_node& parent, const Affine& map, std::size_t depth)
+    {
+        require_room(depth, most_pieces);
         for (const pugi::xml_node& node : parent.children())
             if (node.type() == pugi::node_element) at_line_of(node, [&] { draw(node, map, depth); });
     }
@@ -232,9 +238,7 @@ private:
         const pugi::xml_node used = document_.find_node(
             [&](const pugi::xml_node& node) { return !id.empty() && node.attribute("id").value() == id; });
         if (!used) return found_.leave_out("use");
-        if (depth == deepest || ++n_groups_ > most_used)
-            throw LineError(translatable("groups lie more than {0} deep in one another, or too many"),
-                            {std::to_string(deepest)});
+        require_room(depth, most_used);
         if (name_of(used) == "symbol") draw_inside(used, map, depth + 1);
         else draw(used, map, depth + 1);
     }
