@@ -165,7 +165,7 @@ private:
         double from = 0.0, to = 1.0;
         const auto cut = [&](double start, double step, double least, double most) {
             if (step == 0.0) return start >= least && start <= most;
-            const auto [first, last] = std::minmax((least - start) / step, (most - start) / step);
+            const auto [first, last] = std::minmax({(least - start) / step, (most - start) / step});
             from = std::max(from, first);
             to = std::min(to, last);
             return from <= to;
