@@ -197,7 +197,7 @@ private:
     /// For one group more.
     void require_room(std::size_t depth, std::size_t most)
     {
-        if (depth == deepest || ++n_groups_ > most)
+        if (depth >= deepest || ++n_groups_ > most)
             throw LineError(translatable("groups lie more than {0} deep in one another, or too many"),
                             {std::to_string(deepest)});
     }

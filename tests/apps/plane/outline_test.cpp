@@ -227,6 +227,10 @@ TEST_CASE("A file that cannot be read is refused with its line and what was want
     CHECK(picture("<rect width='7em' height='2'/>").find("is no number") != std::string::npos);
     CHECK(picture("<g transform='turn(3)'/>").find("is no transform") != std::string::npos);
     CHECK(picture("<g id='a'><use href='#a'/></g>").find("deep in one another") != std::string::npos);
+    std::string chain;
+    for (int i = 0; i < 60; ++i)
+        chain += "<g id='g" + std::to_string(i) + "'><use href='#g" + std::to_string(i + 1) + "'/></g>";
+    CHECK(picture(chain + "<g id='g60'/>").find("deep in one another") != std::string::npos);
     CHECK(refusal([] { outline::read_svg("<html/>"); }).find("it is no SVG file") != std::string::npos);
     CHECK(refusal([] { outline::read_svg("<svg><g></svg>"); }).find("no XML") != std::string::npos);
 }
