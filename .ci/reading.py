@@ -131,10 +131,10 @@ class Passed:
     def add(self, key):
         (self.folder / key).touch()
 
-    def new_among(self, checks, name):
-        """Those that have not passed as they are."""
-        new = [check for check in checks if check.key not in self]
-        print(f"{name}: {len(new)} of {len(checks)} are new or changed since they passed", flush=True)
+    def new_among(self, keyed, name):
+        """Those of which each has a `key` that has not passed."""
+        new = [one for one in keyed if one.key not in self]
+        print(f"{name}: {len(new)} of {len(keyed)} are new or changed since they passed", flush=True)
         return new
 
 
@@ -144,6 +144,7 @@ class Check:
     key: str  # see key_of
     cost: int  # to be compared with that of others
     run: Callable[[], tuple[bool, str]]  # whether it passed, and what there is to say
+    along: frozenset[str] = frozenset()  # the keys of what has passed when it has
 
 
 def run_checks(name, checks, passed):
@@ -152,7 +153,8 @@ def run_checks(name, checks, passed):
     def run(check):
         is_passed, words = check.run()
         if is_passed:
-            passed.add(check.key)
+            for key in {check.key} | check.along:
+                passed.add(key)
         if not is_passed:
             words += f"{name}: {check.what} failed\n"
         sys.stdout.write(words)
