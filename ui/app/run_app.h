@@ -114,6 +114,10 @@ int run_with(AppOptions options, std::string_view program, const std::optional<D
     Session session;
     session.look.theme = *options.settings.theme;
     session.look.tr = Catalogue(*options.settings.language);
+    if constexpr (requires { session.look.unit_choices; }) {
+        session.look.units = options.settings.units;
+        session.look.unit_choices = options.settings.unit_choices.value_or(UnitChoices());
+    }
     if (!options.files.empty()) open_first(session, options.files.front());
     return run_app<Application, AppStage>(options, program, session,
                                           remembering_app_with<Application>(session, options, folder));

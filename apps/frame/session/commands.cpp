@@ -24,6 +24,7 @@
 #include "femoop/analysis/linear_static.h"
 #include "femoop/io/results/difference_text.h"
 #include "ui/workspace/standard_commands.h"
+#include "ui/workspace/unit_commands.h"
 
 #include <array>
 #include <utility>
@@ -252,45 +253,12 @@ void add_panel_commands(CommandTable& table)
     ui::standard::add_topics(table, topic_entries);
 }
 
-using UnitEntry = ui::Choice<ui::UnitSystem>;
-constexpr std::array unit_entries{
-    UnitEntry{ui::UnitSystem::File, "view.units.file", translatable("Units of the file")},
-    UnitEntry{ui::UnitSystem::Si, "view.units.si", translatable("N, m, MPa")},
-    UnitEntry{ui::UnitSystem::KnM, "view.units.kn-m", translatable("kN, m, MPa")},
-    UnitEntry{ui::UnitSystem::KnCm, "view.units.kn-cm", translatable("kN, cm")},
-    UnitEntry{ui::UnitSystem::Us, "view.units.us", translatable("kip, ft, ksi")},
-};
-
-using DigitsEntry = ui::Choice<int>;
-constexpr std::array digits_entries{
-    DigitsEntry{3, "view.digits.3", translatable("3 digits")},
-    DigitsEntry{4, "view.digits.4", translatable("4 digits")},
-    DigitsEntry{5, "view.digits.5", translatable("5 digits")},
-    DigitsEntry{6, "view.digits.6", translatable("6 digits")},
-    DigitsEntry{8, "view.digits.8", translatable("8 digits")},
-};
-
-// "moment kN·cm"; the quantity alone: the unit of the system again.
-Reason choose_unit(Workspace& workspace, const ui::Argument& argument)
-{
-    const std::string_view text = argument.text, quantity = text.substr(0, text.find(' '));
-    const std::string_view unit = text.substr(std::min(quantity.size() + 1, text.size()));
-    if (workspace.session.view.unit_choices.choose(quantity, unit)) return std::nullopt;
-    return translatable("there is no such quantity, or it has no such unit");
-}
-
 void add_look_commands(CommandTable& table)
 {
     ui::standard::add_themes(table);
-    Menu menu(table, translatable("Units"));
-    menu.choices(
-        unit_entries, [](const Workspace& workspace) { return workspace.session.units().system(); },
-        [](Workspace& workspace, ui::UnitSystem system) { workspace.session.view.units = system; });
-    menu.step({"view.units.quantities", translatable("Quantity by quantity…"), {{Key::U, ui::shift}}},
-              [](Workspace& workspace) { workspace.requests.push_back(Request::UnitWindow); });
-    table.with_argument("view.unit", choose_unit);
-    menu.choices(
-        digits_entries, [](auto& workspace) -> auto& { return workspace.session.view.numbers.digits; });
+    ui::standard::add_units(
+        table, [](auto& workspace) -> auto& { return workspace.session.view; },
+        [](Workspace& workspace) { workspace.requests.push_back(Request::UnitWindow); });
     ui::standard::add_export_scales(table);
     ui::standard::add_languages(table);
 }

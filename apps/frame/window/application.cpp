@@ -274,7 +274,8 @@ void Application::show_own_dialogs()
     design_window_.show(workspace(), fields_);
     train_window_.show(workspace(), gui(), fields_);
     view_list_.show(workspace());
-    unit_window_.show(workspace(), fields_.stops());
+    auto& view = workspace().session.view;
+    unit_window_.show(view.unit_choices, session().units(), session().view.tr, fields_.stops());
     context_menu_.show(workspace(), commands());
     kind_question_.show(workspace(), commands());
     tables_.show_dialog(workspace());

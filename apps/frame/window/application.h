@@ -19,11 +19,11 @@
 #include "apps/frame/window/title_rows.h"
 #include "apps/frame/window/train_window.h"
 #include "apps/frame/window/typical_window.h"
-#include "apps/frame/window/unit_window.h"
 #include "apps/frame/window/view_list.h"
 #include "ui/app/document_app.h"
 #include "ui/widgets/number_field.h"
 #include "ui/widgets/path_dialog.h"
+#include "ui/widgets/unit_window.h"
 
 extern template class ui::DocumentApp<frame::Workspace>;
 
@@ -86,7 +86,7 @@ private:
     TrainWindow train_window_;
     DesignWindow design_window_;
     ViewList view_list_;
-    UnitWindow unit_window_;
+    ui::UnitWindow unit_window_;
     PropertySets property_sets_;
     TitleRows title_rows_;
     CaseList case_list_;

@@ -5,7 +5,7 @@
 #include <type_traits>
 #include <utility>
 
-#include "apps/plane/document/fresh_id.h"
+#include "apps/plane/document/load_cases.h"
 
 namespace plane {
 
@@ -118,18 +118,8 @@ void keep_sizes(Document& document, const topology::SizeField& sizes)
 
 std::size_t some_case(Document& document, std::size_t load_case)
 {
-    auto& cases = document.model.load_cases;
-    if (cases.empty()) {
-        cases.push_back({.id = fresh_id(document.model.combinations, "1"),
-                         .points = {},
-                         .curves = {},
-                         .regions = {},
-                         .settlements = {}});
-        // a case before them all moves the combinations' places by one
-        for (auto& check : document.model.expected)
-            if (check.load_case) ++check.load_case->index;
-    }
-    return std::min(load_case, cases.size() - 1);
+    if (document.model.load_cases.empty()) add_load_case(document);
+    return std::min(load_case, document.model.load_cases.size() - 1);
 }
 
 namespace {

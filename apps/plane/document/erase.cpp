@@ -64,7 +64,7 @@ public:
           regions_(erased.regions, model.regions.size()),
           materials_(erased.materials, model.materials.size())
     {
-        erase_cases(erased.load_cases);
+        erase_cases(erased.cases);
         take_away(model.points, erased.points);
         take_away(model.curves, erased.curves);
         take_away(model.regions, erased.regions);
@@ -114,6 +114,10 @@ private:
     void erase_cases(const std::vector<bool>& erased)
     {
         const NewPlaces cases(erased, model_.n_cases());
+        const std::size_t n_load_cases = std::min(erased.size(), model_.load_cases.size());
+        const std::vector<bool> erased_combinations(erased.begin() + static_cast<std::ptrdiff_t>(n_load_cases),
+                                                    erased.end());
+        take_away(model_.combinations, erased_combinations);
         take_away(model_.load_cases, erased);
         for (auto& combination : model_.combinations) {
             std::erase_if(combination.terms, [&](const auto& term) { return cases.lost(term.of); });

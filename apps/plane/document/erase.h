@@ -11,7 +11,8 @@ namespace plane {
 /// Which entries of a model go, by their places in its lists; a list that is shorter than the model's takes nothing of
 /// the rest.
 struct Erased {
-    std::vector<bool> points{}, curves{}, regions{}, materials{}, load_cases{};
+    std::vector<bool> points{}, curves{}, regions{}, materials{};
+    std::vector<bool> cases{}; ///< load cases first, then combinations
 };
 
 /// Takes entries away, with what refers to them: loads, checks, settlements. \pre no curve that stays is drawn by a

@@ -370,17 +370,6 @@ std::vector<Number> numbers(const PlaneModel& model, MaterialId material)
             at("alpha", translatable("Thermal expansion α"), Measure::Expansion, &Material::alpha)};
 }
 
-std::vector<Number> numbers_of_case(const PlaneModel& model, std::size_t load_case)
-{
-    return {{"self-weight", translatable("Factor of self-weight"), Measure::Plain,
-             Quantity(model.load_cases[load_case].self_weight), false,
-             [load_case](Document& document, const Value& value) -> Objection {
-                 if (!value) return Message(translatable("a value is needed here"));
-                 document.model.load_cases[load_case].self_weight = *value;
-                 return std::nullopt;
-             }}};
-}
-
 std::vector<Number> numbers(const PlaneModel& model, std::size_t load_case, std::size_t load, CurveId curve)
 {
     const CurveLoad& shown = model.load_cases[load_case].curves[load];

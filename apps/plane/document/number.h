@@ -40,8 +40,6 @@ std::vector<Number> numbers(const PlaneModel& model, NodeId point, std::size_t l
 std::vector<Number> numbers(const PlaneModel& model, CurveId curve, std::size_t load_case);
 std::vector<Number> numbers(const PlaneModel& model, RegionId region);
 std::vector<Number> numbers(const PlaneModel& model, MaterialId material);
-/// Of a load case: its factor of self-weight.
-std::vector<Number> numbers_of_case(const PlaneModel& model, std::size_t load_case);
 /// Of a load on a curve.
 std::vector<Number> numbers(const PlaneModel& model, std::size_t load_case, std::size_t load, CurveId curve);
 /// Of a load on a region.

@@ -19,7 +19,8 @@ template <class Model, class Use> decltype(auto) in_list(Model& model, const Nam
             else if constexpr (std::is_same_v<Id, CurveId>) return use(model.curves, id.index);
             else if constexpr (std::is_same_v<Id, RegionId>) return use(model.regions, id.index);
             else if constexpr (std::is_same_v<Id, MaterialId>) return use(model.materials, id.index);
-            else return use(model.load_cases, id.index);
+            else if (id.index < model.load_cases.size()) return use(model.load_cases, id.index);
+            else return use(model.combinations, id.index - model.load_cases.size());
         },
         entry);
 }
@@ -34,11 +35,14 @@ const std::string& name_of(const PlaneModel& model, const Named& entry)
 std::optional<ui::Message> why_not_named(const PlaneModel& model, const Named& entry, std::string_view name)
 {
     if (name.find_first_not_of(' ') == std::string_view::npos) return ui::Message(ui::translatable("a name is wanted"));
-    const bool is_taken = in_list(model, entry, [&](const auto& list, std::size_t place) {
-        for (std::size_t i = 0; i < list.size(); ++i)
-            if (i != place && list[i].id == name) return true;
-        return false;
-    });
+    const auto* const of_case = std::get_if<femoop::CaseId>(&entry);
+    const auto other = of_case != nullptr ? model.find_case(name) : std::nullopt; // among combinations too
+    const bool is_taken = of_case != nullptr ? other && *other != *of_case
+                                             : in_list(model, entry, [&](const auto& list, std::size_t place) {
+                                                   for (std::size_t i = 0; i < list.size(); ++i)
+                                                       if (i != place && list[i].id == name) return true;
+                                                   return false;
+                                               });
     if (!is_taken) return std::nullopt;
     return ui::Message(ui::translatable("there is another one named {name}"), {{"name", std::string(name)}});
 }

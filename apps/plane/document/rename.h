@@ -12,7 +12,7 @@
 namespace plane {
 
 /// What has a name: an entry of a list.
-using Named = std::variant<NodeId, CurveId, RegionId, MaterialId, femoop::CaseId>; ///< of cases, load cases alone
+using Named = std::variant<NodeId, CurveId, RegionId, MaterialId, femoop::CaseId>;
 
 const std::string& name_of(const PlaneModel& model, const Named& entry);
 /// Why an entry cannot have this name; nothing where it can.

@@ -12,6 +12,7 @@
 #include "apps/plane/session/mesher_commands.h"
 #include "apps/plane/session/part_commands.h"
 #include "ui/workspace/file_commands.h"
+#include "ui/workspace/unit_commands.h"
 
 namespace plane {
 
@@ -33,6 +34,7 @@ constexpr std::array table_entries{
     TableEntry{TableKind::Regions, "table.regions", translatable("Regions")},
     TableEntry{TableKind::Materials, "table.materials", translatable("Materials")},
     TableEntry{TableKind::Cases, "table.cases", translatable("Load cases")},
+    TableEntry{TableKind::Combinations, "table.combinations", translatable("Combinations")},
     TableEntry{TableKind::Reactions, "table.reactions", translatable("Reactions")},
     TableEntry{TableKind::Modes, "table.modes", translatable("Natural modes")},
 };
@@ -283,6 +285,9 @@ void add_view_commands(CommandTable& table)
     ui::standard::add_themes(table);
     ui::standard::add_export_scales(table);
     ui::standard::add_look_switches(table, translatable("Show"), looks);
+    ui::standard::add_units(
+        table, [](auto& workspace) -> auto& { return workspace.session.look; },
+        [](Workspace& workspace) { workspace.asks_for_units = true; });
     ui::standard::add_languages(table);
 }
 

@@ -18,7 +18,7 @@ namespace plane {
 enum class Topic : std::uint8_t { Properties, Model, Problems };
 
 /// A list of entries that is shown at the bottom.
-enum class TableKind : std::uint8_t { Points, Curves, Regions, Materials, Cases, Reactions, Modes };
+enum class TableKind : std::uint8_t { Points, Curves, Regions, Materials, Cases, Combinations, Reactions, Modes };
 
 /// A session, the hand that works in it, and the panels around its picture.
 struct Workspace : ui::DocumentWorkspace<Workspace, Session> {
@@ -29,6 +29,9 @@ struct Workspace : ui::DocumentWorkspace<Workspace, Session> {
     bool open_at_once(const std::filesystem::path& path);
     bool insert_outline(const std::filesystem::path& path); ///< all is shown then; false, with a notice, if it cannot
 
+    std::optional<ui::UnitSystem> units() const { return session.look.units; }
+    const ui::UnitChoices& unit_choices() const { return session.look.unit_choices; }
+
     /// Carries it out, or tells why not. \returns why not
     std::optional<ui::Message> change(const Change& change);
     /// Draws what the hand has ended.
@@ -36,6 +39,7 @@ struct Workspace : ui::DocumentWorkspace<Workspace, Session> {
 
     Hand hand;
     bool asks_for_outline = false; ///< the window takes it, and asks for a file to insert
+    bool asks_for_units = false;   ///< likewise, and shows the units quantity by quantity or hides them
     Topic topic = Topic::Properties;
     std::optional<TableKind> table{}; ///< that is shown; none while the tables are closed
 };

@@ -44,6 +44,9 @@ PlateOptions options_of(const Look& look, std::size_t load_case)
     options.is_beside = look.beside;
     options.theme = look.theme;
     options.tr = look.tr;
+    options.units = look.units;
+    options.unit_choices = look.unit_choices;
+    options.numbers = look.numbers;
     options.numbers.mark = ui::decimal_mark(look.tr.language());
     return options;
 }

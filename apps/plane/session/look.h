@@ -6,6 +6,7 @@
 #include "apps/plane/view/plate_picture.h"
 #include "ui/paint/theme.h"
 #include "ui/text/catalogue.h"
+#include "ui/text/display_units.h"
 
 namespace plane {
 
@@ -37,6 +38,9 @@ struct Look {
     std::size_t mode = 0;                                 ///< that is shown
     bool beside = false;                                  ///< results that are kept, in place of behind the others
     std::size_t n_cycles = 4;                             ///< of a refinement
+    std::optional<ui::UnitSystem> units{};                ///< the file's own when absent
+    ui::UnitChoices unit_choices{};                       ///< in place of those of the system
+    ui::NumberFormat numbers{};                           ///< but for the mark, which is the language's
     bool circle = true; ///< Mohr's circle and all values of the last probe, in a panel
     ui::ThemeName theme = ui::ThemeName::Light;
     ui::Catalogue tr;

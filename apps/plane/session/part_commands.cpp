@@ -6,8 +6,7 @@
 
 #include "apps/drawing/quantity_typed.h"
 #include "apps/plane/document/attributes.h"
-#include "apps/plane/document/erase.h"
-#include "apps/plane/document/fresh_id.h"
+#include "apps/plane/document/load_cases.h"
 #include "apps/plane/document/regions.h"
 #include "femoop/io/plane/field_text.h"
 #include "ui/scenario/words.h"
@@ -128,6 +127,40 @@ void choose_support(Workspace& workspace, std::optional<PlaneSupportKind> kind)
                       }});
 }
 
+using TieEntry = ui::Choice<femoop::Dof>;
+constexpr std::array tie_entries{
+    TieEntry{femoop::Dof::ux, "support.tie_ux", translatable("One ux along the curve")},
+    TieEntry{femoop::Dof::uy, "support.tie_uy", translatable("One uy along the curve")},
+};
+
+Reason why_no_tie(const Workspace& workspace)
+{
+    const auto& parts = workspace.session.selection();
+    const bool are_curves = std::ranges::all_of(parts,
+                                                [](const Part& part) { return std::holds_alternative<CurveId>(part); });
+    if (!parts.empty() && are_curves) return std::nullopt;
+    return translatable("select curves first");
+}
+
+bool are_tied(const Workspace& workspace, femoop::Dof dof)
+{
+    return !why_no_tie(workspace) && std::ranges::all_of(workspace.session.selection(), [&](const Part& part) {
+        return workspace.session.model()[std::get<CurveId>(part)].tie.contains(dof);
+    });
+}
+
+void tie(Workspace& workspace, femoop::Dof dof, bool is_tied)
+{
+    workspace.change(
+        {translatable("Change the support"), [=, parts = workspace.session.selection()](Document& document) {
+             for (const Part& part : parts) {
+                 femoop::DofSet& tied = document.model.curves[std::get<CurveId>(part).index].tie;
+                 if (is_tied) tied.insert(dof);
+                 else tied.erase(dof);
+             }
+         }});
+}
+
 // ---- loads
 
 using LoadEntry = ui::Choice<CurveLoadKind>;
@@ -192,29 +225,38 @@ void add_load_commands(CommandTable& table)
             {entry.id, entry.label, {}},
             [kind = entry.value](Workspace& workspace) { add_load_to_region(workspace, kind); }, why_no_region_load);
     menu.step({"case.add", translatable("Add a load case")}, [](Workspace& workspace) {
-        workspace.change(
-            {translatable("Add a load case"), [](Document& document) {
-                 auto& cases = document.model.load_cases;
-                 cases.push_back(
-                     {.id = fresh_id(cases, "1"), .points = {}, .curves = {}, .regions = {}, .settlements = {}});
-             }});
+        workspace.change({translatable("Add a load case"), add_load_case});
         workspace.session.load_case = workspace.session.model().load_cases.size() - 1;
     });
     menu.step(
-        {"case.delete", translatable("Delete the load case"), {}},
+        {"case.combination", translatable("Add a combination")},
         [](Workspace& workspace) {
-            workspace.change(
-                {translatable("Delete a load case"), [load_case = workspace.session.load_case](Document& document) {
-                     Erased erased;
-                     erased.load_cases.resize(document.model.load_cases.size());
-                     erased.load_cases[load_case] = true;
-                     erase_entries(document.model, erased);
-                 }});
+            workspace.change({translatable("Add a combination"), add_combination});
+            workspace.session.load_case = workspace.session.model().n_cases() - 1;
         },
         [](const Workspace& workspace) -> Reason {
-            if (workspace.session.load_case < workspace.session.model().load_cases.size()) return std::nullopt;
-            return translatable("no load case is shown");
+            if (!workspace.session.model().load_cases.empty()) return std::nullopt;
+            return translatable("there is no load case to combine yet");
         });
+    menu.step(
+            {"case.delete", translatable("Delete the load case or combination"), {}},
+            [](Workspace& workspace) {
+                const Session& session = workspace.session;
+                const femoop::CaseId shown(session.load_case);
+                workspace.change({Message(translatable("Delete: {part}"), {{"part", title(session, shown)}}),
+                                  [shown](Document& document) { erase_case(document, shown); }});
+            },
+            [](const Workspace& workspace) -> Reason {
+                if (workspace.session.load_case < workspace.session.model().n_cases()) return std::nullopt;
+                return translatable("there is no load case yet");
+            })
+        .live_label = [](const Workspace& workspace) {
+        const Session& session = workspace.session;
+        const femoop::CaseId shown(session.load_case);
+        if (shown.index >= session.model().n_cases())
+            return Message(translatable("Delete the load case or combination"));
+        return Message(translatable("Delete: {part}"), {{"part", title(session, shown)}});
+    };
     menu.step({"case.next", translatable("Next load case"), {{Key::PageDown, {}}}}, [](Workspace& workspace) {
         const std::size_t n = std::max<std::size_t>(workspace.session.model().n_cases(), 1);
         workspace.session.load_case = (workspace.session.load_case + 1) % n;
@@ -289,17 +331,13 @@ void add_numbers_about(std::vector<Number>& all, const Session& session, RegionI
     };
     if (!model[region].is_hole && model[region].material.index < model.materials.size())
         add(numbers(model, model[region].material));
-    if (session.load_case < model.load_cases.size()) add(numbers_of_case(model, session.load_case));
+    if (session.load_case < model.load_cases.size()) add(numbers(model, femoop::CaseId(session.load_case)));
 }
 
-/// "thickness 12 mm": a number of what is selected, of the first load too that has one of the name.
-Reason set_named(Workspace& workspace, const ui::Argument& argument)
+/// "thickness 12 mm": one of the numbers of something.
+Reason set_one_of(Workspace& workspace, const Message& whose, const std::vector<Number>& all,
+                  const ui::Argument& argument)
 {
-    const Part* const part = only_part(workspace);
-    if (part == nullptr) return Message(translatable("nothing is selected"));
-    std::vector<Number> all = numbers_of(workspace.session, *part);
-    for (Number& number : numbers_of_loads(workspace.session, *part)) all.push_back(std::move(number));
-    if (const auto region = workspace.session.selected_region()) add_numbers_about(all, workspace.session, *region);
     const Number* meant = nullptr; // "qy end" rather than "qy"
     std::string known;
     for (const Number& number : all) {
@@ -307,10 +345,28 @@ Reason set_named(Workspace& workspace, const ui::Argument& argument)
         if (is_meant && (meant == nullptr || number.id.size() > meant->id.size())) meant = &number;
         known += (known.empty() ? "" : ", ") + number.id;
     }
-    if (meant != nullptr)
-        return set_typed(workspace, title(workspace.session, *part), *meant,
-                         argument.text.substr(meant->id.size() + 1));
+    if (meant != nullptr) return set_typed(workspace, whose, *meant, argument.text.substr(meant->id.size() + 1));
     return argument.wanted("one of " + known + " and a number");
+}
+
+/// A number of what is selected, of the first load too that has one of the name.
+Reason set_of_selected(Workspace& workspace, const ui::Argument& argument)
+{
+    const Part* const part = only_part(workspace);
+    if (part == nullptr) return Message(translatable("nothing is selected"));
+    std::vector<Number> all = numbers_of(workspace.session, *part);
+    for (Number& number : numbers_of_loads(workspace.session, *part)) all.push_back(std::move(number));
+    if (const auto region = workspace.session.selected_region()) add_numbers_about(all, workspace.session, *region);
+    return set_one_of(workspace, title(workspace.session, *part), all, argument);
+}
+
+/// "factor G 1.4": a number of the case that is shown.
+Reason set_of_case(Workspace& workspace, const ui::Argument& argument)
+{
+    const Session& session = workspace.session;
+    const femoop::CaseId shown(session.load_case);
+    if (shown.index >= session.model().n_cases()) return Message(translatable("there is no load case yet"));
+    return set_one_of(workspace, title(session, shown), numbers(session.model(), shown), argument);
 }
 
 std::optional<RegionId> region_of(const Session& session, const Part& part)
@@ -326,10 +382,13 @@ void add_part_commands(CommandTable& table)
 {
     add_region_commands(table);
     add_analysis_commands(table);
-    Menu(table, translatable("Support")).choices(support_entries, support_kind, choose_support, why_no_support);
+    Menu supports(table, translatable("Support"));
+    supports.choices(support_entries, support_kind, choose_support, why_no_support);
+    supports.toggles(tie_entries, are_tied, tie, why_no_tie);
     add_load_commands(table);
     table.with_argument("part.select", select_named);
-    table.with_argument("part.set", set_named);
+    table.with_argument("part.set", set_of_selected);
+    table.with_argument("case.set", set_of_case);
 }
 
 Message title(const Session& session, const Part& part)
@@ -343,6 +402,13 @@ Message title(const Session& session, const Part& part)
     if (!region) return translatable("Face without a region");
     return {model[*region].is_hole ? translatable("Hole {id}") : translatable("Region {id}"),
             {{"id", model[*region].id}}};
+}
+
+Message title(const Session& session, femoop::CaseId id)
+{
+    const bool is_load_case = id.index < session.model().load_cases.size();
+    return {is_load_case ? translatable("Load case {id}") : translatable("Combination {id}"),
+            {{"id", session.model().case_name(id)}}};
 }
 
 std::vector<Number> numbers_of(const Session& session, const Part& part)

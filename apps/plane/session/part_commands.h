@@ -14,6 +14,7 @@ void add_part_commands(CommandTable& table);
 
 /// "Curve C3", "Region R1", "Face without a region".
 ui::Message title(const Session& session, const Part& part);
+ui::Message title(const Session& session, femoop::CaseId id); ///< "Load case G", "Combination C"
 
 /// The numbers of a part, without those of its loads.
 std::vector<Number> numbers_of(const Session& session, const Part& part);

@@ -14,6 +14,7 @@
 #include "apps/plane/outline/outline.h"
 #include "apps/plane/view/error_curve.h"
 #include "apps/plane/view/field_picture.h"
+#include "apps/plane/view/plate_scene.h"
 #include "femoop/files/whole_file.h"
 #include "femoop/io/plane/plane_file.h"
 #include "femoop/plane/check/plane_check.h"
@@ -61,7 +62,11 @@ void Session::solve_again() { accept(std::make_shared<const Solution>(document()
 
 void Session::accept(std::shared_ptr<const Solution> solution)
 {
-    solution_ = std::move(solution);
+    const std::shared_ptr<const Solution> before = std::exchange(solution_, std::move(solution));
+    const std::size_t n_before = before ? before->model().n_cases() : 0;
+    if (load_case < n_before && n_before != model().n_cases()) // the one of the same name is shown on
+        if (const auto same = model().find_case(before->model().case_name(femoop::CaseId(load_case))))
+            load_case = same->index;
     gap_ = drawing() != nullptr ? narrowest_gap(*drawing()) : std::nullopt;
     load_case = std::min(load_case, std::max<std::size_t>(model().n_cases(), 1) - 1);
 }
@@ -161,9 +166,9 @@ void Session::restart(Document document)
     forget_results();
     camera.reset();
     left_gap_.reset();
-    load_case = 0;
     look.readings = {};
     solve_again();
+    load_case = 0;
 }
 
 void Session::new_document() { restart(plane::new_document()); }
@@ -239,10 +244,7 @@ std::string Session::about(const ui::Catalogue& in) const
 
 std::string Session::name() const { return !path() && !model().title.empty() ? model().title : file_name(); }
 
-ui::DisplayUnits Session::units() const
-{
-    return {ui::UnitSystem::File, drawing::base_units(model().units), options().numbers};
-}
+ui::DisplayUnits Session::units() const { return display_units(model(), options()); }
 
 // ---- mesh and results
 

@@ -46,7 +46,7 @@ std::vector<ui::KeyEvent> Application::take_keys(const ui::Input& input)
     const bool types_place = !types && hand.draws() && !input.modifiers.ctrl && hand.type(input.text);
     std::vector<ui::KeyEvent> left;
     for (const ui::KeyEvent& event : input.keys) {
-        if (!event.is_down) continue;
+        if (!event.is_down || (!event.modifiers.ctrl && unit_window_.wants(event.key))) continue;
         const bool takes_back = event.key == ui::Key::Z && event.modifiers.ctrl && !event.modifiers.shift;
         if (takes_back && canvas_.cancel(workspace())) continue; // a drag is taken back as a whole
         if (!types && (handle_typing(event.key) || handle_presenter(event.key))) continue;
@@ -97,7 +97,7 @@ bool Application::handle_typing(ui::Key key)
 
 bool Application::close_topmost()
 {
-    if (DocumentApp::close_topmost()) return true;
+    if (DocumentApp::close_topmost() || unit_window_.close()) return true;
     if (!session().is_refining()) return canvas_.cancel(workspace());
     workspace().session.stop_refining();
     return true;
@@ -107,11 +107,13 @@ void Application::handle_own_requests()
 {
     if (std::exchange(workspace().asks_for_outline, false))
         insert_dialog_.open_any(session().path().value_or(""), {".dxf", ".svg"});
+    if (std::exchange(workspace().asks_for_units, false)) unit_window_.toggle();
 }
 
 void Application::show_own_dialogs()
 {
     if (const auto path = insert_dialog_.show(session().tr())) workspace().insert_outline(*path);
+    unit_window_.show(workspace().session.look.unit_choices, session().units(), session().tr(), fields_.stops());
 }
 
 // ---- what is shown

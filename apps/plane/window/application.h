@@ -10,6 +10,7 @@
 #include "ui/app/document_app.h"
 #include "ui/widgets/number_field.h"
 #include "ui/widgets/path_dialog.h"
+#include "ui/widgets/unit_window.h"
 
 extern template class ui::DocumentApp<plane::Workspace>;
 
@@ -51,6 +52,7 @@ private:
     ui::NumberFields fields_;
     TablesPanel tables_;
     ui::PathDialog insert_dialog_;
+    ui::UnitWindow unit_window_;
 };
 
 } // namespace plane

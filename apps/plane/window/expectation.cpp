@@ -5,6 +5,7 @@
 #include <cstdlib>
 #include <string>
 
+#include "apps/plane/document/load_cases.h"
 #include "apps/plane/session/drawing_commands.h"
 #include "apps/plane/session/part_commands.h"
 #include "apps/plane/view/plate_scene.h"
@@ -107,6 +108,17 @@ std::string loads(const Application& application)
     for (std::size_t i = 0; i < shown.regions.size(); ++i) // one without regions is of all
         add(i, shown.regions[i].regions, RegionId(0U));
     return or_nothing(text);
+}
+
+// "C factor G 1.4 factor Q 1": the case that is shown
+std::string shown_case(const Application& application)
+{
+    const Session& session = application.session();
+    const femoop::CaseId shown(session.load_case);
+    if (shown.index >= session.model().n_cases()) return "nothing";
+    std::string text = session.model().case_name(shown);
+    for (const Number& number : numbers(session.model(), shown)) text += given(number, number.id);
+    return text;
 }
 
 // "bottom uy 0.25": of the case that is shown
@@ -256,6 +268,7 @@ const ui::Facts<Application>& facts()
             {"selection", selection},
             {"supports", supports},
             {"loads", loads},
+            {"case", shown_case},
             {"settlements", settlements},
             {"problems", [](const Application& a) { return std::to_string(a.session().solution().faults().size()); }},
             {"gap", gap},

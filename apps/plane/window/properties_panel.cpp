@@ -7,6 +7,7 @@
 #include <string>
 
 #include "apps/plane/document/attributes.h"
+#include "apps/plane/document/load_cases.h"
 #include "apps/plane/document/regions.h"
 #include "apps/plane/session/drawing_commands.h"
 #include "apps/plane/session/part_commands.h"
@@ -52,6 +53,14 @@ void hold_box(Workspace& workspace, const Part& part, Dof dof)
     });
 }
 
+void tie_box(Workspace& workspace, const CommandTable& commands, std::string_view id)
+{
+    const auto& command = *commands.find(id);
+    bool is_tied = command.is_on(workspace);
+    const std::string label = ui::label_beside_box(workspace.tr()(command.label), id);
+    if (ImGui::Checkbox(label.c_str(), &is_tied)) run(command, workspace);
+}
+
 void support_rows(Workspace& workspace, const CommandTable& commands, const Part& part)
 {
     const ui::Catalogue tr = workspace.tr();
@@ -63,6 +72,10 @@ void support_rows(Workspace& workspace, const CommandTable& commands, const Part
         const auto& command = *commands.find(id);
         if (ImGui::RadioButton(ui::item_label(tr(command.label), id).c_str(), command.is_on(workspace)))
             run(command, workspace);
+    }
+    if (std::holds_alternative<CurveId>(part)) {
+        tie_box(workspace, commands, "support.tie_ux");
+        tie_box(workspace, commands, "support.tie_uy");
     }
     const PlaneSupport* const support = support_of(workspace.session, part);
     if (support == nullptr || support->kind != PlaneSupportKind::Custom) return;
@@ -255,9 +268,9 @@ void number_rows(Workspace& workspace, ui::NumberFields& fields, const ui::Messa
 void case_number_rows(Workspace& workspace, ui::NumberFields& fields)
 {
     const Session& session = workspace.session;
-    if (session.load_case >= session.model().load_cases.size()) return;
-    const ui::Message whose(translatable("Load case {id}"), {{"id", session.model().load_cases[session.load_case].id}});
-    number_rows(workspace, fields, whose, numbers_of_case(session.model(), session.load_case));
+    const femoop::CaseId shown(session.load_case);
+    if (shown.index >= session.model().n_cases()) return;
+    number_rows(workspace, fields, title(session, shown), numbers(session.model(), shown));
 }
 
 void properties_panel(Workspace& workspace, const CommandTable& commands, ui::NumberFields& fields)

@@ -18,7 +18,7 @@ void name_row(Workspace& workspace, ui::NumberFields& fields, const Named& entry
 void number_rows(Workspace& workspace, ui::NumberFields& fields, const ui::Message& whose,
                  const std::vector<Number>& all);
 
-/// The numbers of the load case that is shown, such as its factor of self-weight; nothing for a combination.
+/// The numbers of the case that is shown: the factor of self-weight of a load case, the factors of a combination.
 void case_number_rows(Workspace& workspace, ui::NumberFields& fields);
 
 /// A number as its field shows it: with its unit in the label, rounded, and as it is edited.

@@ -46,14 +46,14 @@ void case_rows(Workspace& workspace, const CommandTable& commands)
         if (ImGui::RadioButton(ui::item_label(name, "case " + std::to_string(i)).c_str(), session.load_case == i))
             session.load_case = i;
     }
-    ui::command_button(workspace, commands, "case.add");
-    if (session.load_case < session.model().load_cases.size()) ui::command_button(workspace, commands, "case.delete");
+    for (const char* id : {"case.add", "case.combination", "case.delete"})
+        if (!why_not(*commands.find(id), workspace)) ui::command_button(workspace, commands, id);
 }
 
 void shown_case_rows(Workspace& workspace, ui::NumberFields& fields)
 {
     const Session& session = workspace.session;
-    if (session.load_case >= session.model().load_cases.size()) return;
+    if (session.load_case >= session.model().n_cases()) return;
     name_row(workspace, fields, femoop::CaseId(session.load_case));
     case_number_rows(workspace, fields);
 }

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <optional>
 
+#include "apps/plane/document/load_cases.h"
 #include "apps/plane/document/regions.h"
 #include "apps/plane/session/part_commands.h"
 #include "apps/plane/view/plate_scene.h"
@@ -114,11 +115,24 @@ PartTable table_of_cases(const Session& session)
     PartTable table{{tr("Loads on points"), tr("Loads on curves")}, {"self-weight"}, {}};
     for (std::size_t i = 0; i < session.model().load_cases.size(); ++i) {
         const auto& load_case = session.model().load_cases[i];
-        table.rows.push_back({{translatable("Load case {id}"), {{"id", load_case.id}}},
+        table.rows.push_back({title(session, femoop::CaseId(i)),
                               load_case.id,
                               {},
                               {std::to_string(load_case.points.size()), std::to_string(load_case.curves.size())},
-                              numbers_of_case(session.model(), i)});
+                              numbers(session.model(), femoop::CaseId(i))});
+    }
+    return table;
+}
+
+/// A column for each case that takes part in one of them.
+PartTable table_of_combinations(const Session& session)
+{
+    PartTable table;
+    for (std::size_t i = session.model().load_cases.size(); i < session.model().n_cases(); ++i) {
+        const femoop::CaseId id(i);
+        table.rows.push_back({title(session, id), session.model().case_name(id), {}, {}, numbers(session.model(), id)});
+        for (const Number& number : table.rows.back().numbers)
+            if (std::ranges::find(table.ids, number.id) == table.ids.end()) table.ids.push_back(number.id);
     }
     return table;
 }
@@ -162,6 +176,7 @@ PartTable table_of(const Session& session, TableKind kind)
     case TableKind::Regions: return table_of_regions(session);
     case TableKind::Materials: return table_of_materials(session);
     case TableKind::Cases: return table_of_cases(session);
+    case TableKind::Combinations: return table_of_combinations(session);
     case TableKind::Modes: return table_of_modes(session);
     case TableKind::Reactions: break;
     }

@@ -3,14 +3,17 @@
 #include "apps/plane/document/attributes.h"
 #include "apps/plane/document/curve_draft.h"
 #include "apps/plane/document/erase.h"
+#include "apps/plane/document/load_cases.h"
 #include "apps/plane/document/number.h"
 #include "apps/plane/document/outlines.h"
 #include "apps/plane/document/points.h"
 #include "apps/plane/document/regions.h"
+#include "apps/plane/document/rename.h"
 #include "apps/plane/document/solution.h"
 #include "femoop/io/plane/field_text.h"
 #include "femoop/io/plane/plane_file.h"
 #include "ui/text/catalogue.h"
+#include "ui/text/number_format.h"
 
 #include <doctest/doctest.h>
 
@@ -458,6 +461,63 @@ TEST_CASE("A support of the object form begins with what the keyword blocked")
     CHECK(support.springs.size() == 1);
     set_hold(support, femoop::Dof::uy, Hold::Blocked);
     CHECK(support.springs.empty());
+}
+
+namespace {
+
+/// "C = 1.5 A + 1 1": a combination, each term with its factor.
+std::string terms(const PlaneModel& model, std::size_t combination)
+{
+    std::string text = model.combinations.at(combination).id;
+    for (const auto& term : model.combinations[combination].terms)
+        text += (text.find('=') == std::string::npos ? " = " : " + ") + ui::number_text(term.factor) + " " +
+                model.case_name(term.of);
+    return text;
+}
+
+const Number& number_named(const std::vector<Number>& all, std::string_view id)
+{
+    return *std::ranges::find(all, id, &Number::id);
+}
+
+} // namespace
+
+TEST_CASE("Combinations keep their terms when load cases come and go, and share their names with them")
+{
+    Document document = plate();
+    rename(document, add_load_case(document), "A");
+    const femoop::CaseId combined = add_combination(document), of_combined = add_combination(document);
+    rename(document, of_combined, "D");
+    PlaneModel& model = document.model;
+    model.combinations[1].terms = {{combined, 2.0}};
+    model.expected.push_back({.load_case = combined, .point = NodeId(0U)});
+    CHECK(terms(model, 0) == "C = 1 A");
+
+    CHECK(model.case_name(add_load_case(document)) == "1");
+    CHECK(terms(model, 0) == "C = 1 A");
+    CHECK(terms(model, 1) == "D = 2 C");
+    CHECK(model.case_name(*model.expected[0].load_case) == "C");
+
+    const femoop::CaseId c = *model.find_case("C"), d = *model.find_case("D");
+    const std::vector<Number> factors = numbers(model, c);
+    CHECK_FALSE(number_named(factors, "factor 1").value);
+    CHECK_FALSE(number_named(factors, "factor 1").set(document, femoop::Quantity(1.5)));
+    CHECK_FALSE(number_named(factors, "factor A").set(document, std::nullopt));
+    CHECK(terms(model, 0) == "C = 1.5 1");
+    CHECK(number_named(numbers(model, d), "factor C").value == femoop::Quantity(2.0));
+
+    CHECK(why_not_named(model, c, "A").has_value());
+    CHECK(why_not_named(model, *model.find_case("A"), "D").has_value());
+    CHECK_FALSE(why_not_named(model, c, "C").has_value());
+    CHECK_FALSE(why_not_named(model, c, "ULS").has_value());
+
+    erase_case(document, *model.find_case("A"));
+    CHECK(terms(model, 0) == "C = 1.5 1");
+    CHECK(terms(model, 1) == "D = 2 C");
+    erase_case(document, *model.find_case("C"));
+    CHECK(model.expected.empty());
+    CHECK(terms(model, 0) == "D");
+    CHECK(model.n_cases() == 2);
 }
 
 TEST_CASE("What is drawn and given is written and read back the same")

@@ -1,4 +1,4 @@
-#include "apps/frame/window/unit_window.h"
+#include "ui/widgets/unit_window.h"
 
 #include <imgui.h>
 #include <imgui_internal.h>
@@ -8,20 +8,15 @@
 #include <string>
 #include <utility>
 
-namespace frame {
-
-using ui::translatable;
+namespace ui {
 
 namespace {
 
 // The first entry is the unit of the system.
-void show_row(Workspace& workspace, const ui::QuantityUnits& quantity)
+void show_row(UnitChoices& choices, const DisplayUnits& units, const QuantityUnits& quantity, const Catalogue& tr)
 {
-    ui::UnitChoices& choices = workspace.session.view.unit_choices;
-    const ui::Catalogue& tr = workspace.tr();
     const std::string_view chosen = choices.of(quantity.measure);
-    const std::string usual = tr("as the system has it") + ": " +
-                              workspace.session.units().unit_of_system(quantity.measure).name;
+    const std::string usual = tr("as the system has it") + ": " + units.unit_of_system(quantity.measure).name;
     ImGui::TableNextRow();
     ImGui::TableNextColumn();
     ImGui::AlignTextToFramePadding();
@@ -41,35 +36,33 @@ void show_row(Workspace& workspace, const ui::QuantityUnits& quantity)
 
 bool UnitWindow::close() { return std::exchange(is_open_, false); }
 
-bool UnitWindow::wants(ui::Key key) const
+bool UnitWindow::wants(Key key) const
 {
-    using enum ui::Key;
+    using enum Key;
     constexpr std::array own{Tab, Space, Enter, Up, Down, Left, Right};
     return is_open_ && has_keyboard_ && std::ranges::find(own, key) != own.end();
 }
 
-void UnitWindow::show(Workspace& workspace, ui::TabStops& stops)
+void UnitWindow::show(UnitChoices& choices, const DisplayUnits& units, const Catalogue& tr, TabStops& stops)
 {
     has_keyboard_ = false;
     if (!is_open_) return;
-    const ui::Catalogue& tr = workspace.tr();
     ImGui::SetNextWindowPos(ImGui::GetMainViewport()->GetCenter(), ImGuiCond_Appearing, {0.5F, 0.5F});
     ImGui::Begin((tr("Units, quantity by quantity") + "###units").c_str(), &is_open_,
                  ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoCollapse);
     stops.begin_window();
     if (ImGui::BeginTable("###quantities", 2, ImGuiTableFlags_SizingFixedFit)) {
-        for (const ui::QuantityUnits& quantity : ui::chosen_quantities()) {
-            show_row(workspace, quantity);
+        for (const QuantityUnits& quantity : chosen_quantities()) {
+            show_row(choices, units, quantity, tr);
             stops.add();
         }
         ImGui::EndTable();
     }
-    if (ImGui::Button((tr("All as the system has them") + "###all").c_str()))
-        workspace.session.view.unit_choices = ui::UnitChoices();
+    if (ImGui::Button((tr("All as the system has them") + "###all").c_str())) choices = UnitChoices();
     stops.add();
     stops.end_window();
     has_keyboard_ = ImGui::IsWindowFocused(ImGuiFocusedFlags_RootAndChildWindows);
     ImGui::End();
 }
 
-} // namespace frame
+} // namespace ui
