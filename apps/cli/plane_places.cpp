@@ -44,7 +44,9 @@ std::vector<fp::Cut> cuts_through(const fp::PlaneModel& mesh, const fp::Locator&
     for (const std::string& text : texts) {
         const std::vector<double> at = numbers_of("--cut", text, 4, tr);
         const fp::Cut cut{{at[0], at[1]}, {at[2], at[3]}};
-        if (cut.length() == 0.0 || fp::pieces_along(mesh, locator, cut).empty())
+        if (cut.length() == 0.0)
+            throw UsageError(tr("--cut: {cut} ends where it begins; give two places", {{"cut", text}}));
+        if (fp::pieces_along(mesh, locator, cut).empty())
             throw UsageError(tr("--cut: {cut} meets no material; move it", {{"cut", text}}));
         cuts.push_back(cut);
     }

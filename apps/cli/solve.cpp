@@ -64,6 +64,7 @@ private:
                             const ui::Catalogue& tr) const;
     void require_one_output(const ui::Catalogue& tr) const;
     std::optional<std::string_view> calculation() const;
+    std::optional<std::string_view> of_members_alone() const;
     void count_in_chosen_units(Model& model, const ui::Catalogue& tr);
     std::string trace(const Model& model, const ui::Catalogue& tr) const;
     ExitStatus solve_plane(femoop::plane::PlaneReading& reading, const femoop::AnalysisOptions& options,
@@ -419,17 +420,29 @@ void report_time(const Phases& phases, const femoop::AnalysisStatistics& statist
           statistics.backward_error);
 }
 
+/// What plane models are not asked for.
+std::optional<std::string_view> Solve::of_members_alone() const
+{
+    if (const auto option = calculation(); option && !traced_member_) return option;
+    if (csv_folder_) return "--csv";
+    if (is_timed_) return "--time";
+    if (is_refined_) return "--refine";
+    if (stations_ != std::to_string(femoop::usual_n_stations)) return "--stations";
+    if (units_.are_given()) return "--unit";
+    if (solver_trace_.are_given()) return "--trace-solver";
+    if (case_ == "envelope") return "--case envelope";
+    return std::nullopt;
+}
+
 ExitStatus Solve::solve_plane(femoop::plane::PlaneReading& reading, const femoop::AnalysisOptions& options,
                               Console& console) const
 {
     const ui::Catalogue& tr = console.tr();
-    const bool is_asked_otherwise = asked_number_ || worked_displacement_ || csv_folder_ || is_described_ ||
-                                    is_timed_ || redundants_.are_asked() || body_.is_asked() || funicular_.is_asked() ||
-                                    solver_trace_.are_given() || units_.are_given() || case_ == "envelope";
-    if (is_asked_otherwise)
+    if (const auto option = of_members_alone())
         throw UsageError(
-            tr("a plane model is solved with --analysis, --case, --at, --cut, --cycles, --full, --trace, --json and "
-               "--solver; what else was asked for is not built yet"));
+            tr("{option} is not built yet for plane models; they are solved with --analysis, --case, --at, "
+               "--cut, --cycles, --full, --trace, --json and --solver",
+               {{"option", *option}}));
     return plane_.solve({.reading = reading,
                          .file = display_name(file_, tr),
                          .case_name = case_,

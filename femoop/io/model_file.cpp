@@ -29,7 +29,8 @@ Model sound_model(ModelReading reading)
 Fault plane_elsewhere(JsonValue file)
 {
     for (const JsonValue value : file)
-        if (value.key() == "analysis") return {FaultKind::PlaneModelElsewhere, {"analysis", std::string(value.text())}};
+        if (value.key() == "analysis" && value.is(JsonKind::String))
+            return {FaultKind::PlaneModelElsewhere, {"analysis", std::string(value.text())}};
     return {FaultKind::PlaneModelElsewhere, {"analysis", ""}};
 }
 

@@ -57,11 +57,12 @@ topology::SizeField field_of_points(const PlaneModel& model)
     return {std::move(samples), topology::usual_growth};
 }
 
+constexpr double most_parts = 1e7; // of an edge, more than a mesh may have
+
 /// The least whole number of parts that are no longer than wanted, but for rounding.
 std::size_t least_parts(double wanted)
 {
-    constexpr double most = 1e7;
-    return static_cast<std::size_t>(std::clamp(std::ceil(wanted * (1.0 - 1e-9)), 1.0, most));
+    return static_cast<std::size_t>(std::clamp(std::ceil(wanted * (1.0 - 1e-9)), 1.0, most_parts));
 }
 
 } // namespace
@@ -331,7 +332,7 @@ double EdgeDivisions::size_at(EdgeId e, double share) const
     const topology::CurvePart& part = plane.part(e);
     const topology::Curve& curve = plane.curve(part.curve);
     const FlatPoint at = share == 0.0 ? curve.at(part.span.from) : curve.at(curve.at_share(part.span, share));
-    return std::min(sizes_[e.index], field_.at(at));
+    return std::max(std::min(sizes_[e.index], field_.at(at)), lengths_[e.index] / most_parts);
 }
 
 /// Shares of an edge's length, so dense that the size that is wanted changes little from one to the next.

@@ -186,7 +186,8 @@ void RegionMesher::require_possible()
                                 makes_triangles ? "T3, T6" : "Q4, Q8, Q9"}});
     }
     if (n > static_cast<double>(femoop::plane::most_elements))
-        errors_.push_back({FaultKind::MeshTooLarge, {rounded(n), std::to_string(femoop::plane::most_elements)}});
+        errors_.push_back(
+            {FaultKind::MeshTooLarge, {rounded(std::min(n, 1e300)), std::to_string(femoop::plane::most_elements)}});
 }
 
 /// On a border both regions have nodes in the middle of edges, or neither.

@@ -74,6 +74,27 @@ bool is_place(FaultKind kind, std::size_t argument)
     return argument == 0 || (kind == FaultKind::RegionPlaceTaken && argument == 2);
 }
 
+/// What is to be done in the window, where a reader of the file is told of its keys: {0} and so on are the arguments.
+std::string_view own_words(FaultKind kind)
+{
+    switch (kind) {
+    case FaultKind::NothingToMesh:
+        return ui::translatable("no face of the drawing has material, so no mesh can be made; "
+                                "close an outline, and click its face");
+    case FaultKind::RegionWithoutThickness:
+        return ui::translatable("{0}: has no thickness, which a plane stress needs; select a face of it and type one");
+    case FaultKind::RegionWithoutDensity:
+        return ui::translatable("{0}: needs the density of material {1}; select a face of region {2} and type it");
+    case FaultKind::RegionWithoutExpansion:
+        return ui::translatable(
+            "{0}: needs the thermal expansion of material {1}; select a face of region {2} and type it");
+    case FaultKind::MeshTooLarge:
+        return ui::translatable("the mesh would have about {0} elements, {1} at most can be made; "
+                                "type a larger element size or fewer divisions");
+    default: return "";
+    }
+}
+
 /// The empty face whose place the fault names, rounded.
 std::optional<Part> empty_face(const Fault& fault, const discretize::Drawing& drawing)
 {
@@ -101,7 +122,15 @@ std::string sentence(const Fault& fault, const PlaneModel& model, const ui::Cata
     Fault told = fault;
     for (std::size_t i = 0; i < told.arguments.size(); ++i)
         if (is_place(fault.kind, i)) told.arguments[i] = spoken(told.arguments[i], model, tr);
-    return femoop::message(told, [&tr](std::string_view english) { return tr(english); });
+    const std::string_view own = own_words(fault.kind);
+    if (own.empty()) return femoop::message(told, [&tr](std::string_view english) { return tr(english); });
+    std::string text = tr(own);
+    for (std::size_t i = 0; i < told.arguments.size(); ++i) {
+        const std::string gap = "{" + std::to_string(i) + "}";
+        if (const std::size_t at = text.find(gap); at != std::string::npos)
+            text.replace(at, gap.size(), told.arguments[i]);
+    }
+    return text;
 }
 
 std::optional<Part> part_of(const Fault& fault, const PlaneModel& model, const discretize::Drawing* drawing)

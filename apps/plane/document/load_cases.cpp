@@ -6,6 +6,7 @@
 
 #include "apps/plane/document/erase.h"
 #include "femoop/edit/naming.h"
+#include "ui/text/catalogue.h"
 
 namespace plane {
 

@@ -1,8 +1,16 @@
+#include <algorithm>
+#include <array>
 #include <sstream>
+#include <string_view>
+#include <vector>
 
 #include "apps/plane/document/fault_words.h"
+#include "apps/plane/document/load_cases.h"
+#include "apps/plane/document/number.h"
+#include "apps/plane/session/part_commands.h"
 #include "apps/plane/session/session.h"
 #include "apps/plane/view/plate_words.h"
+#include "femoop/io/plane/field_text.h"
 #include "ui/text/number_format.h"
 
 namespace plane {
@@ -32,6 +40,9 @@ public:
     }
 
 private:
+    inline static const std::vector<std::string_view> settling{"settlement ux", "settlement ux end", "settlement uy",
+                                                               "settlement uy end"};
+
     void tell_curves()
     {
         if (model_.curves.empty()) return;
@@ -78,16 +89,64 @@ private:
 
     void tell_cases()
     {
-        for (const auto& load_case : model_.load_cases)
-            text_ << '\n'
-                  << tr_("Load case {id}", {{"id", load_case.id}}) << ": "
-                  << tr_("loads on points: {points}, on curves: {curves}, in regions: {regions}; "
-                         "settlements: {settlements}",
-                         {{"points", std::to_string(load_case.points.size())},
-                          {"curves", std::to_string(load_case.curves.size())},
-                          {"regions", std::to_string(load_case.regions.size())},
-                          {"settlements", std::to_string(load_case.settlements.size())}})
-                  << '\n';
+        for (std::size_t i = 0; i < model_.n_cases(); ++i) {
+            text_ << '\n' << tr_(title(session_, femoop::CaseId(i))) << '\n';
+            tell_numbers("", numbers(model_, femoop::CaseId(i)));
+            if (i < model_.load_cases.size()) tell_loads(i);
+        }
+    }
+
+    void tell_loads(std::size_t i)
+    {
+        const femoop::plane::PlaneLoadCase& loads = model_.load_cases[i];
+        for (const auto& load : loads.points)
+            tell_numbers(model_[load.node].id + ": ", numbers(model_, load.node, i), {"fx", "fy"});
+        for (std::size_t l = 0; l < loads.curves.size(); ++l)
+            tell_numbers(names_of(loads.curves[l].curves) + ": " + tr_(word_of(loads.curves[l])),
+                         numbers(model_, i, l, loads.curves[l].curves.front()));
+        for (std::size_t l = 0; l < loads.regions.size(); ++l) {
+            const auto& regions = loads.regions[l].regions;
+            const std::string names = regions.empty() ? tr_("all regions") : names_of(regions);
+            tell_numbers(names + ": " + tr_(word_of(loads.regions[l])),
+                         numbers(model_, i, l, regions.empty() ? RegionId(0U) : regions.front()));
+        }
+        for (const auto& settlement : loads.settlements)
+            if (settlement.point)
+                tell_numbers(model_[*settlement.point].id + ": ", numbers(model_, *settlement.point, i), settling);
+            else
+                tell_numbers(names_of(settlement.curves) + ": ", numbers(model_, settlement.curves.front(), i),
+                             settling);
+    }
+
+    template <class Id> std::string names_of(const std::vector<Id>& ids) const
+    {
+        std::string names;
+        for (const Id id : ids) names += (names.empty() ? "" : ", ") + model_[id].id;
+        return names;
+    }
+
+    /// "right: Traction, qx 100 N/mm²": those that are given, of these where some are named.
+    void tell_numbers(const std::string& whose, const std::vector<Number>& all,
+                      const std::vector<std::string_view>& wanted = {})
+    {
+        std::string words = whose;
+        for (const Number& number : all) {
+            const bool is_wanted = wanted.empty() || std::ranges::find(wanted, number.id) != wanted.end();
+            if (!is_wanted || (!number.value && !number.field)) continue;
+            if (number.id == "self-weight" && number.value->value() == 0.0) continue;
+            const bool is_end = number.id.ends_with(" end"); // of what begins with the one before
+            if (!words.empty() && !words.ends_with(": ") && !is_end) words += ", ";
+            words += is_end ? " … " + value_of(number) : tr_(number.label) + " " + value_of(number);
+        }
+        if (!words.empty()) text_ << "  " << words << '\n';
+    }
+
+    std::string value_of(const Number& number) const
+    {
+        if (number.field) return tr_(form_of(*number.field)) + " " + femoop::plane::field_text(*number.field);
+        if (!number.dimension) return units_.text(*number.value, number.measure);
+        return ui::number_text(number.value->value(), units_.format()) + " " +
+               femoop::unit_text(*number.dimension, model_.units);
     }
 
     void tell_results()
@@ -123,6 +182,23 @@ std::string_view word_of(DrawnKind kind)
     case DrawnKind::Spline: break;
     }
     return translatable("spline");
+}
+
+std::string_view word_of(const femoop::plane::CurveLoad& load)
+{
+    switch (load.kind) {
+    case femoop::plane::CurveLoadKind::Traction: return translatable("Traction");
+    case femoop::plane::CurveLoadKind::Line: return translatable("Force per length");
+    case femoop::plane::CurveLoadKind::Pressure: break;
+    }
+    return translatable("Pressure");
+}
+
+std::string_view word_of(const femoop::plane::RegionLoad& load)
+{
+    constexpr std::array words{translatable("Body force"), translatable("Rise of temperature"),
+                               translatable("Steady rotation")}; // in the order of its forms
+    return words.at(load.load.index());
 }
 
 std::string status_text(const Session& session)

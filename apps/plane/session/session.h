@@ -178,6 +178,9 @@ private:
 
 /// "line", "arc": what a curve is, to be translated.
 std::string_view word_of(femoop::plane::DrawnKind kind);
+/// "Traction", "Body force": what a load is, to be translated.
+std::string_view word_of(const femoop::plane::CurveLoad& load);
+std::string_view word_of(const femoop::plane::RegionLoad& load);
 /// Points, curves, regions, cases and faults in words.
 std::string description(const Session& session);
 /// The line at the window's foot.

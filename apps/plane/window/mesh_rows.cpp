@@ -66,7 +66,7 @@ void mesh_rows(Workspace& workspace, RegionId region)
 {
     const ui::Catalogue tr = workspace.tr();
     const MeshOptions mesh = workspace.session.model()[region].mesh;
-    const std::string usual = tr("as the file says");
+    const std::string usual = tr("as the whole drawing");
     ImGui::Spacing();
     ImGui::Separator();
     Combo method{translatable("Method of the mesh"), {usual}, place_in(methods, mesh.method)};

@@ -93,27 +93,14 @@ void support_rows(Workspace& workspace, const CommandTable& commands, const Part
 
 // ---- loads
 
-std::string_view load_word(CurveLoadKind kind)
-{
-    switch (kind) {
-    case CurveLoadKind::Traction: return translatable("Traction");
-    case CurveLoadKind::Line: return translatable("Force per length");
-    case CurveLoadKind::Pressure: break;
-    }
-    return translatable("Pressure");
-}
-
 std::string load_title(const Session& session, CurveId /*curve*/, std::size_t load)
 {
-    return session.tr()(load_word(session.model().load_cases[session.load_case].curves[load].kind));
+    return session.tr()(word_of(session.model().load_cases[session.load_case].curves[load]));
 }
 
 std::string load_title(const Session& session, RegionId /*region*/, std::size_t load)
 {
-    const auto& shown = session.model().load_cases[session.load_case].regions[load];
-    constexpr std::array words{translatable("Body force"), translatable("Rise of temperature"),
-                               translatable("Steady rotation")}; // RegionLoadKind
-    return session.tr()(words.at(shown.load.index()));
+    return session.tr()(word_of(session.model().load_cases[session.load_case].regions[load]));
 }
 
 void axes_row(Workspace& workspace, CurveId curve, std::size_t load)

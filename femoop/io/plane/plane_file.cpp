@@ -7,6 +7,7 @@
 #include "femoop/io/json/json_document.h"
 #include "femoop/io/plane/plane_names.h"
 #include "femoop/io/plane/plane_reader.h"
+#include "femoop/io/reader/names.h"
 #include "femoop/model/fault/errors_among.h"
 #include "femoop/plane/check/plane_check.h"
 
@@ -32,8 +33,13 @@ bool PlaneReading::is_sound() const
 bool is_plane_model(JsonValue file)
 {
     const JsonValue analysis = key_of(file, "analysis");
-    return analysis.is(JsonKind::String) &&
-           std::ranges::find(names::analyses, analysis.text()) != names::analyses.end();
+    const auto is_among = [analysis](const auto& names) {
+        return analysis.is(JsonKind::String) && std::ranges::find(names, analysis.text()) != names.end();
+    };
+    if (is_among(names::analyses)) return true;
+    if (is_among(femoop::names::analyses)) return false;
+    const auto has = [file](std::string_view key) { return key_of(file, key).is_present(); };
+    return (has("points") || has("curves") || has("regions")) && !has("nodes") && !has("members");
 }
 
 PlaneReading examine_plane_model(JsonValue file, std::vector<Fault> faults)

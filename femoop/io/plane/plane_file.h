@@ -27,7 +27,7 @@ struct PlaneReading {
     bool is_sound() const;
 };
 
-/// Does the file's `analysis` name a plane model?
+/// Does the file's `analysis` name a plane model, or, where it names none of any kind, do its lists?
 bool is_plane_model(JsonValue file);
 
 PlaneReading examine_plane_model(JsonValue file, std::vector<Fault> faults = {});

@@ -57,7 +57,7 @@ CurveLoad PlaneReader::curve_load(JsonValue value, const Place& place)
     const JsonValue kind = field(value, "kind");
     if (!kind.is_present()) reader_.missing_key("kind", place);
     const auto chosen = reader_.choice(kind, names::curve_loads, place);
-    load.curves = references<CurveId>(field(value, "curve"), curves_, place);
+    load.curves = loaded<CurveId>(field(value, "curve"), curves_, place);
     if (!chosen) return load;
     load.kind = static_cast<CurveLoadKind>(*chosen);
     if (load.kind == CurveLoadKind::Pressure) {
@@ -79,7 +79,7 @@ RegionLoad PlaneReader::region_load(JsonValue value, const Place& place)
     const JsonValue kind = field(value, "kind");
     if (!kind.is_present()) reader_.missing_key("kind", place);
     const auto chosen = reader_.choice(kind, names::region_loads, place);
-    load.regions = references<RegionId>(field(value, "region"), regions_, place);
+    load.regions = loaded<RegionId>(field(value, "region"), regions_, place);
     if (!chosen) return load;
     if (*chosen == 0) {
         const auto found = reader_.fields(value, body_keys, place);
@@ -90,10 +90,20 @@ RegionLoad PlaneReader::region_load(JsonValue value, const Place& place)
         load.load = TemperatureRise{.rise = field_value(found[1], dimension::temperature, place)};
     } else {
         const auto found = reader_.fields(value, rotation_keys, place);
-        load.load = SteadyRotation{.omega = reader_.quantity(found[1], angular_velocity, place).value_or(no_number),
-                                   .about = location(found[3], place)};
+        load.load = SteadyRotation{.omega = rotation_speed(found[1], place), .about = location(found[3], place)};
     }
     return load;
+}
+
+Quantity PlaneReader::rotation_speed(JsonValue value, const Place& place)
+{
+    const auto speed = reader_.quantity(value, angular_velocity, place);
+    if (speed && speed->text().find("Hz") != std::string_view::npos) // turns, which are more than as many radians
+        reader_.add(
+            {FaultKind::QuantityWrongDimension,
+             {place.key(value.key()).text(), std::string(speed->text()), std::string(translatable("turns in a second")),
+              std::string(translatable("an angular velocity")), "rad/s"}});
+    return speed.value_or(no_number);
 }
 
 PlaneSettlement PlaneReader::settlement(JsonValue value, const Place& place)
@@ -103,7 +113,7 @@ PlaneSettlement PlaneReader::settlement(JsonValue value, const Place& place)
     if (value.is(JsonKind::Object) && point.is_present() == curve.is_present())
         reader_.add({FaultKind::SettlementPlace, {place.text()}});
     if (point.is_present()) settlement.point = NodeId(reference(point, points_, place));
-    settlement.curves = references<CurveId>(curve, curves_, place);
+    settlement.curves = loaded<CurveId>(curve, curves_, place);
     settlement.ux = field_value(ux, dimension::length, place);
     settlement.uy = field_value(uy, dimension::length, place);
     return settlement;

@@ -133,6 +133,20 @@ PlaneRegion PlaneReader::region(JsonValue value, const Place& place)
     return region;
 }
 
+void PlaneReader::repeated_reference(const Place& place)
+{
+    reader_.add({FaultKind::WrongType,
+                 {place.text(), std::string(translatable("an id that stands before it too")),
+                  std::string(translatable("each id once")), "[\"A\", \"B\"]"}});
+}
+
+void PlaneReader::empty_list(const Place& place)
+{
+    reader_.add({FaultKind::WrongType,
+                 {place.text(), std::string(translatable("an empty list")),
+                  std::string(translatable("one id at least")), "[\"A\"]"}});
+}
+
 PlaneElement PlaneReader::element(JsonValue value, const Place& place)
 {
     const auto [id, kind, points, region_name] = reader_.fields(value, element_keys, place);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <optional>
 #include <string>
@@ -37,6 +38,11 @@ private:
     enum class Holder : std::uint8_t { Point, Curve };
     std::optional<PlaneSupport> support(JsonValue value, Holder holder, const Place& place);
     template <class Id> std::vector<Id> references(JsonValue value, NameTable& names, const Place& place);
+    /// What a load or a settlement is of: one, or a list of some, each once.
+    template <class Id> std::vector<Id> loaded(JsonValue value, NameTable& names, const Place& place);
+
+    void repeated_reference(const Place& place);
+    void empty_list(const Place& place);
 
     // drawing_reader.cpp
     PlaneCurve drawn_curve(JsonValue value, const Place& place);
@@ -54,6 +60,7 @@ private:
     NodeLoad point_load(JsonValue value, const Place& place);
     CurveLoad curve_load(JsonValue value, const Place& place);
     RegionLoad region_load(JsonValue value, const Place& place);
+    Quantity rotation_speed(JsonValue value, const Place& place);
     PlaneSettlement settlement(JsonValue value, const Place& place);
 
     // plane_expected_reader.cpp
@@ -76,6 +83,20 @@ template <class Id> std::vector<Id> PlaneReader::references(JsonValue value, Nam
     const Place here = place.key(value.key());
     for (std::size_t i = 0; const JsonValue entry : value)
         found.push_back(Id(reference(entry, names, here.entry(i++))));
+    return found;
+}
+
+template <class Id> std::vector<Id> PlaneReader::loaded(JsonValue value, NameTable& names, const Place& place)
+{
+    const std::vector<Id> found = references<Id>(value, names, place);
+    if (!value.is(JsonKind::Array)) return found;
+    const Place here = place.key(value.key());
+    if (found.empty()) empty_list(here);
+    for (std::size_t i = 0; i < found.size(); ++i) {
+        const auto known = found.begin() + static_cast<std::ptrdiff_t>(i);
+        if (found[i] != Id(nowhere) && std::find(found.begin(), known, found[i]) != known)
+            repeated_reference(here.entry(i));
+    }
     return found;
 }
 

@@ -286,13 +286,16 @@ const std::vector<double>& PlaneCase::element_errors() const
     if (element_errors_) return *element_errors_;
     const StressState state = structure_->model().analysis;
     std::vector<double> errors;
-    double of_whole = 0.0;
+    double of_whole = 0.0, of_motion = 0.0; // of_motion: as if the displacements were all strain
     for (std::size_t e = 0; e < structure_->model().elements.size(); ++e) {
         const ContinuumElement& element = structure_->element(ElementId(e));
         const ElementField inside = field(ElementId(e));
         const TangentMatrix D = element.formulation().material().tangent(
             {.strain = StrainVector::Zero(n_components(state))});
         const TangentMatrix compliance = dense_inverse(D);
+        const NodePositions at = positions_of(structure_->model(), structure_->model().elements[e]);
+        const double extent = (at.colwise().maxCoeff() - at.colwise().minCoeff()).norm();
+        const double motion = inside.node_displacements().cwiseAbs().maxCoeff() / extent;
         double of_error = 0.0;
         for (const IntegrationPoint& point : element.formulation().rule().points) {
             const StressVector smooth = vector_of(smoothed_stress({.element = ElementId(e), .at = point.at}), state);
@@ -300,10 +303,13 @@ const std::vector<double>& PlaneCase::element_errors() const
             const double volume = point.weight * element.volume(point.at);
             of_error += volume * error.dot(compliance * error);
             of_whole += volume * smooth.dot(compliance * smooth);
+            of_motion += volume * D.diagonal().maxCoeff() * motion * motion;
         }
         errors.push_back(std::max(of_error, 0.0));
     }
-    for (double& error : errors) error = of_whole > 0.0 ? std::sqrt(error / of_whole) : 0.0;
+    constexpr double rounding = 1e-12; // stresses of a body that moves freely, which have no digit
+    const bool is_strained = of_whole > rounding * rounding * of_motion;
+    for (double& error : errors) error = is_strained ? std::sqrt(error / of_whole) : 0.0;
     element_errors_ = std::make_shared<const std::vector<double>>(std::move(errors));
     return *element_errors_;
 }

@@ -1,9 +1,13 @@
 // What is wrong with a drawing before it is looked at as one: numbers, and how many places draw a curve.
 #include "femoop/plane/check/plane_checker.h"
 
+#include "femoop/model/quantity/number_text.h"
+
 namespace femoop::plane {
 
 namespace {
+
+constexpr double most_ratio = 1e6; // of the last part of a curve to the first
 
 /// How many places a kind of curve wants, for its reader; empty where it has as many.
 std::string_view places_wanted(const DrawnShape& shape)
@@ -43,7 +47,14 @@ void PlaneChecker::check_shape(const DrawnShape& shape, const Entry& place)
     for (const Quantity& axis : shape.axes) require_positive(place, "axes", axis, dimension::length);
     if (shape.angle) require_finite(place, "angle", *shape.angle);
     for (const Division& division : shape.divide)
-        if (division.ratio) require_positive(place, "ratio", *division.ratio, dimension::none);
+        if (division.ratio) {
+            require_positive(place, "ratio", *division.ratio, dimension::none);
+            const double ratio = division.ratio->value();
+            if (ratio > most_ratio || (ratio > 0.0 && ratio < 1.0 / most_ratio))
+                add(FaultKind::WrongType, place,
+                    {number_text(ratio), std::string(translatable("a ratio of parts from 0.000001 to 1000000")),
+                     R"({"n": 8, "ratio": 2})"});
+        }
     if (is_partial_) return;
     if (const std::string_view wanted = places_wanted(shape); !wanted.empty())
         add(FaultKind::DrawnPlaceCount, place, {std::to_string(shape.places.size()), std::string(wanted)});

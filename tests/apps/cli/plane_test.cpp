@@ -161,6 +161,7 @@ TEST_CASE("A place or a cut outside the material is refused, and both belong to 
     CHECK(has(cli_test::cremona({"solve", bending, "--at", "50,0"}).err, "no element is at 50,0"));
     CHECK(has(cli_test::cremona({"solve", bending, "--at", "50"}).err, "wanted 2 numbers"));
     CHECK(has(cli_test::cremona({"solve", bending, "--cut", "50,0,60,0"}).err, "meets no material"));
+    CHECK(has(cli_test::cremona({"solve", bending, "--cut", "5,1,5,1"}).err, "ends where it begins"));
     const Run frame = cli_test::cremona({"solve", "examples/portal.json", "--at", "1,1"});
     CHECK(frame.status == 2);
     CHECK(has(frame.err, "are for plane models"));
@@ -255,4 +256,6 @@ TEST_CASE("What is of members is refused of a plane model, and what is of plane 
     CHECK(has(cli_test::cremona({"render", "examples/portal.json", "-o", out, "--cut", "0,0,1,1"}).err,
               "are for plane models"));
     CHECK(!folder.has("x.svg"));
+    CHECK(has(cli_test::cremona({"solve", bending, "--stations", "5"}).err, "--stations is not built yet for plane"));
+    CHECK(has(cli_test::cremona({"solve", bending, "--case", "envelope"}).err, "--case envelope is not built yet"));
 }

@@ -3,6 +3,7 @@
 #include "apps/plane/document/attributes.h"
 #include "apps/plane/document/curve_draft.h"
 #include "apps/plane/document/erase.h"
+#include "apps/plane/document/fault_words.h"
 #include "apps/plane/document/load_cases.h"
 #include "apps/plane/document/number.h"
 #include "apps/plane/document/outlines.h"
@@ -518,6 +519,19 @@ TEST_CASE("Combinations keep their terms when load cases come and go, and share 
     CHECK(model.expected.empty());
     CHECK(terms(model, 0) == "D");
     CHECK(model.n_cases() == 2);
+}
+
+TEST_CASE("A fault is told with what is to be done in the window, not with keys of the file")
+{
+    Document document = plate();
+    const auto told = [&document](femoop::FaultKind kind, std::vector<std::string> arguments) {
+        return sentence({.kind = kind, .arguments = std::move(arguments)}, document.model, ui::Catalogue());
+    };
+    CHECK(told(femoop::FaultKind::NothingToMesh, {}).ends_with("close an outline, and click its face"));
+    CHECK(told(femoop::FaultKind::RegionWithoutThickness, {"regions[0] \"R1\""}) ==
+          "Region R1: has no thickness, which a plane stress needs; select a face of it and type one");
+    CHECK(told(femoop::FaultKind::RegionWithoutDensity, {"load_cases[0] \"1\"", "steel", "R1"}).find("density\"") ==
+          std::string::npos);
 }
 
 TEST_CASE("What is drawn and given is written and read back the same")

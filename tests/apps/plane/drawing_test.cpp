@@ -82,6 +82,9 @@ std::vector<BadDrawing> bad_drawings()
          "curves[2].points[1]: is no place of a curve; name a point or write [x, y], like [2.5, 0]"},
         {with_curve(R"({"id": "c", "kind": "ellipse", "center": "M", "axes": [3]})"),
          "curves[2].axes: an ellipse has two half axes; write [a, b], like [3, 2]"},
+        {with_curve(R"({"id": "c", "kind": "line", "points": ["A", [3, 9]], "divide": {"n": 3, "ratio": 1e300}})"),
+         "curves[2] \"c\": found 1e300, wanted a ratio of parts from 0.000001 to 1000000; write it like {\"n\": 8, "
+         "\"ratio\": 2}"},
         {with_curve(R"({"id": "c", "kind": "line", "points": ["A", [3, 9]], "divide": {"n": 2.5}})"),
          "curves[2].divide: found 2.5, wanted a whole number of parts from 1 to 1000000; write 8, or {\"n\": 8, "
          "\"ratio\": 2}"},

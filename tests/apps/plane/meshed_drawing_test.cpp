@@ -138,6 +138,8 @@ std::vector<BadMesh> bad_meshes()
              .text()},
         {FaultKind::MeshOrdersDiffer, RectangleText{.curves = middle, .regions = two}.text()},
         {FaultKind::MeshTooLarge, RectangleText{.mesh = R"({"size": 1e-4})"}.text()},
+        {FaultKind::MeshTooLarge,
+         RectangleText{.mesh = R"({"size": 1e-300})", .points = R"(, {"id": "E", "at": [1, 1], "size": 0.3})"}.text()},
         {FaultKind::MeshEdgesCross,
          RectangleText{.mesh = R"({"element": "T3"})",
                        .curves = R"(, {"id": "hole", "kind": "circle", "center": [2, 1], "radius": 0.999, "divide": 3},
@@ -433,6 +435,7 @@ TEST_CASE("A settlement that strains nothing is no reason for a warning")
         const PlaneResults results = analyse(meshed.model());
         CHECK(results.warnings().empty());
         CHECK(results[CaseId(0)].displacement(*meshed.mesh.node(NodeId(2))).y() == Approx(-0.1).epsilon(1e-12));
+        CHECK(results[CaseId(0)].error_estimate() == 0.0);
     }
 }
 

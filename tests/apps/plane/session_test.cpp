@@ -1,6 +1,7 @@
 // What a hand draws, and the session that it draws in, without a screen.
 #include "apps/plane/document/attributes.h"
 #include "apps/plane/document/gallery/gallery.h"
+#include "apps/plane/document/load_cases.h"
 #include "apps/plane/document/points.h"
 #include "apps/plane/session/commands.h"
 #include "apps/plane/session/drawing_commands.h"
@@ -184,6 +185,20 @@ TEST_CASE("What took too long to follow a hand waits until it lets go")
     session.analyse_what_is_shown();
     REQUIRE(session.analysed() != nullptr);
     CHECK_FALSE(session.analysed()->is_following());
+}
+
+TEST_CASE("The drawing in words tells of each case what acts on what, with its values")
+{
+    Session session(gallery_document(1)); // the dam
+    session.change({"A force on the crest", [](Document& document) {
+                        add_combination(document);
+                        set_force(document, 1, femoop::NodeId(3U), femoop::Dof::ux, femoop::Quantity(7.0));
+                    }});
+    const std::string words = description(session);
+    CHECK(words.find("Load case weight\n  Factor of self-weight 1\n") != std::string::npos);
+    CHECK(words.find("Load case water\n  D: Fx 7 kN\n  water: Pressure, p 0 kN/m² … 490.5 kN/m²\n") !=
+          std::string::npos);
+    CHECK(words.find("Combination C\n  Factor of weight 1, Factor of water 1\n") != std::string::npos);
 }
 
 TEST_CASE("What is selected goes on under another name")

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "femoop/io/any_model.h"
 #include "femoop/io/plane/plane_file.h"
 #include "tests/femoop/plane/plane_text.h"
 
@@ -198,6 +199,14 @@ std::vector<BadPlaneFile> files_with_bad_plane_loads()
                    .load_case = R"(, "regions": [{"kind": "rotation", "omega": 3, "about": [1, 1]}])"}
              .text(),
          "load_cases[0].regions[0]: an axisymmetric body turns about its axis; take \"about\" away"},
+        {with_region_load(R"("kind": "rotation", "omega": "30 Hz", "region": "web")"),
+         "load_cases[0].regions[0].omega: \"30 Hz\" measures turns in a second, wanted an angular velocity, in rad/s for "
+         "example"},
+        {with_region_load(R"("kind": "body", "bx": 1, "region": ["web", "rib", "web"])"),
+         "load_cases[0].regions[0].region[2]: found an id that stands before it too, wanted each id once; write it like "
+         "[\"A\", \"B\"]"},
+        {with_region_load(R"("kind": "body", "bx": 1, "region": [])"),
+         "load_cases[0].regions[0].region: found an empty list, wanted one id at least; write it like [\"A\"]"},
         {with_settlement(R"("point": "A", "curve": "left", "ux": 2)"),
          "load_cases[0].settlements[0]: settles a point or a curve, one of them; give \"point\" or \"curve\""},
         {with_settlement(R"("curve": "right", "ux": 2)"),
@@ -299,4 +308,21 @@ TEST_CASE("All errors of a file are told at once")
                         .load_case = R"(, "points": [{"point": "A", "fz": 3}])",
                         .more = R"(, "expected": [{"quantity": "energy", "value": "3 kg"}])"};
     CHECK(examine_plane_model(bad.text()).faults.size() == 4);
+}
+TEST_CASE("A plane model is known by its lists where its analysis is none")
+{
+    const std::string text = PlaneText{}.text();
+    const auto with_analysis = [&text](const std::string& analysis) {
+        std::string other = text;
+        return other.replace(other.find(R"("plane_stress")"), std::string(R"("plane_stress")").size(), analysis);
+    };
+    for (const char* const analysis : {"\"plane_stres\"", "7", "null"}) {
+        CAPTURE(analysis);
+        const AnyReading any = examine_any(with_analysis(analysis));
+        REQUIRE(std::holds_alternative<PlaneReading>(any));
+        CHECK(std::get<PlaneReading>(any).faults.size() == 1);
+        CHECK(message(std::get<PlaneReading>(any).faults.front()).starts_with("analysis: "));
+    }
+    CHECK(std::holds_alternative<ModelReading>(examine_any(with_analysis("\"frame2d\""))));
+    CHECK(std::holds_alternative<ModelReading>(examine_any(R"({"nodes": [], "points": []})")));
 }
