@@ -1,5 +1,6 @@
 #include "femoop/analysis/rigid_body.h"
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <numeric>
