@@ -12,7 +12,8 @@ PathWalk walk_from(const Model& model, const std::vector<MemberId>& members, boo
     NodeId at = model[members[0]].nodes[first_is_reversed ? 0 : 1];
     for (; walk.n_passed < members.size(); ++walk.n_passed) {
         const std::array<NodeId, 2>& nodes = model[members[walk.n_passed]].nodes;
-        if (nodes[0] != at && nodes[1] != at) return walk;
+        const bool turns_back = members[walk.n_passed] == members[walk.n_passed - 1];
+        if (turns_back || (nodes[0] != at && nodes[1] != at)) return walk;
         walk.is_reversed.push_back(nodes[0] != at);
         at = nodes[walk.is_reversed.back() ? 0 : 1];
     }

@@ -76,7 +76,6 @@ void AskedLine::ask(const Model& model, femoop::NodeId node)
 
 void AskedLine::choose(const MovingEffect& effect)
 {
-    begin_trace();
     MovingEffect& asked = asked_->effect;
     asked.quantity = effect.quantity;
     asked.component = effect.component;
@@ -153,7 +152,7 @@ void AskedLine::put_unit_load(double s)
     traced_to_ = std::numeric_limits<double>::infinity();
 }
 
-// Another line is traced from its beginning.
+// The line of another place is traced from its beginning; one of another effect there as far as the load has come.
 void AskedLine::begin_trace()
 {
     if (!train_.is_unit_load) return;

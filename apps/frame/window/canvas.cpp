@@ -272,6 +272,19 @@ ui::World3 middle_of(const StructureShape& shape)
     return {sum.x(), sum.y(), sum.z()};
 }
 
+// That was moved by hand, in the plane; null where there is none.
+const ui::PlaneCamera* plane_camera(const Session& session)
+{
+    const auto& camera = session.draw_state.camera;
+    return camera ? std::get_if<ui::PlaneCamera>(&*camera) : nullptr;
+}
+
+Region region_in(const ui::PlaneCamera& camera, ui::Size panel)
+{
+    const ui::World2 centre = camera.to_world({0.5 * panel.width, 0.5 * panel.height});
+    return {.centre = {centre.x, centre.y}, .height = panel.height / camera.scale()};
+}
+
 } // namespace
 
 void Canvas::fit(Session& session)
@@ -348,7 +361,15 @@ void Canvas::follow_structure(Workspace& workspace)
 // Where the legend takes a line more or less the picture stays where it is.
 void Canvas::hold_still(Session& session, const Subject::Plan& before)
 {
-    if (before.panels.size() != plan_.panels.size() || plan_.panels.empty()) return;
+    if (before.panels.empty() || plan_.panels.empty()) return;
+    if (before.panels.size() != plan_.panels.size()) { // higher or lower ones, in which the same is looked at
+        const auto* const by_hand = plane_camera(session);
+        if (by_hand == nullptr) return;
+        const Region seen = region_in(*by_hand, before.panels.front().box.size());
+        plan_.camera = camera_on(seen, plan_.panels.front().box.size());
+        session.draw_state.camera = plan_.camera;
+        return;
+    }
     const ui::Point shift = before.panels.front().box.min - plan_.panels.front().box.min;
     if (shift == ui::Point{}) return;
     std::visit([&](auto& camera) { camera.pan(shift); }, plan_.camera);
@@ -383,12 +404,9 @@ Projection Canvas::projection_at(ui::Point at) const { return Projection(plan_.c
 
 std::optional<Region> Canvas::region(const Session& session) const
 {
-    const auto* const camera = session.draw_state.camera ? std::get_if<ui::PlaneCamera>(&*session.draw_state.camera)
-                                                         : nullptr;
+    const auto* const camera = plane_camera(session);
     if (camera == nullptr || plan_.panels.empty()) return std::nullopt;
-    const ui::Size size = plan_.panels.front().box.size();
-    const ui::World2 centre = camera->to_world({0.5 * size.width, 0.5 * size.height});
-    return Region{.centre = {centre.x, centre.y}, .height = size.height / camera->scale()};
+    return region_in(*camera, plan_.panels.front().box.size());
 }
 
 // A view under a name is put into the picture as large as it is now.

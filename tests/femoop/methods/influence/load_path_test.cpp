@@ -67,6 +67,7 @@ TEST_CASE("Members that do not follow one another are named with their ends")
     CHECK(message(*fault) == "paths[0] \"deck\": member \"CD\" (C - D) does not begin where member \"AB\" (A - B) "
                              "ends; name members that follow one another, node by node");
     CHECK(why_no_path(model, {}, "x")->kind == FaultKind::PathWithoutMembers);
+    CHECK(why_no_path(model, named(model, {"AB", "AB"}), "x")->kind == FaultKind::PathBroken);
     CHECK_FALSE(why_no_path(model, named(model, {"AB", "CB", "CD"}), "x"));
 }
 
