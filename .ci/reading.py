@@ -14,6 +14,7 @@ from pathlib import Path
 ROOT = Path(__file__).resolve().parent.parent
 INCLUDE = re.compile(rb'^[ \t]*#[ \t]*include[ \t]*([<"])([^>"\n]+)[>"]', re.MULTILINE)
 MONTH = 30 * 24 * 3600  # [s]
+BASE = "d9c0aee70d82ff1bb8c4affbb411a352765d3f69"  # a commit all of whose files have passed all checks
 
 
 @functools.cache
@@ -90,20 +91,41 @@ def _files_of(name, command):
     return frozenset(asked.stdout.replace("\\\n", " ").split()[1:]) - {"-"} if asked.returncode == 0 else frozenset()
 
 
-def key_of(compiler, path, *further):
-    """Changes with anything that a check of `path` depends on: the compiler, its flags, and every file it reads."""
+def key_of(compiler, path):
+    """Changes with what decides whether `path` has in sight what it uses: the compiler, its flags, the file itself, and
+    what it reads and what that includes. Whether a name is still there in what it reads is seen by all that compile it."""
     ours, others = read_by(path)
     digest = hashlib.sha256(compiler.identity)
-    for word in (*compiler.command, *further):
+    for word in compiler.command:
         digest.update(word.replace(str(ROOT), "").encode() + b"\0")
     for file in sorted(ours):
-        digest.update(str(file).replace(str(ROOT), "").encode() + b"\0" + hashlib.sha256(contents(file)).digest())
+        text = contents(file) if file == path else repr(INCLUDE.findall(contents(file))).encode()
+        digest.update(str(file).replace(str(ROOT), "").encode() + b"\0" + hashlib.sha256(text).digest())
     for name in sorted(others):
         digest.update(name.encode() + b"\0")
     for file in sorted(compiler.files_of(others)):
         state = os.stat(file)
         digest.update(f"{file} {state.st_size} {state.st_mtime_ns}\0".encode())
     return digest.hexdigest()
+
+
+def git(*words):
+    """What it prints; nothing where it refuses."""
+    return subprocess.run(["git", *words], cwd=ROOT, capture_output=True, check=False).stdout
+
+
+@functools.cache
+def same_as_in_base():
+    """The paths of what is as it was in the base; nothing where this clone does not know it."""
+    changed = set(git("diff", "--name-only", BASE).decode().splitlines())
+    return set(git("ls-tree", "-r", "--name-only", BASE).decode().splitlines()) - changed
+
+
+@functools.cache
+def includes_as_in_base(path):
+    """Whether a file of ours has the includes that it had there."""
+    name = str(path.relative_to(ROOT))
+    return name in same_as_in_base() or INCLUDE.findall(git("show", f"{BASE}:{name}")) == INCLUDE.findall(contents(path))
 
 
 class Passed:
