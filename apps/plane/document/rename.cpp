@@ -25,6 +25,20 @@ template <class Model, class Use> decltype(auto) in_list(Model& model, const Nam
         entry);
 }
 
+/// Another entry of the list has the name; load cases and combinations share theirs.
+bool is_taken(const PlaneModel& model, const Named& entry, std::string_view name)
+{
+    if (const auto* const id = std::get_if<femoop::CaseId>(&entry)) {
+        const auto other = model.find_case(name);
+        return other && *other != *id;
+    }
+    return in_list(model, entry, [&](const auto& list, std::size_t place) {
+        for (std::size_t i = 0; i < list.size(); ++i)
+            if (i != place && list[i].id == name) return true;
+        return false;
+    });
+}
+
 } // namespace
 
 const std::string& name_of(const PlaneModel& model, const Named& entry)
@@ -35,15 +49,7 @@ const std::string& name_of(const PlaneModel& model, const Named& entry)
 std::optional<ui::Message> why_not_named(const PlaneModel& model, const Named& entry, std::string_view name)
 {
     if (name.find_first_not_of(' ') == std::string_view::npos) return ui::Message(ui::translatable("a name is wanted"));
-    const auto* const of_case = std::get_if<femoop::CaseId>(&entry);
-    const auto other = of_case != nullptr ? model.find_case(name) : std::nullopt; // among combinations too
-    const bool is_taken = of_case != nullptr ? other && *other != *of_case
-                                             : in_list(model, entry, [&](const auto& list, std::size_t place) {
-                                                   for (std::size_t i = 0; i < list.size(); ++i)
-                                                       if (i != place && list[i].id == name) return true;
-                                                   return false;
-                                               });
-    if (!is_taken) return std::nullopt;
+    if (!is_taken(model, entry, name)) return std::nullopt;
     return ui::Message(ui::translatable("there is another one named {name}"), {{"name", std::string(name)}});
 }
 
