@@ -122,15 +122,9 @@ std::string sentence(const Fault& fault, const PlaneModel& model, const ui::Cata
     Fault told = fault;
     for (std::size_t i = 0; i < told.arguments.size(); ++i)
         if (is_place(fault.kind, i)) told.arguments[i] = spoken(told.arguments[i], model, tr);
-    const std::string_view own = own_words(fault.kind);
-    if (own.empty()) return femoop::message(told, [&tr](std::string_view english) { return tr(english); });
-    std::string text = tr(own);
-    for (std::size_t i = 0; i < told.arguments.size(); ++i) {
-        const std::string gap = "{" + std::to_string(i) + "}";
-        if (const std::size_t at = text.find(gap); at != std::string::npos)
-            text.replace(at, gap.size(), told.arguments[i]);
-    }
-    return text;
+    const std::string_view pattern = femoop::pattern(fault.kind), own = own_words(fault.kind);
+    return femoop::message(
+        told, [&](std::string_view english) { return tr(english == pattern && !own.empty() ? own : english); });
 }
 
 std::optional<Part> part_of(const Fault& fault, const PlaneModel& model, const discretize::Drawing* drawing)

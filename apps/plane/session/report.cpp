@@ -40,8 +40,9 @@ public:
     }
 
 private:
-    inline static const std::vector<std::string_view> settling{"settlement ux", "settlement ux end", "settlement uy",
-                                                               "settlement uy end"};
+    /// What a point or a curve itself has of a load case.
+    inline static const std::vector<std::string_view> of_holder{
+        "fx", "fy", "settlement ux", "settlement ux end", "settlement uy", "settlement uy end"};
 
     void tell_curves()
     {
@@ -99,8 +100,10 @@ private:
     void tell_loads(std::size_t i)
     {
         const femoop::plane::PlaneLoadCase& loads = model_.load_cases[i];
-        for (const auto& load : loads.points)
-            tell_numbers(model_[load.node].id + ": ", numbers(model_, load.node, i), {"fx", "fy"});
+        for (std::size_t p = 0; p < model_.points.size(); ++p)
+            tell_numbers(model_.points[p].id + ": ", numbers(model_, NodeId(p), i), of_holder);
+        for (std::size_t c = 0; c < model_.curves.size(); ++c)
+            tell_numbers(model_.curves[c].id + ": ", numbers(model_, CurveId(c), i), of_holder);
         for (std::size_t l = 0; l < loads.curves.size(); ++l)
             tell_numbers(names_of(loads.curves[l].curves) + ": " + tr_(word_of(loads.curves[l])),
                          numbers(model_, i, l, loads.curves[l].curves.front()));
@@ -110,12 +113,6 @@ private:
             tell_numbers(names + ": " + tr_(word_of(loads.regions[l])),
                          numbers(model_, i, l, regions.empty() ? RegionId(0U) : regions.front()));
         }
-        for (const auto& settlement : loads.settlements)
-            if (settlement.point)
-                tell_numbers(model_[*settlement.point].id + ": ", numbers(model_, *settlement.point, i), settling);
-            else
-                tell_numbers(names_of(settlement.curves) + ": ", numbers(model_, settlement.curves.front(), i),
-                             settling);
     }
 
     template <class Id> std::string names_of(const std::vector<Id>& ids) const
@@ -138,7 +135,7 @@ private:
             if (!words.empty() && !words.ends_with(": ") && !is_end) words += ", ";
             words += is_end ? " … " + value_of(number) : tr_(number.label) + " " + value_of(number);
         }
-        if (!words.empty()) text_ << "  " << words << '\n';
+        if (!words.empty() && !words.ends_with(": ")) text_ << "  " << words << '\n';
     }
 
     std::string value_of(const Number& number) const
