@@ -260,8 +260,7 @@ private:
             std::size_t j = i + 1;
             while (j < meetings_.size() && stay_close(meetings_[j - 1], meetings_[j])) ++j;
             if (a_.length({meetings_[i].t, meetings_[j - 1].t}) > longest_touch) return false;
-            add_contact({meetings_.begin() + static_cast<std::ptrdiff_t>(i),
-                         meetings_.begin() + static_cast<std::ptrdiff_t>(j)});
+            add_contact(std::span<const Meeting>(meetings_).subspan(i, j - i));
             i = j;
         }
         return true;

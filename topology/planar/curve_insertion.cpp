@@ -26,13 +26,11 @@ void CurveInsertion::gather_edges()
     is_seen_vertex.resize(solid.vertices().n_rows());
     std::vector<std::uint32_t> seen;
     const double reach = 2.0 * into_.snap_;
-    into_.edges_.along(curve_, span_, reach, [&](const EdgeGrid::Numbers& cell) {
-        for (const std::uint32_t number : cell) {
-            if (number >= is_seen.size() || is_seen[number]) continue; // one that was undone
-            is_seen[number] = true;
-            seen.push_back(number);
-            if (solid.has(EdgeId{number}) && !is_beside(EdgeId{number}, reach)) near_edges_.push_back(EdgeId{number});
-        }
+    into_.edges_.along(curve_, span_, reach, [&](std::uint32_t number) {
+        if (number >= is_seen.size() || is_seen[number]) return; // one that was undone
+        is_seen[number] = true;
+        seen.push_back(number);
+        if (solid.has(EdgeId{number}) && !is_beside(EdgeId{number}, reach)) near_edges_.push_back(EdgeId{number});
     });
     for (const std::uint32_t number : seen) is_seen[number] = false;
     const auto see = [&](VertexId v) {
@@ -42,9 +40,8 @@ void CurveInsertion::gather_edges()
     };
     for (const EdgeId e : near_edges_)
         for (const HalfEdgeId h : {solid.plus(e), solid.minus(e)}) see(solid.start(h));
-    into_.points_.along(curve_, span_, reach, [&](const EdgeGrid::Numbers& cell) {
-        for (const std::uint32_t number : cell)
-            if (solid.has(VertexId{number})) see(VertexId{number});
+    into_.points_.along(curve_, span_, reach, [&](std::uint32_t number) {
+        if (solid.has(VertexId{number})) see(VertexId{number});
     });
     for (const VertexId v : near_vertices_) is_seen_vertex[v.index] = false;
     std::ranges::sort(near_edges_); // so that what is found does not depend on cells
@@ -283,14 +280,12 @@ VertexId PlanarSubdivision::insert(const FlatPoint& point)
     const auto see = [&](VertexId v) {
         if (distance(at(v), point) <= snap_) vertex = v;
     };
-    edges_.along(here, {}, 2.0 * snap_, [&](const EdgeGrid::Numbers& cell) {
-        for (const std::uint32_t number : cell)
-            if (const EdgeId e{number}; solid_.has(e))
-                for (const HalfEdgeId h : {solid_.plus(e), solid_.minus(e)}) see(solid_.start(h));
+    edges_.along(here, {}, 2.0 * snap_, [&](std::uint32_t number) {
+        if (const EdgeId e{number}; solid_.has(e))
+            for (const HalfEdgeId h : {solid_.plus(e), solid_.minus(e)}) see(solid_.start(h));
     });
-    points_.along(here, {}, 2.0 * snap_, [&](const EdgeGrid::Numbers& cell) {
-        for (const std::uint32_t number : cell)
-            if (const VertexId v{number}; solid_.has(v)) see(v);
+    points_.along(here, {}, 2.0 * snap_, [&](std::uint32_t number) {
+        if (const VertexId v{number}; solid_.has(v)) see(v);
     });
     if (vertex) return *vertex;
     if (const auto edge = edge_at(point))

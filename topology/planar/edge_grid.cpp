@@ -18,9 +18,9 @@ EdgeGrid::EdgeGrid(const FlatBox& box, std::size_t n) : box_(box)
     n_rows_ = std::clamp<std::size_t>(static_cast<std::size_t>(h / step), 1, most_cells);
     width_ = w / static_cast<double>(n_columns_);
     height_ = h / static_cast<double>(n_rows_);
-    cells_.resize(n_columns_ * n_rows_);
+    firsts_.assign(n_columns_ * n_rows_, none);
 }
 
-bool EdgeGrid::covers(const FlatBox& box) const { return !cells_.empty() && box_.has(box.low) && box_.has(box.high); }
+bool EdgeGrid::covers(const FlatBox& box) const { return !firsts_.empty() && box_.has(box.low) && box_.has(box.high); }
 
 } // namespace topology

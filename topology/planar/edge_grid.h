@@ -12,8 +12,6 @@ namespace topology {
 /// without a look at all. A number may stand where its thing no longer is; it never lacks where it is.
 class EdgeGrid {
 public:
-    using Numbers = std::vector<std::uint32_t>;
-
     EdgeGrid() = default;
     /// \param n  about how many things there will be
     EdgeGrid(const FlatBox& box, std::size_t n);
@@ -21,27 +19,49 @@ public:
     const FlatBox& box() const { return box_; }
     bool covers(const FlatBox& box) const;
 
-    /// Along the span of a curve, and as far as `reach` from it. Calls use(cell).
-    template <class Use> void along(const Curve& curve, Span span, double reach, const Use& use)
+    void put_at(const FlatPoint& p, std::uint32_t number) { put(column(p.x) + row(p.y) * n_columns_, number); }
+    /// In all cells that the span of a curve crosses, and those as far as `reach` from it.
+    void put_along(const Curve& curve, Span span, double reach, std::uint32_t number)
     {
-        walk(curve, span, reach, [&](std::size_t cell) { use(cells_[cell]); });
+        walk(curve, span, reach, [&](std::size_t cell) { put(cell, number); });
     }
-    template <class Use> void along(const Curve& curve, Span span, double reach, const Use& use) const
-    {
-        walk(curve, span, reach, [&](std::size_t cell) { use(cells_[cell]); });
-    }
-    Numbers& at(const FlatPoint& p) { return cells_[column(p.x) + row(p.y) * n_columns_]; }
-    const Numbers& at(const FlatPoint& p) const { return cells_[column(p.x) + row(p.y) * n_columns_]; }
 
-    /// Cells from p to the right, until use(cell, x where it ends) says that it is enough.
-    template <class Use> void to_the_right(const FlatPoint& p, const Use& use) const
+    /// Calls see(number) for what is in those cells; what is in several of them is seen several times.
+    template <class See> void along(const Curve& curve, Span span, double reach, const See& see) const
+    {
+        walk(curve, span, reach, [&](std::size_t cell) { each(cell, see); });
+    }
+    /// Cells from p to the right: calls see(number), until is_enough(x where a cell ends).
+    template <class See, class IsEnough>
+    void to_the_right(const FlatPoint& p, const See& see, const IsEnough& is_enough) const
     {
         const std::size_t start = row(p.y) * n_columns_;
-        for (std::size_t i = column(p.x); i < n_columns_; ++i)
-            if (use(cells_[start + i], box_.low.x + static_cast<double>(i + 1) * width_)) return;
+        for (std::size_t i = column(p.x); i < n_columns_; ++i) {
+            each(start + i, see);
+            if (is_enough(box_.low.x + static_cast<double>(i + 1) * width_)) return;
+        }
     }
 
 private:
+    static constexpr std::uint32_t none = ~0U;
+    /// Of the list of a cell. All lists share one store: cells are made anew whenever there are twice as many things,
+    /// and a store of its own for each would have to be found and given back.
+    struct Entry {
+        std::uint32_t number, next;
+    };
+
+    void put(std::size_t cell, std::uint32_t number)
+    {
+        std::uint32_t& first = firsts_[cell];
+        if (first != none && entries_[first].number == number) return;
+        entries_.push_back({number, first});
+        first = static_cast<std::uint32_t>(entries_.size() - 1);
+    }
+    template <class See> void each(std::size_t cell, const See& see) const
+    {
+        for (std::uint32_t i = firsts_[cell]; i != none; i = entries_[i].next) see(entries_[i].number);
+    }
+
     template <class Use> void walk(const Curve& curve, Span span, double reach, const Use& use) const
     {
         if (curve.is_straight()) return walk(curve.at(span.from), curve.at(span.to), reach, use);
@@ -95,7 +115,8 @@ private:
     FlatBox box_;
     std::size_t n_columns_ = 0, n_rows_ = 0;
     double width_ = 1.0, height_ = 1.0; ///< of a cell
-    std::vector<Numbers> cells_;
+    std::vector<std::uint32_t> firsts_; ///< of each cell, its newest entry
+    std::vector<Entry> entries_;
 };
 
 } // namespace topology

@@ -163,10 +163,8 @@ FaceId PlanarSubdivision::face_at(const FlatPoint& p) const
         });
     };
     if (edges_.box().has(p))
-        edges_.to_the_right(p, [&](const EdgeGrid::Numbers& cell, double end) {
-            for (const std::uint32_t number : cell) see(EdgeId{number});
-            return nearest <= end;
-        });
+        edges_.to_the_right(
+            p, [&](std::uint32_t number) { see(EdgeId{number}); }, [&](double end) { return nearest <= end; });
     if (!met) return unbounded_;
     for (const VertexId v : {solid_.start(*met), solid_.end(*met)}) // several edges are met at once
         if (distance(at(v), {nearest, p.y}) <= snap_) return solid_.face(corner(v, {{no_curve, {}}, at(v), p}));
@@ -177,13 +175,11 @@ std::optional<EdgeId> PlanarSubdivision::edge_at(const FlatPoint& p) const
 {
     std::optional<EdgeId> found;
     if (!edges_.covers({p, p})) return found;
-    edges_.along(Curve(Segment{p, p}), {}, snap_, [&](const EdgeGrid::Numbers& cell) {
-        for (const std::uint32_t number : cell) {
-            const EdgeId e{number};
-            if (found || !solid_.has(e)) continue;
-            const Curve& curve = curves_[part(e).curve];
-            if (distance(curve.at(curve.nearest(p, part(e).span)), p) <= snap_) found = e;
-        }
+    edges_.along(Curve(Segment{p, p}), {}, snap_, [&](std::uint32_t number) {
+        const EdgeId e{number};
+        if (!solid_.has(e) || (found && !(e < *found))) return;
+        const Curve& curve = curves_[part(e).curve];
+        if (distance(curve.at(curve.nearest(p, part(e).span)), p) <= snap_) found = e;
     });
     return found;
 }

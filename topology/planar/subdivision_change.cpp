@@ -52,7 +52,7 @@ VertexId PlanarSubdivision::lone_vertex(const FlatPoint& at)
     const bool is_first = solid_.is_empty();
     const LoneVertex made = is_first ? op.mvfs(lifted(at)) : op.mvr(face_at(at), lifted(at));
     if (is_first) unbounded_ = made.face;
-    points_.at(at).push_back(made.vertex.index);
+    points_.put_at(at, made.vertex.index);
     return made.vertex;
 }
 

@@ -19,16 +19,13 @@ void PlanarSubdivision::fit_grid(const FlatBox& box)
     points_ = EdgeGrid(all, std::max<std::size_t>(64, n_expected_ / 16));
     for (const EdgeId e : solid_.edges()) add_to_grid(e);
     for (const VertexId v : solid_.vertices())
-        if (!solid_.edge(solid_.half_edge(v))) points_.at(at(v)).push_back(v.index);
+        if (!solid_.edge(solid_.half_edge(v))) points_.put_at(at(v), v.index);
 }
 
 void PlanarSubdivision::add_to_grid(EdgeId e)
 {
     const CurvePart& of = parts_[e.index];
-    const auto put = [&](EdgeGrid::Numbers& cell) {
-        if (cell.empty() || cell.back() != e.index) cell.push_back(e.index);
-    };
-    edges_.along(curves_[of.curve], of.span, snap_, put);
+    edges_.put_along(curves_[of.curve], of.span, snap_, e.index);
 }
 
 } // namespace topology
