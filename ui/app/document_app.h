@@ -139,6 +139,7 @@ protected:
 private:
     void handle_keys(const Input& input);
     void run_command_of(const KeyEvent& event);
+    void project_by(const Input& input); ///< with a window open, which is read from afar too
     void handle_requests();
     void handle_common_request(Request request);
     void handle_file(const ChosenFile& file);
@@ -233,7 +234,10 @@ template <class Workspace> void DocumentApp<Workspace>::handle_keys(const Input&
     const bool is_popup_open = had_popup_ || ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopup);
     const bool is_blocked = dialogs_.wants_keys() || session_store_.is_open() || workspace_.after_question ||
                             is_asking() || is_popup_open;
-    if (is_blocked) return leave_keys_to_dialog();
+    if (is_blocked) {
+        project_by(input);
+        return leave_keys_to_dialog();
+    }
     const std::vector<KeyEvent> keys = take_keys(input);
     const bool types = ImGui::GetIO().WantTextInput || is_typing();
     for (const KeyEvent& event : keys) {
@@ -260,6 +264,14 @@ template <class Workspace> void DocumentApp<Workspace>::run_command_of(const Key
     const auto reason = run(*command, workspace_);
     ImGui::GetIO().ClearInputCharacters(); // the letter was a command, and none for a field that this opens
     if (reason && event.key != Key::Escape) workspace_.notify(*reason);
+}
+
+template <class Workspace> void DocumentApp<Workspace>::project_by(const Input& input)
+{
+    for (const KeyEvent& event : input.keys) {
+        const auto* const command = event.is_down ? commands_.find(event.chord()) : nullptr;
+        if (command != nullptr && command->id == "view.project") run_command_of(event);
+    }
 }
 
 template <class Workspace> void DocumentApp<Workspace>::handle_requests()

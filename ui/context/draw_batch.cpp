@@ -60,7 +60,7 @@ std::vector<DrawBatch> batches_of(const ImDrawData& data)
             batch.first_index += n_first;
             batch.n_indices = command.ElemCount - n_first;
             batch.is_blended = true;
-            batch.image = static_cast<const AlphaImage*>(command.GetTexID());
+            batch.image = static_cast<const Image*>(command.GetTexID());
             if (batch.n_indices > 0) batches.push_back(batch);
         }
     }

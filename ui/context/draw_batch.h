@@ -9,7 +9,7 @@ struct ImDrawList;
 
 namespace ui {
 
-struct AlphaImage;
+struct Image;
 
 /// Pixels of a picture with left <= x < right and top <= y < bottom, counted from its top left corner.
 struct PixelBox {
@@ -29,7 +29,7 @@ struct DrawBatch {
     unsigned n_indices = 0;    ///< three of each triangle
     unsigned first_vertex = 0; ///< is added to each index
     PixelBox clip{};
-    const AlphaImage* image = nullptr; ///< none where lines and areas alone are drawn
+    const Image* image = nullptr; ///< none where lines and areas alone are drawn
     bool is_blended = true;
 };
 

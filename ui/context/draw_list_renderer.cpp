@@ -1,7 +1,7 @@
 #include "ui/context/draw_list_renderer.h"
 
 #include "ui/context/memory_picture.h"
-#include "ui/paint/surface/alpha_image.h"
+#include "ui/paint/image.h"
 
 #include <imgui.h>
 
@@ -41,6 +41,17 @@ void main()
     float coverage = texture(image, max(frag_uv, vec2(0.0))).r;
     if (frag_uv.y < 0.0) coverage = clamp(-frag_uv.y - abs(frag_uv.x), 0.0, 1.0);
     result = vec4(frag_color.rgb, frag_color.a * coverage);
+}
+)";
+
+// An image in colours.
+constexpr const char* photo_source = R"(in vec2 frag_uv;
+in vec4 frag_color;
+uniform sampler2D image;
+layout(location = 0) out vec4 result;
+void main()
+{
+    result = texture(image, frag_uv) * frag_color;
 }
 )";
 
@@ -104,8 +115,11 @@ DrawListRenderer::DrawListRenderer(Context& context) : context_(context)
     };
     plain_ = program(plain_source);
     image_ = program(image_source);
-    gl.UseProgram(image_.name);
-    gl.Uniform1i(gl.GetUniformLocation(image_.name, "image"), 0);
+    photo_ = program(photo_source);
+    for (const Program& with_image : {image_, photo_}) {
+        gl.UseProgram(with_image.name);
+        gl.Uniform1i(gl.GetUniformLocation(with_image.name, "image"), 0);
+    }
     gl.GenVertexArrays(1, &vertex_array_);
     gl.GenBuffers(1, &vertices_);
     gl.GenBuffers(1, &indices_);
@@ -133,6 +147,7 @@ DrawListRenderer::~DrawListRenderer()
     gl.DeleteRenderbuffers(1, &renderbuffer_);
     gl.DeleteProgram(plain_.name);
     gl.DeleteProgram(image_.name);
+    gl.DeleteProgram(photo_.name);
 }
 
 /// Gives the kept picture the size of the context's.
@@ -168,7 +183,7 @@ void DrawListRenderer::set_state(const ImDrawData& data)
     gl.Disable(gl::depth_test);
     if (!gl.is_embedded) gl.Disable(gl::framebuffer_srgb);
     gl.Enable(gl::scissor_test);
-    for (const Program& program : {plain_, image_}) {
+    for (const Program& program : {plain_, image_, photo_}) {
         gl.UseProgram(program.name);
         gl.Uniform4f(program.frame, data.DisplayPos.x, data.DisplayPos.y, 2.0F / data.DisplaySize.x,
                      2.0F / data.DisplaySize.y);
@@ -178,7 +193,7 @@ void DrawListRenderer::set_state(const ImDrawData& data)
     gl.BindBuffer(gl::array_buffer, vertices_);
 }
 
-void DrawListRenderer::upload(Texture& texture, const AlphaImage& image)
+void DrawListRenderer::upload(Texture& texture, const Image& image)
 {
     const auto& gl = context_.gl();
     if (texture.name == 0) gl.GenTextures(1, &texture.name);
@@ -186,17 +201,19 @@ void DrawListRenderer::upload(Texture& texture, const AlphaImage& image)
     const auto set = [&](gl::Enum what, gl::Enum value) {
         gl.TexParameteri(gl::texture_2d, what, static_cast<gl::Int>(value));
     };
-    set(gl::texture_min_filter, gl::linear);
+    const bool is_photo = image.kind == PixelKind::Color; // which is seen from afar too
+    set(gl::texture_min_filter, is_photo ? gl::linear_mipmap_linear : gl::linear);
     set(gl::texture_mag_filter, gl::linear);
     set(gl::texture_wrap_s, gl::clamp_to_edge);
     set(gl::texture_wrap_t, gl::clamp_to_edge);
     gl.PixelStorei(gl::unpack_alignment, 1);
-    gl.TexImage2D(gl::texture_2d, 0, static_cast<gl::Int>(gl::r8), image.width, image.height, 0, gl::red,
-                  gl::unsigned_byte, image.pixels.data());
+    gl.TexImage2D(gl::texture_2d, 0, static_cast<gl::Int>(is_photo ? gl::rgba8 : gl::r8), image.width, image.height, 0,
+                  is_photo ? gl::rgba : gl::red, gl::unsigned_byte, image.pixels.data());
+    if (is_photo) gl.GenerateMipmap(gl::texture_2d);
     texture.version = image.version;
 }
 
-gl::Uint DrawListRenderer::texture(const AlphaImage& image)
+gl::Uint DrawListRenderer::texture(const Image& image)
 {
     Texture& texture = textures_[&image];
     if (texture.name == 0 || texture.version != image.version) upload(texture, image);
@@ -239,13 +256,19 @@ void DrawListRenderer::render_list(std::span<const DrawBatch> batches)
     for (const Stretch& stretch : stretches) draw(stretch);
 }
 
+const DrawListRenderer::Program& DrawListRenderer::program_of(const DrawBatch& batch) const
+{
+    if (!batch.image) return plain_;
+    return batch.image->kind == PixelKind::Color ? photo_ : image_;
+}
+
 void DrawListRenderer::draw(const Stretch& stretch)
 {
     const auto& gl = context_.gl();
     const DrawBatch& batch = *stretch.batch;
     scissor(stretch.box);
     if (!batch.is_blended) gl.Disable(gl::blend);
-    gl.UseProgram(batch.image ? image_.name : plain_.name);
+    gl.UseProgram(program_of(batch).name);
     if (batch.image) gl.BindTexture(gl::texture_2d, texture(*batch.image));
     gl.DrawElements(gl::triangles, static_cast<gl::Sizei>(stretch.n), gl::unsigned_int,
                     offset_of(stretch.first * sizeof(unsigned)));

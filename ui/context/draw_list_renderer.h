@@ -13,9 +13,9 @@ struct ImDrawData;
 
 namespace ui {
 
-struct AlphaImage;
+struct Image;
 
-/// Draws Dear ImGui's lists with OpenGL 3.3. A list's texture (`ImTextureID`) is the address of an AlphaImage, uploaded
+/// Draws Dear ImGui's lists with OpenGL 3.3. A list's texture (`ImTextureID`) is the address of an Image, uploaded
 /// when it is new or has changed, or null for lines and areas alone. Units of the lists are physical pixels. A vertex
 /// with uv.y < 0 belongs to a line or disc: uv.x is its distance across, -uv.y the reach (ui/paint/mesh/mesh.h).
 ///
@@ -58,13 +58,15 @@ private:
     void render_list(std::span<const DrawBatch> batches);
     void draw(const Stretch& stretch);
     void copy_to(gl::Uint framebuffer);
-    gl::Uint texture(const AlphaImage& image);
-    void upload(Texture& texture, const AlphaImage& image);
+    gl::Uint texture(const Image& image);
+    const Program& program_of(const DrawBatch& batch) const;
+    void upload(Texture& texture, const Image& image);
     void forget_unused_textures();
 
     Context& context_;
     Program plain_;
     Program image_;
+    Program photo_;
     gl::Uint vertex_array_ = 0;
     gl::Uint vertices_ = 0;
     gl::Uint indices_ = 0;
@@ -73,7 +75,7 @@ private:
     gl::Uint renderbuffer_ = 0;
     FrameTiles tiles_;
     std::uint64_t n_rendered_ = 0;
-    std::unordered_map<const AlphaImage*, Texture> textures_;
+    std::unordered_map<const Image*, Texture> textures_;
 };
 
 } // namespace ui

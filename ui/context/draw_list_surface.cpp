@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <numbers>
 #include <optional>
 #include <vector>
@@ -22,7 +23,7 @@ constexpr double flatness = 0.12;             // [px] of circles
 constexpr std::uint8_t palest_alpha = 72;     // up to which jagged borders of areas go unnoticed
 constexpr std::size_t most_vertices = 60'000; // that a draw list takes at a time, with indices of 16 bits
 
-ImTextureID texture_of(const AlphaImage* image) { return static_cast<ImTextureID>(const_cast<AlphaImage*>(image)); }
+ImTextureID texture_of(const Image* image) { return static_cast<ImTextureID>(const_cast<Image*>(image)); }
 
 ImVec2 vec(Point p) { return {static_cast<float>(p.x), static_cast<float>(p.y)}; }
 
@@ -96,9 +97,10 @@ void DrawListSurface::clip(const Box& box)
     const auto whole = [](Point p) { return Point{std::round(p.x), std::round(p.y)}; };
     list_.PushClipRect(vec(whole(on_list(box.min))), vec(whole(on_list(box.max))), true);
     has_clip_ = true;
+    clip_ = box;
 }
 
-void DrawListSurface::use_page(const AlphaImage* page)
+void DrawListSurface::use_page(const Image* page)
 {
     if (page == page_) return;
     list_.PopTextureID();
@@ -211,6 +213,29 @@ void DrawListSurface::glyph(const GlyphPlace& place, const std::array<Point, 4>&
     list_.PrimReserve(6, 4);
     list_.PrimQuadUV(vec(corners[0]), vec(corners[1]), vec(corners[2]), vec(corners[3]), {u0, v0}, {u1, v0}, {u1, v1},
                      {u0, v1}, packed(color, 1.0F));
+}
+
+/// The part within the clip alone: the numbers of a list are too short for an image that is far larger than the sheet.
+void DrawListSurface::image(const Photo& photo, const ImagePlace& place)
+{
+    const Point right = place.right, down = place.down;
+    const double area = cross(right, down);
+    const std::array corners{place.corner, place.corner + right, place.corner + right + down, place.corner + down};
+    const std::vector<Point> seen = polygon_inside(corners, clip_.grown(1.0));
+    if (seen.size() < 3) return;
+    const Color ink{255, 255, 255, static_cast<std::uint8_t>(std::lround(255.0 * place.opacity))};
+    use_page(&photo.image);
+    const auto n = static_cast<int>(seen.size());
+    list_.PrimReserve(3 * (n - 2), n);
+    const auto first = list_._VtxCurrentIdx;
+    for (int i = 1; i + 1 < n; ++i)
+        for (const int k : {0, i, i + 1}) list_.PrimWriteIdx(static_cast<ImDrawIdx>(first + static_cast<unsigned>(k)));
+    for (const Point p : seen) {
+        const Point at = p - place.corner;
+        const Point share{std::clamp(cross(at, down) / area, 0.0, 1.0), std::clamp(cross(right, at) / area, 0.0, 1.0)};
+        list_.PrimWriteVtx(vec(on_list(p)), vec(share), packed(ink, 1.0F));
+    }
+    use_page(nullptr); // the next string takes its own
 }
 
 void DrawListSurface::text(Point at, std::string_view utf8, const TextStyle& style)

@@ -40,12 +40,13 @@ public:
     void fill_region(std::span<const std::vector<Point>> loops, Color color) override;
     void stroke_arc(const Arc& arc, const Stroke& stroke) override;
     void fill_disc(Point center, double radius, Color color) override;
+    void image(const Photo& photo, const ImagePlace& place) override;
     void text(Point at, std::string_view utf8, const TextStyle& style) override;
 
 private:
     Point on_list(Point p) const { return place_.origin + place_.scale * p; }
     std::vector<Point> crisp_outline(std::span<const Point> polygon) const;
-    void use_page(const AlphaImage* page);
+    void use_page(const Image* page);
     void emit(Color color);
     void write(const Mesh::Vertex& vertex, Color color);
     void glyph(const GlyphPlace& place, const std::array<Point, 4>& corners, Color color);
@@ -54,7 +55,8 @@ private:
     ImDrawList& list_;
     GlyphAtlas& atlas_;
     DrawListPlace place_;
-    const AlphaImage* page_ = nullptr; ///< of the atlas; null before a layer's first string
+    const Image* page_ = nullptr; ///< of the atlas; null before a layer's first string
+    Box clip_{};
     bool has_clip_ = false;
     Mesh mesh_;
     std::vector<Point> line_; ///< the one that is drawn, in the list's pixels

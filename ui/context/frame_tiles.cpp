@@ -1,6 +1,6 @@
 #include "ui/context/frame_tiles.h"
 
-#include "ui/paint/surface/alpha_image.h"
+#include "ui/paint/image.h"
 
 #include <imgui.h>
 

@@ -55,6 +55,7 @@ Functions::Functions(Loader load)
     load_one(load, "glGenRenderbuffers", GenRenderbuffers);
     load_one(load, "glGenTextures", GenTextures);
     load_one(load, "glGenVertexArrays", GenVertexArrays);
+    load_one(load, "glGenerateMipmap", GenerateMipmap);
     load_one(load, "glGetIntegerv", GetIntegerv);
     load_one(load, "glGetProgramInfoLog", GetProgramInfoLog);
     load_one(load, "glGetProgramiv", GetProgramiv);

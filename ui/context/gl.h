@@ -36,11 +36,11 @@ inline constexpr Enum triangles = 0x0004, unsigned_byte = 0x1401, unsigned_short
                       cull_face = 0x0B44, framebuffer_srgb = 0x8DB9, one = 1, src_alpha = 0x0302,
                       one_minus_src_alpha = 0x0303, func_add = 0x8006, texture_2d = 0x0DE1, texture0 = 0x84C0,
                       texture_min_filter = 0x2801, texture_mag_filter = 0x2800, texture_wrap_s = 0x2802,
-                      texture_wrap_t = 0x2803, clamp_to_edge = 0x812F, linear = 0x2601, red = 0x1903, rgba = 0x1908,
-                      r8 = 0x8229, rgba8 = 0x8058, unpack_alignment = 0x0CF5, pack_alignment = 0x0D05,
-                      array_buffer = 0x8892, element_array_buffer = 0x8893, stream_draw = 0x88E0,
-                      vertex_shader = 0x8B31, fragment_shader = 0x8B30, compile_status = 0x8B81, link_status = 0x8B82,
-                      framebuffer = 0x8D40, read_framebuffer = 0x8CA8, draw_framebuffer = 0x8CA9,
+                      texture_wrap_t = 0x2803, clamp_to_edge = 0x812F, linear = 0x2601, linear_mipmap_linear = 0x2703,
+                      red = 0x1903, rgba = 0x1908, r8 = 0x8229, rgba8 = 0x8058, unpack_alignment = 0x0CF5,
+                      pack_alignment = 0x0D05, array_buffer = 0x8892, element_array_buffer = 0x8893,
+                      stream_draw = 0x88E0, vertex_shader = 0x8B31, fragment_shader = 0x8B30, compile_status = 0x8B81,
+                      link_status = 0x8B82, framebuffer = 0x8D40, read_framebuffer = 0x8CA8, draw_framebuffer = 0x8CA9,
                       framebuffer_binding = 0x8CA6, nearest = 0x2600, renderbuffer = 0x8D41, color_attachment0 = 0x8CE0,
                       framebuffer_complete = 0x8CD5, version = 0x1F02, renderer = 0x1F01,
                       max_renderbuffer_size = 0x84E8;
@@ -94,6 +94,7 @@ struct Functions {
     void(UI_GL_CALL* GenRenderbuffers)(Sizei, Uint*);
     void(UI_GL_CALL* GenTextures)(Sizei, Uint*);
     void(UI_GL_CALL* GenVertexArrays)(Sizei, Uint*);
+    void(UI_GL_CALL* GenerateMipmap)(Enum);
     void(UI_GL_CALL* GetIntegerv)(Enum, Int*);
     void(UI_GL_CALL* GetProgramInfoLog)(Uint, Sizei, Sizei*, Char*);
     void(UI_GL_CALL* GetProgramiv)(Uint, Enum, Int*);

@@ -93,7 +93,7 @@ private:
     ImGuiContext* imgui_;
     DrawListRenderer renderer_;
     GlyphAtlas atlas_;
-    AlphaImage type_image_;
+    Image type_image_;
     ImFont* regular_ = nullptr;
     ImFont* bold_ = nullptr;
     ImFont* large_ = nullptr;

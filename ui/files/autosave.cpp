@@ -1,10 +1,9 @@
 #include "ui/files/autosave.h"
 
 #include <algorithm>
-#include <chrono>
-#include <thread>
 
 #include "femoop/files/whole_file.h"
+#include "ui/files/in_background.h"
 
 namespace ui {
 
@@ -42,12 +41,6 @@ std::vector<std::string> in_all_languages(const std::function<std::string(const 
     return texts;
 }
 
-/// Where there is but one core, as in a browser, it is written when it is collected.
-std::launch in_background()
-{
-    return std::thread::hardware_concurrency() > 1 ? std::launch::async : std::launch::deferred;
-}
-
 } // namespace
 
 void Autosave::keep(const UnsavedDocument& document)
@@ -65,8 +58,7 @@ std::optional<Message> Autosave::collect()
 {
     std::optional<Message> sentence;
     for (auto& [document, kept] : kept_) {
-        if (!kept.is_writing()) continue;
-        if (kept.writing.wait_for(std::chrono::seconds(0)) == std::future_status::timeout) continue;
+        if (!kept.is_writing() || !is_ready(kept.writing)) continue;
         if (auto hindered = note_written(kept, kept.writing.get())) sentence = std::move(hindered);
     }
     return sentence;

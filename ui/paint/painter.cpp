@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 #include <stdexcept>
+#include <utility>
 
 namespace ui {
 
@@ -115,6 +116,14 @@ void Painter::arc(const Arc& arc, const Stroke& stroke)
     once_around.start = std::remainder(arc.start, 2.0 * std::numbers::pi);
     once_around.sweep = std::clamp(arc.sweep, -2.0 * std::numbers::pi, 2.0 * std::numbers::pi);
     add(Picture::ArcLine{once_around, stroke});
+}
+
+void Painter::photo(std::shared_ptr<const Photo> photo, const ImagePlace& place)
+{
+    const bool is_placed = is_finite(place.corner) && is_finite(place.right) && is_finite(place.down);
+    if (!is_placed || !(place.opacity >= 0.0 && place.opacity <= 1.0)) return refuse();
+    const bool is_seen = place.opacity > 0.0 && cross(place.right, place.down) != 0.0;
+    if (photo && is_seen) add(Picture::PlacedPhoto{std::move(photo), place});
 }
 
 void Painter::text(Point at, std::string_view utf8, const TextStyle& style)

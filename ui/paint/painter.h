@@ -6,6 +6,7 @@
 #include "ui/paint/text_measure.h"
 
 #include <initializer_list>
+#include <memory>
 #include <span>
 #include <string_view>
 #include <vector>
@@ -49,6 +50,9 @@ public:
     void circle(Point center, double radius, const Stroke& stroke);
     void disc(Point center, double radius, Color fill);
     void arc(const Arc& arc, const Stroke& stroke);
+    /// An image of pixels; the picture keeps it as long as it is there itself.
+    /// \pre the photo has as many pixels as it says, in colours
+    void photo(std::shared_ptr<const Photo> photo, const ImagePlace& place);
     void text(Point at, std::string_view utf8, const TextStyle& style);
 
     TextExtent measure(std::string_view utf8, const TextStyle& style) const { return fonts_->measure(utf8, style); }

@@ -64,6 +64,8 @@ void Picture::draw(const Shape& shape, Surface& surface) const
         stroke_arc_trimmed(arc->arc, arc->stroke, clip.grown(margin_of(arc->stroke)), surface);
     } else if (const auto* disc = std::get_if<Disc>(&shape.what)) {
         fill_disc_trimmed(disc->center, disc->radius, disc->fill, clip.grown(fill_margin), surface);
+    } else if (const auto* placed = std::get_if<PlacedPhoto>(&shape.what)) {
+        surface.image(*placed->photo, placed->place);
     } else {
         const auto& text = std::get<Text>(shape.what);
         surface.text(text.at, words(text), text.style);

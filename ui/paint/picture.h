@@ -6,6 +6,7 @@
 #include "ui/paint/text_measure.h"
 
 #include <cstddef>
+#include <memory>
 #include <string>
 #include <variant>
 #include <vector>
@@ -58,6 +59,10 @@ private:
         double radius;
         Color fill;
     };
+    struct PlacedPhoto {
+        std::shared_ptr<const Photo> photo;
+        ImagePlace place;
+    };
     struct Text {
         Point at;
         Range bytes;
@@ -66,7 +71,7 @@ private:
     struct Shape {
         Layer layer;
         std::size_t clip;
-        std::variant<Line, Polygon, Region, ArcLine, Disc, Text> what;
+        std::variant<Line, Polygon, Region, ArcLine, Disc, PlacedPhoto, Text> what;
     };
 
     Range store(std::span<const Point> points);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "ui/paint/geometry.h"
+#include "ui/paint/image.h"
 #include "ui/paint/style.h"
 
 #include <span>
@@ -28,6 +29,14 @@ struct Path {
     double dash_offset = 0.0;
 };
 
+/// Where an image of pixels lies, turned, stretched or mirrored as one likes.
+struct ImagePlace {
+    Point corner;         ///< of its first pixel, at the top left of the image itself
+    Point right;          ///< along the whole of its top side
+    Point down;           ///< along the whole of its left side
+    double opacity = 1.0; ///< 0 to 1
+};
+
 /// What a picture can be drawn on. Implementations get shapes in their final order, finite, clipped to the
 /// neighbourhood of the sheet, in logical pixels with y down.
 class Surface {
@@ -43,6 +52,7 @@ public:
     virtual void fill_region(std::span<const std::vector<Point>> loops, Color color);
     virtual void stroke_arc(const Arc& arc, const Stroke& stroke) = 0;
     virtual void fill_disc(Point center, double radius, Color color) = 0;
+    virtual void image(const Photo&, const ImagePlace&) {} ///< left out by one that looks for lines or words alone
     virtual void text(Point at, std::string_view utf8, const TextStyle& style) = 0;
 };
 

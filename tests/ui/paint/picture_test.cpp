@@ -9,7 +9,10 @@
 #include <doctest/doctest.h>
 
 #include <limits>
+#include <memory>
 #include <numbers>
+#include <string>
+#include <utility>
 
 using doctest::Approx;
 
@@ -216,6 +219,61 @@ TEST_CASE("SVG is valid whatever bytes a string has")
     sheet.painter.text({1.0, 1.0}, "a\x01\xFF", {});
     const std::string svg = ui::svg_document(sheet.painter.picture(), sheet.fonts, ui::rgb(0xFFFFFF));
     CHECK(svg.find(">a \xEF\xBF\xBD</text>") != std::string::npos);
+}
+
+namespace {
+
+std::shared_ptr<const ui::Photo> gray_photo(const std::string& file)
+{
+    ui::Image image{.width = 3, .height = 2, .pixels = {}, .version = 1, .kind = ui::PixelKind::Color};
+    image.pixels.assign(24, 128);
+    return std::make_shared<const ui::Photo>(ui::Photo{image, file, "image/png"});
+}
+
+constexpr ui::ImagePlace beneath{.corner = {10.0, 20.0}, .right = {30.0, -4.0}, .down = {4.0, 30.0}, .opacity = 0.5};
+
+} // namespace
+
+TEST_CASE("SVG and the golden text say where a photo lies, and SVG holds its file")
+{
+    Sheet sheet;
+    sheet.painter.photo(gray_photo("Man"), beneath);
+    const std::string svg = ui::svg_document(sheet.painter.picture(), sheet.fonts, ui::rgb(0xFFFFFF));
+    CHECK(svg.find(R"_(<image width="1" height="1" preserveAspectRatio="none" transform="matrix(30 -4 4 30 10 20)" )_"
+                   R"_(opacity="0.5" href="data:image/png;base64,TWFu"/>)_") != std::string::npos);
+    CHECK(ui::golden_text(sheet.painter.picture()) ==
+          "sheet 400 x 300, 0 lines, 0 areas, 0 strings, 0 refused\n"
+          "(10.0, 20.0) image of 3 x 2 pixels, right (30.0, -4.0), down (4.0, 30.0), opacity 50%\n");
+}
+
+TEST_CASE("A file whose length is no multiple of three is filled up as RFC 4648 says")
+{
+    for (const auto& [file, text] : {std::pair("M", "TQ=="), std::pair("Ma", "TWE=")}) {
+        Sheet sheet;
+        sheet.painter.photo(gray_photo(file), beneath);
+        const std::string svg = ui::svg_document(sheet.painter.picture(), sheet.fonts, ui::rgb(0xFFFFFF));
+        CHECK(svg.find("base64," + std::string(text) + "\"/>") != std::string::npos);
+    }
+}
+
+TEST_CASE("A photo without a place or more than opaque is left out and counted, one that nobody would see is not")
+{
+    Sheet sheet;
+    ui::ImagePlace nowhere = beneath, opaque = beneath, flat = beneath;
+    nowhere.corner.x = std::numeric_limits<double>::quiet_NaN();
+    opaque.opacity = 1.5;
+    flat.down = 2.0 * flat.right;
+    for (const ui::ImagePlace& place : {nowhere, opaque, flat}) sheet.painter.photo(gray_photo("Man"), place);
+    CHECK(sheet.painter.picture().n_shapes() == 0);
+    CHECK(sheet.painter.picture().n_refused() == 2);
+}
+
+TEST_CASE("A PDF holds a photo")
+{
+    const Folder folder;
+    ui::paint_to_pdf(folder.path("plate.pdf"), {.size = {400.0, 300.0}, .title = "Plate"},
+                     [](ui::Painter& painter) { painter.photo(gray_photo("Man"), beneath); });
+    CHECK(folder.read("plate.pdf").find("/Subtype /Image") != std::string::npos);
 }
 
 TEST_CASE("A PDF has a page of 72 points to 96 pixels, and its text can be searched for")

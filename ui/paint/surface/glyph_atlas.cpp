@@ -67,7 +67,7 @@ GlyphAtlas::~GlyphAtlas() = default;
 
 void GlyphAtlas::add_page()
 {
-    auto page = std::make_unique<AlphaImage>();
+    auto page = std::make_unique<Image>();
     page->width = page->height = page_side;
     page->pixels.assign(static_cast<std::size_t>(page_side) * page_side, 0);
     for (std::size_t row = 0; row < 3; ++row)
@@ -106,7 +106,7 @@ GlyphPlace GlyphAtlas::glyph(const GlyphLook& look)
         place = room_for(static_cast<int>(slot->bitmap.width), static_cast<int>(slot->bitmap.rows));
         place.left = slot->bitmap_left;
         place.top = -slot->bitmap_top;
-        AlphaImage& image = *pages_.back();
+        Image& image = *pages_.back();
         for (int row = 0; row < place.height; ++row) {
             const unsigned char* source = slot->bitmap.buffer + static_cast<std::ptrdiff_t>(row) * slot->bitmap.pitch;
             std::copy_n(source, place.width, image.pixels.begin() + (place.y + row) * page_side + place.x);

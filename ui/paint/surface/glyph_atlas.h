@@ -1,6 +1,6 @@
 #pragma once
 
-#include "ui/paint/surface/alpha_image.h"
+#include "ui/paint/image.h"
 #include "ui/paint/text_measure.h"
 
 #include <cstdint>
@@ -23,7 +23,7 @@ struct GlyphLook {
 
 /// Where a glyph stands in its page, and where its bitmap's top left corner lies from the pen (y down) [px].
 struct GlyphPlace {
-    const AlphaImage* page = nullptr;
+    const Image* page = nullptr;
     int x = 0;
     int y = 0;
     int width = 0; ///< 0 for a blank
@@ -48,7 +48,7 @@ public:
 
     GlyphPlace glyph(const GlyphLook& look);
     /// The page that lines and areas are drawn with: its first pixels are full.
-    const AlphaImage* page() const { return pages_.back().get(); }
+    const Image* page() const { return pages_.back().get(); }
     /// Texture coordinate of a full pixel, the same on every page.
     static constexpr double full_pixel() { return 1.5 / page_side; }
     /// Call between frames: forgets all glyphs once they fill more than four pages.
@@ -64,7 +64,7 @@ private:
 
     const Fonts& fonts_;
     std::unique_ptr<FreeType> freetype_;
-    std::vector<std::unique_ptr<AlphaImage>> pages_;
+    std::vector<std::unique_ptr<Image>> pages_;
     std::unordered_map<std::uint64_t, GlyphPlace> glyphs_;
     std::uint64_t version_ = 0; ///< of the page that changed last; never used twice
     int shelf_x_ = 0;

@@ -32,6 +32,7 @@ public:
     void fill(std::span<const Point>, Color) override { ++n_areas_; }
     void stroke_arc(const Arc&, const Stroke&) override { ++n_lines_; }
     void fill_disc(Point, double, Color) override { ++n_areas_; }
+    void image(const Photo& photo, const ImagePlace& place) override;
     void text(Point at, std::string_view utf8, const TextStyle& style) override;
 
     std::string result(const Picture& picture) const;
@@ -42,6 +43,14 @@ private:
     int n_areas_ = 0;
     int n_strings_ = 0;
 };
+
+void GoldenTextSurface::image(const Photo& photo, const ImagePlace& place)
+{
+    const auto pair = [](Point p) { return '(' + tenths(p.x) + ", " + tenths(p.y) + ')'; };
+    strings_ << pair(place.corner) << " image of " << photo.image.width << " x " << photo.image.height
+             << " pixels, right " << pair(place.right) << ", down " << pair(place.down) << ", opacity "
+             << brief(100.0 * place.opacity) << "%\n";
+}
 
 void GoldenTextSurface::text(Point at, std::string_view utf8, const TextStyle& style)
 {

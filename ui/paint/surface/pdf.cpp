@@ -6,6 +6,9 @@
 #include <cairo-pdf.h>
 
 #include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <cstring>
 #include <memory>
 #include <numbers>
 #include <stdexcept>
@@ -60,6 +63,35 @@ CairoFont cairo_font(std::span<const unsigned char> file)
     return font;
 }
 
+/// Cairo keeps a pixel as one number of 32 bits, 0xAARRGGBB, with colours multiplied by the opacity.
+CairoTarget cairo_image(const Image& image)
+{
+    CairoTarget target(cairo_image_surface_create(CAIRO_FORMAT_ARGB32, image.width, image.height));
+    unsigned char* const data = cairo_image_surface_get_data(target.get());
+    const int stride = cairo_image_surface_get_stride(target.get());
+    if (data == nullptr) throw std::runtime_error("the pages cannot be drawn: an image is too large");
+    const std::uint8_t* pixel = image.pixels.data();
+    for (int y = 0; y < image.height; ++y)
+        for (int x = 0; x < image.width; ++x, pixel += 4) {
+            const auto part = [&](int k) { return static_cast<std::uint32_t>((pixel[k] * pixel[3] + 127) / 255); };
+            const std::uint32_t argb = static_cast<std::uint32_t>(pixel[3]) << 24 | part(0) << 16 | part(1) << 8 |
+                                       part(2);
+            std::memcpy(data + static_cast<std::ptrdiff_t>(y) * stride + 4 * static_cast<std::ptrdiff_t>(x), &argb, 4);
+        }
+    cairo_surface_mark_dirty(target.get());
+    return target;
+}
+
+void attach(cairo_surface_t* pixels, const Photo& photo)
+{
+    auto file = std::make_unique<std::string>(photo.file); // Cairo reads it when the page ends
+    const auto close = [](void* data) { delete static_cast<std::string*>(data); };
+    const auto* const bytes = reinterpret_cast<const unsigned char*>(file->data());
+    if (cairo_surface_set_mime_data(pixels, CAIRO_MIME_TYPE_JPEG, bytes, file->size(), close, file.get()) ==
+        CAIRO_STATUS_SUCCESS) [[maybe_unused]]
+        const std::string* kept_by_cairo = file.release();
+}
+
 class CairoPage final : public Surface {
 public:
     CairoPage(cairo_t* cairo, const Fonts& fonts)
@@ -75,6 +107,7 @@ public:
     void stroke_arc(const Arc& arc, const Stroke& stroke) override;
     void fill_disc(Point center, double radius, Color color) override;
     void text(Point at, std::string_view utf8, const TextStyle& style) override;
+    void image(const Photo& photo, const ImagePlace& place) override;
     void fill_page(Color color);
 
 private:
@@ -185,6 +218,23 @@ void CairoPage::show(std::string_view utf8, const TextStyle& style)
     cairo_show_text_glyphs(cairo_, clean.data(), static_cast<int>(clean.size()), glyphs.data(),
                            static_cast<int>(glyphs.size()), clusters.data(), static_cast<int>(clusters.size()),
                            static_cast<cairo_text_cluster_flags_t>(0));
+}
+
+/// Paper takes a photograph's file as it is; pixels are what is drawn where that cannot be.
+void CairoPage::image(const Photo& photo, const ImagePlace& place)
+{
+    const CairoTarget pixels = cairo_image(photo.image);
+    if (photo.media_type == CAIRO_MIME_TYPE_JPEG) attach(pixels.get(), photo);
+    const double across = photo.image.width, high = photo.image.height;
+    const Point right = place.right / across, down = place.down / high;
+    const cairo_matrix_t matrix{right.x, right.y, down.x, down.y, place.corner.x, place.corner.y};
+    cairo_save(cairo_);
+    cairo_transform(cairo_, &matrix);
+    cairo_set_source_surface(cairo_, pixels.get(), 0.0, 0.0);
+    cairo_rectangle(cairo_, 0.0, 0.0, across, high);
+    cairo_clip(cairo_);
+    cairo_paint_with_alpha(cairo_, place.opacity);
+    cairo_restore(cairo_);
 }
 
 void CairoPage::fill_page(Color color)

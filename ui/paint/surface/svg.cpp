@@ -3,6 +3,8 @@
 #include <array>
 #include <charconv>
 #include <cmath>
+#include <cstddef>
+#include <cstdint>
 #include <numbers>
 #include <string_view>
 
@@ -89,6 +91,21 @@ std::string arc_data(const Arc& arc)
     return "M" + number(begin.x) + " " + number(begin.y) + to(arc.at(arc.start + arc.sweep));
 }
 
+std::string base64(std::string_view bytes)
+{
+    constexpr std::string_view digits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+    std::string text;
+    text.reserve(4 * ((bytes.size() + 2) / 3));
+    for (std::size_t i = 0; i < bytes.size(); i += 3) {
+        const std::string_view group = bytes.substr(i, 3);
+        std::uint32_t bits = 0;
+        for (std::size_t k = 0; k < 3; ++k)
+            bits = bits << 8 | (k < group.size() ? static_cast<unsigned char>(group[k]) : 0U);
+        for (std::size_t k = 0; k < 4; ++k) text += k <= group.size() ? digits[bits >> (18 - 6 * k) & 63U] : '=';
+    }
+    return text;
+}
+
 class SvgSurface final : public Surface {
 public:
     SvgSurface(Size size, const Fonts& fonts) : sheet_{{0.0, 0.0}, {size.width, size.height}}, fonts_(fonts) {}
@@ -98,6 +115,7 @@ public:
     void fill(std::span<const Point> polygon, Color color) override;
     void stroke_arc(const Arc& arc, const Stroke& stroke) override;
     void fill_disc(Point center, double radius, Color color) override;
+    void image(const Photo& photo, const ImagePlace& place) override;
     void text(Point at, std::string_view utf8, const TextStyle& style) override;
 
     std::string document(Color background);
@@ -157,6 +175,18 @@ void SvgSurface::stroke_arc(const Arc& arc, const Stroke& stroke)
 void SvgSurface::fill_disc(Point center, double radius, Color color)
 {
     body_ += circle(center, radius, paint_attributes("fill", color));
+}
+
+/// One unit of the image is all of it, so that its matrix is its two sides.
+void SvgSurface::image(const Photo& photo, const ImagePlace& place)
+{
+    std::string matrix;
+    for (const Point p : {place.right, place.down, place.corner})
+        matrix += (matrix.empty() ? "matrix(" : " ") + number(p.x) + " " + number(p.y);
+    body_ += "<image" + attribute("width", "1") + attribute("height", "1") + attribute("preserveAspectRatio", "none") +
+             attribute("transform", matrix + ")");
+    if (place.opacity < 1.0) body_ += attribute("opacity", place.opacity);
+    body_ += attribute("href", "data:" + photo.media_type + ";base64," + base64(photo.file)) + "/>\n";
 }
 
 void SvgSurface::text(Point at, std::string_view utf8, const TextStyle& style)
