@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "femoop/analysis/settlement_force.h"
 #include "femoop/model/quantity/number_text.h"
 
 namespace femoop {
@@ -26,13 +27,15 @@ constexpr double least_arm = 1e-4; // of the farthest node's, that a sum of mome
 double ratio(double part, double whole) { return part == 0.0 ? 0.0 : part / whole; }
 double larger(double a, double b) { return std::isnan(a) || a > b ? a : b; }
 
-double at_unknowns(const detail::Balance& balance, double least = least_force)
+/// \param least  that forces are held against
+double at_unknowns(const detail::Balance& balance, double least)
 {
-    return ratio(balance.out_of_balance, std::max(balance.largest, least * balance.imposed));
+    return ratio(balance.out_of_balance, std::max(balance.largest, least));
 }
+double at_unknowns(const detail::Balance& balance) { return at_unknowns(balance, least_force * balance.imposed); }
 
-/// Of the loads and reactions as a whole.
-double of_sums(const Equilibrium& equilibrium, const detail::Balance& balance)
+/// Of the loads and reactions as a whole. \param sprung  what springs that settle would bring
+double of_sums(const Equilibrium& equilibrium, const detail::Balance& balance, double sprung = 0.0)
 {
     const auto unbalanced = [&](std::size_t first) {
         double sum = 0.0;
@@ -40,19 +43,43 @@ double of_sums(const Equilibrium& equilibrium, const detail::Balance& balance)
             sum = larger(sum, std::abs(equilibrium.sum_loads[i] + equilibrium.sum_reactions[i]));
         return sum;
     };
-    const double least = least_sum * balance.imposed;
+    const double least = std::max(least_sum * balance.imposed, sprung);
     const double least_moment = balance.reach * std::max(least, least_arm * balance.sum_forces);
     return larger(ratio(unbalanced(0), std::max(balance.sum_forces, least)),
                   ratio(unbalanced(3), std::max(balance.sum_moments, least_moment)));
 }
 
+/// Bodies that nothing but their springs hold go where these settle, and leave nothing of what the springs would bring:
+/// all digits of the forces are rounding, those of the displacements are not.
+double sprung_force_of(const detail::Solution& solution, std::size_t load_case, LeastForce least)
+{
+    if (least == LeastForce::OfMembers || solution.structure == nullptr) return 0.0;
+    return sprung_force(*solution.structure, solution.loads[load_case], least_force_of_body);
+}
+
+double imbalance_beside(const detail::CaseSolution& each, double part, double sprung)
+{
+    return larger(at_unknowns(each.balance, std::max(part * each.balance.imposed, sprung)),
+                  of_sums(each.equilibrium, each.balance, sprung));
+}
+
 /// The part that is told of.
-auto shown(LeastForce least)
+auto shown(const detail::Solution& solution, LeastForce least)
 {
     const double part = least == LeastForce::OfBodies ? least_force_of_body : least_force;
-    return [part](const detail::CaseSolution& each) {
-        const double unbalanced = larger(at_unknowns(each.balance, part), of_sums(each.equilibrium, each.balance));
-        return larger(unbalanced, each.equilibrium.residual);
+    return [&solution, part, least](std::size_t load_case) {
+        const detail::CaseSolution& each = solution.solutions[load_case];
+        return larger(imbalance_beside(each, part, sprung_force_of(solution, load_case, least)),
+                      each.equilibrium.residual);
+    };
+}
+
+/// What nobody should see where it is too large.
+auto unbalanced(const detail::Solution& solution, LeastForce least)
+{
+    return [&solution, least](std::size_t load_case) {
+        return imbalance_beside(solution.solutions[load_case], least_force,
+                                sprung_force_of(solution, load_case, least));
     };
 }
 
@@ -61,7 +88,7 @@ std::vector<Fault> worse_than(double limit, const Error& error_of, FaultKind kin
 {
     std::vector<Fault> faults;
     for (std::size_t c = 0; c < solution.solutions.size(); ++c) {
-        const double error = error_of(solution.solutions[c]);
+        const double error = error_of(c);
         if (error <= limit) continue;
         const double digits = std::isnan(error) ? 0.0 : std::max(0.0, std::floor(-std::log10(error)));
         faults.push_back({.kind = kind, .arguments = {solution.cases[c].name, number_text(digits)}});
@@ -71,10 +98,7 @@ std::vector<Fault> worse_than(double limit, const Error& error_of, FaultKind kin
 
 } // namespace
 
-double imbalance(const detail::CaseSolution& solution)
-{
-    return larger(at_unknowns(solution.balance), of_sums(solution.equilibrium, solution.balance));
-}
+double imbalance(const detail::CaseSolution& solution) { return imbalance_beside(solution, least_force, 0.0); }
 
 bool needs_precision(const detail::Solution& solution)
 {
@@ -88,14 +112,15 @@ bool needs_precision(const detail::Solution& solution)
 std::vector<Fault> inaccurate_cases(const detail::Solution& solution, LeastForce least)
 {
     const FaultKind kind = least == LeastForce::OfBodies ? FaultKind::InaccurateBody : FaultKind::InaccurateCase;
-    return worse_than(doubtful, shown(least), kind, solution);
+    return worse_than(doubtful, shown(solution, least), kind, solution);
 }
 
 std::vector<Fault> ill_conditioned_cases(const detail::Solution& solution, LeastForce least)
 {
-    if (least == LeastForce::OfMembers) return worse_than(useless, imbalance, FaultKind::IllConditionedCase, solution);
-    const auto unbalanced = worse_than(no_digit, shown(least), FaultKind::IllConditionedBody, solution);
-    return unbalanced.empty() ? worse_than(useless, imbalance, FaultKind::IllConditionedBody, solution) : unbalanced;
+    const auto all = unbalanced(solution, least);
+    if (least == LeastForce::OfMembers) return worse_than(useless, all, FaultKind::IllConditionedCase, solution);
+    const auto no_digits = worse_than(no_digit, shown(solution, least), FaultKind::IllConditionedBody, solution);
+    return no_digits.empty() ? worse_than(useless, all, FaultKind::IllConditionedBody, solution) : no_digits;
 }
 
 std::vector<Fault> unsolved_cases(const detail::Solution& solution)

@@ -2,6 +2,7 @@
 
 #include <Eigen/Core>
 #include <array>
+#include <string>
 #include <vector>
 
 #include "femoop/model/dof.h"
@@ -15,6 +16,10 @@ struct Mechanism {
     std::vector<NodeVector> motion; ///< of every node, global axes; the largest translation (else rotation) is 1
     std::vector<std::array<Eigen::Vector3d, 2>> member_ends; ///< translations of every member's own two ends
 };
+
+/// The motion in words alone: what mends a structure does not help where forces were released. \param sentence  of its
+/// fault
+std::string without_remedy(const std::string& sentence);
 
 /// A structure that can move cannot be solved: its independent mechanisms. Of very many only the first are described.
 /// Where it is not held as a rigid body, that is said first.

@@ -274,6 +274,8 @@ std::vector<Fault> all_faults(const std::vector<Mechanism>& mechanisms, std::vec
 
 } // namespace
 
+std::string without_remedy(const std::string& sentence) { return sentence.substr(0, sentence.rfind(';')); }
+
 MechanismError::MechanismError(std::vector<Mechanism> mechanisms, std::size_t n_more, std::vector<Fault> causes)
     : ModelError(all_faults(mechanisms, causes)),
       mechanisms_(std::move(mechanisms)),

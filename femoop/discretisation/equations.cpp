@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <memory>
 
 #include "femoop/element/analysis_model.h"
 
@@ -38,6 +39,26 @@ std::array<std::size_t, n_dofs> places_of(std::span<const Dof> dofs)
     return places;
 }
 
+using ElementList = std::vector<std::shared_ptr<const Element>>;
+
+/// The same number of displacements of the same nodes, element by element.
+bool couple_alike(const ElementList& a, const ElementList& b)
+{
+    return std::ranges::equal(a, b, [](const auto& first, const auto& second) {
+        const ElementDofs p = first->dofs(), q = second->dofs();
+        return std::ranges::equal(p.nodes, q.nodes) && std::ranges::equal(p.of_each_node, q.of_each_node) &&
+               p.n_own == q.n_own;
+    });
+}
+
+bool are_tied_alike(const Discretisation& a, const Discretisation& b)
+{
+    using Tie = Discretisation::Tie;
+    return std::ranges::equal(a.ties, b.ties, [](const Tie& p, const Tie& q) {
+        return p.node == q.node && p.dof == q.dof && p.leader == q.leader;
+    });
+}
+
 bool are_blocked_alike(const Discretisation& a, const Discretisation& b, NodeId node)
 {
     const auto blocked = [&](const Discretisation& structure) {
@@ -55,6 +76,8 @@ bool have_same_equations(const Discretisation& a, const Discretisation& b)
     if (a.positions.size() != b.positions.size() || a.members.size() != b.members.size()) return false;
     for (std::size_t i = 0; i < a.members.size(); ++i)
         if (a.members[i].nodes != b.members[i].nodes) return false;
+    if (!couple_alike(a.bodies, b.bodies) || !couple_alike(a.foundations, b.foundations) || !are_tied_alike(a, b))
+        return false;
     for (std::size_t node = 0; node < a.positions.size(); ++node)
         if (!are_blocked_alike(a, b, NodeId(node))) return false;
     return true;

@@ -54,9 +54,12 @@ void stretch_places(Model& model, MemberId member, double factor)
 
 } // namespace
 
+double least_bend_rise(const Model& model, MemberId member) { return 1e-6 * line_of(model, model[member]).length; }
+
 BentMember bend_member(Model& model, MemberId member, const Bend& bend)
 {
-    if (!std::isfinite(bend.rise) || bend.rise == 0.0) throw std::invalid_argument("bend_member: no rise");
+    if (!(std::abs(bend.rise) >= least_bend_rise(model, member)) || !std::isfinite(bend.rise))
+        throw std::invalid_argument("bend_member: no rise");
     if (bend.n_parts < least_bend_parts || bend.n_parts > most_bend_parts)
         throw std::invalid_argument("bend_member: not so many parts");
     const MemberLine chord = line_of(model, model[member]);

@@ -21,9 +21,12 @@ struct Bend {
 
 inline constexpr std::size_t least_bend_parts = 2, most_bend_parts = 200;
 
-/// Why a rise of 0 bends nothing.
+/// The least rise that bends a member, a millionth of its length: below it the model is what it would be without.
+double least_bend_rise(const Model& model, MemberId member);
+
+/// Why a rise of 0, or of next to nothing, bends nothing.
 inline constexpr std::string_view no_rise = translatable(
-    "a rise of 0 leaves the member straight; give another one, negative to the other side");
+    "such a rise leaves the member straight; give a greater one, negative to the other side");
 
 /// The nodes and members that were one member, from its first end to its last.
 struct BentMember {
@@ -44,7 +47,8 @@ struct BentMember {
 /// Releases, springs and offsets stay at the outer ends.
 ///
 /// \pre    no truss, whose chain of bars would move; the member has a length
-/// \throws std::invalid_argument, with the model as it was, for a rise that is 0 or no number, too few or many parts
+/// \throws std::invalid_argument, with the model as it was, for a rise below the least one or no number, too few or many
+///         parts
 BentMember bend_member(Model& model, MemberId member, const Bend& bend);
 
 } // namespace femoop

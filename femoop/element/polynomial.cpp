@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <span>
 #include <stdexcept>
 
 namespace femoop {
@@ -106,11 +107,17 @@ Polynomial Polynomial::derivative() const
 
 Polynomial Polynomial::shifted(double by) const
 {
-    if (by == 0.0) return *this;
-    Polynomial moved = *this; // divided by t - by again and again: the remainders are the coefficients
-    for (std::size_t first = 0; first + 1 < n_; ++first)
-        for (std::size_t i = n_ - 1; i-- > first;) moved.c_[i] += by * moved.c_[i + 1];
+    Polynomial moved = *this;
+    shift_coefficients(std::span(moved.c_).first(n_), by);
     return moved;
+}
+
+void shift_coefficients(std::span<double> coefficients, double by)
+{
+    if (by == 0.0) return;
+    const std::size_t n = coefficients.size(); // divided by t - by again and again: the remainders are the coefficients
+    for (std::size_t first = 0; first + 1 < n; ++first)
+        for (std::size_t i = n - 1; i-- > first;) coefficients[i] += by * coefficients[i + 1];
 }
 
 Polynomial Polynomial::reciprocal() const

@@ -3,6 +3,7 @@
 #include <array>
 #include <cstddef>
 #include <initializer_list>
+#include <span>
 #include <vector>
 
 namespace femoop {
@@ -50,5 +51,8 @@ private:
     std::array<double, max_terms> c_; // only the first n_ mean anything: polynomials are made by the million
     std::size_t n_ = 0;
 };
+
+/// Makes of the coefficients of p(t) those of p(t + by).
+void shift_coefficients(std::span<double> coefficients, double by);
 
 } // namespace femoop

@@ -16,6 +16,7 @@ constexpr auto latex_letters = std::to_array<Sign>({{"σ", "\\sigma"},
                                                     {"τ", "\\tau"},
                                                     {"ε", "\\varepsilon"},
                                                     {"γ", "\\gamma"},
+                                                    {"η", "\\eta"},
                                                     {"θ", "\\theta"},
                                                     {"δ", "\\delta"},
                                                     {"ν", "\\nu"},
@@ -23,6 +24,10 @@ constexpr auto latex_letters = std::to_array<Sign>({{"σ", "\\sigma"},
                                                     {"μ", "\\mu"},
                                                     {"Δ", "\\Delta"},
                                                     {"Σ", "\\Sigma"}});
+
+/// What is written otherwise between two $.
+constexpr auto formula_signs = std::to_array<Sign>(
+    {{"−", "-"}, {"·", "\\cdot "}, {"…", "\\ldots"}, {"²", "^2"}, {"³", "^3"}, {"⁴", "^4"}, {"⁵", "^5"}});
 
 constexpr auto latex_signs = std::to_array<Sign>({
     {"′", "\\ensuremath{'}"},
@@ -49,6 +54,7 @@ constexpr auto latex_signs = std::to_array<Sign>({
     {"⁶", "\\ensuremath{^{6}}"},
     {"ᵀ", "\\ensuremath{^{\\mathsf T}}"},
     {"–", "--"},
+    {"…", "\\ldots{}"},
     {"_", "\\_"},
     {"%", "\\%"},
     {"&", "\\&"},
@@ -105,7 +111,7 @@ std::string power_of_ten(std::string_view& text, char before)
     digits.remove_prefix(std::min(digits.find_first_not_of('0'), digits.size() - 1));
     const std::string power = (text[1] == '-' ? "-" : "") + std::string(digits);
     text.remove_prefix(end);
-    return "\\ensuremath{\\cdot 10^{" + power + "}}";
+    return "\\cdot 10^{" + power + "}";
 }
 
 /// After the end of a line, [ and * would be options of it.
@@ -132,13 +138,33 @@ std::string latex_text(std::string_view text)
             continue;
         }
         if (const std::string power = power_of_ten(text, before); !power.empty()) {
-            out += power;
+            out += "\\ensuremath{" + power + "}";
             before = ' ';
             continue;
         }
         const Sign* const sign = sign_at(text, latex_signs);
         if (sign != nullptr) out += sign->second;
         else out += is_minus(text, before) ? "\\ensuremath{-}" : std::string(1, text.front());
+        before = text.front();
+        text.remove_prefix(sign != nullptr ? sign->first.size() : 1);
+    }
+    return out;
+}
+
+std::string latex_formula(std::string_view text)
+{
+    std::string out;
+    char before = ' ';
+    while (!text.empty()) {
+        if (const std::string power = power_of_ten(text, before); !power.empty()) {
+            out += power;
+            before = ' ';
+            continue;
+        }
+        const Sign* const sign = sign_at(text, formula_signs);
+        const bool is_decimal = text.size() > 1 && text[0] == ',' && is_digit(before) && is_digit(text[1]);
+        if (sign != nullptr) out += sign->second;
+        else out += is_decimal ? "{,}" : std::string(1, text.front());
         before = text.front();
         text.remove_prefix(sign != nullptr ? sign->first.size() : 1);
     }

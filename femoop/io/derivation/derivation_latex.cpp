@@ -9,7 +9,6 @@
 #include "femoop/io/derivation/derivation_text.h"
 #include "femoop/io/results/matrix_table.h"
 #include "femoop/model/fault/fault.h"
-#include "femoop/model/quantity/six_digits.h"
 #include "femoop/tabular/latex.h"
 
 namespace femoop::derivation {
@@ -44,32 +43,15 @@ std::string formula(const std::string& symbol)
     return found == formulas.end() ? std::string() : std::string(found->second);
 }
 
-/// 1{,}5\cdot 10^{-5}: a comma of its own would be followed by a blank.
-std::string number_in_math(const std::string& number)
-{
-    std::string out;
-    for (std::size_t i = 0; i < number.size(); ++i) {
-        if (number[i] == ',') out += "{,}";
-        else if (number[i] == 'e') {
-            std::size_t digits = i + 1;
-            const bool is_negative = number[digits] == '-';
-            digits = std::min(number.find_first_not_of("+-0", digits), number.size() - 1);
-            return out + "\\cdot 10^{" + (is_negative ? "-" : "") + number.substr(digits) + "}";
-        } else out += number[i];
-    }
-    return out;
-}
-
 /// The numbers of a matrix as they are shown.
 class MatrixLatex {
 public:
     MatrixLatex(const Step& step, const NamedMatrix& matrix, const Translator& tr)
-        : step_(step), matrix_(matrix), tr_(tr), table_(matrix_table(matrix.rows, matrix.columns, matrix.values))
-    {
-        for (tabular::Row& row : table_.rows)
-            for (tabular::Cell& cell : row.cells)
-                if (cell.number) cell.shown = six_digits(*cell.number, tr);
-    }
+        : step_(step),
+          matrix_(matrix),
+          tr_(tr),
+          table_(with_six_digits(matrix_table(matrix.rows, matrix.columns, matrix.values), tr))
+    {}
 
     /// One column bears its name, or the matrix'; more stand beside that.
     std::string named_numbers() const
@@ -81,7 +63,7 @@ public:
         if (!is_named) table.columns.front().heading = read(matrix_.symbol);
         for (std::size_t i = 0; i < table.rows.size(); ++i) table.rows[i].cells.front() = read(matrix_.rows[i]);
         if (notation_of(step_, matrix_) == Notation::Sum) table.n_sums = 1;
-        return "\\par\\smallskip\\noindent\n" + tabular::latex(table);
+        return latex_table(std::move(table), tr_);
     }
 
     bool is_transposed() const { return matrix_.values.cols() > most_columns; }
@@ -136,7 +118,7 @@ private:
     std::string entry(Eigen::Index i, Eigen::Index j) const
     {
         const auto row = static_cast<std::size_t>(i), column = static_cast<std::size_t>(j);
-        const std::string number = number_in_math(table_.rows[row].cells[column + 1].shown);
+        const std::string number = tabular::latex_formula(table_.rows[row].cells[column + 1].shown);
         return is_lit(step_, matrix_, row, column) && number != "0" ? "\\mathbf{" + number + "}" : number;
     }
 

@@ -224,10 +224,14 @@ namespace {
 
 std::string redundants_sentence(const Step& step, const Translator& tr)
 {
-    const Eigen::MatrixXd& degrees = step.matrices.back().values; // n of the structure, n0 of the primary structure
-    const auto degree = [&](Eigen::Index i) { return std::to_string(std::lround(degrees(i, 0))); };
     const std::string given = tr(
         "c: what a released support is displaced by, 1/k: a spring that the force goes through.");
+    if (step.matrices.size() == 1)
+        return tr("Members stand on a continuous foundation, so that the degree of static indeterminacy is infinite. "
+                  "These forces X are released; what the foundation adds is left in the primary structure.") +
+               " " + given;
+    const Eigen::MatrixXd& degrees = step.matrices.back().values; // n of the structure, n0 of the primary structure
+    const auto degree = [&](Eigen::Index i) { return std::to_string(std::lround(degrees(i, 0))); };
     if (degrees(1, 0) == 0.0)
         return fill(tr("The structure is statically indeterminate to the degree n = {0}. These forces X are released; "
                        "the primary structure that is left is statically determinate (n0 = 0)."),

@@ -21,6 +21,13 @@ void write_vector(JsonWriter& json, std::string_view key, const Eigen::VectorXd&
     json.end();
 }
 
+/// null: infinite.
+void write_degree(JsonWriter& json, const Indeterminacy& degree)
+{
+    if (degree.has_foundation) json.null();
+    else json.value(degree.total());
+}
+
 void write_redundants(JsonWriter& json, const ForceMethod& method, const Model& model)
 {
     json.key("redundants").begin_array(Layout::Block);
@@ -41,7 +48,8 @@ std::string force_method_json(const ForceMethod& method, const Model& model, con
     JsonWriter json;
     begin_output(json, model.units);
     json.key("force_method").begin_object(Layout::Block).member("case", model.case_name(method.load_case));
-    json.member("degree", method.degree.total()).member("degree_of_primary", method.states.indeterminacy().total());
+    write_degree(json.key("degree"), method.degree);
+    write_degree(json.key("degree_of_primary"), method.states.indeterminacy());
     write_redundants(json, method, model);
     write_rows(json.key("delta"), method.delta);
     write_vector(json, "delta_0", method.delta_0);

@@ -7,7 +7,9 @@
 #include <numeric>
 #include <span>
 #include <string_view>
+#include <utility>
 
+#include "femoop/io/results/matrix_table.h"
 #include "femoop/methods/free_body/ritter.h"
 #include "femoop/model/fault/fault.h"
 #include "femoop/model/quantity/dimension.h"
@@ -15,6 +17,7 @@
 #include "femoop/model/quantity/six_digits.h"
 #include "femoop/model/quantity/unit_signs.h"
 #include "femoop/tabular/halves.h"
+#include "femoop/tabular/latex.h"
 #include "femoop/tabular/plain_text.h"
 
 namespace femoop::free_body {
@@ -31,9 +34,13 @@ std::string length_text(double value, const Model& model, const Translator& tr)
     return six_digits(value, tr) + " " + unit(dimension::length, model);
 }
 
+/// With the minus of the equations that it stands in.
 std::string point_text(const Eigen::Vector3d& point, const Model& model, const Translator& tr)
 {
-    return place_text({point.data(), n_coordinates(model.analysis)}, tr);
+    std::string text;
+    for (const char letter : place_text({point.data(), n_coordinates(model.analysis)}, tr))
+        text += letter == '-' ? std::string("−") : std::string(1, letter);
+    return text;
 }
 
 double without_rounding(double term, const Equation& equation)
@@ -262,22 +269,68 @@ std::vector<std::string> ritter_lines(const FreeBody& body, const Model& model, 
     return lines;
 }
 
-std::string free_body_text(const FreeBody& body, const Model& model, const Eigen::Vector3d& about, const Translator& tr)
+namespace {
+
+std::string moment_point_text(const Model& model, const Eigen::Vector3d& about, const Translator& tr)
+{
+    return fill(tr("Moments about {0} {1}"), {point_text(about, model, tr), unit(dimension::length, model)});
+}
+
+/// Of the forces, then of the moments about each axis.
+std::vector<tabular::Table> tables(const FreeBody& body, const Model& model, const Eigen::Vector3d& about,
+                                   const Translator& tr)
 {
     const std::vector<Equation> equations = free_body::equations(body, model.analysis, about);
     const auto first_moment = std::ranges::find_if(equations, [](const Equation& one) { return is_rotation(one.dof); });
-    const auto plain = [&](const tabular::Table& table) {
-        return tabular::plain_text(table, {indent, decimal_mark(tr)}) + "\n";
-    };
-    std::string text = body_text(body.body, model, tr) + "\n" +
-                       fill(tr("Moments about {0} {1}"),
-                            {point_text(about, model, tr), unit(dimension::length, model)}) +
-                       "\n\n" + plain(force_table(body, model, {equations.begin(), first_moment}, tr));
+    std::vector<tabular::Table> all{force_table(body, model, {equations.begin(), first_moment}, tr)};
     for (const Equation& equation : std::span(first_moment, equations.end()))
-        if (!equation.moments.empty()) text += plain(moment_table(body, model, equation, tr));
-    for (const std::string& line : equation_lines(body, model, about, tr)) text += line + "\n";
+        if (!equation.moments.empty()) all.push_back(moment_table(body, model, equation, tr));
+    return all;
+}
+
+std::vector<std::string> all_lines(const FreeBody& body, const Model& model, const Eigen::Vector3d& about,
+                                   const Translator& tr)
+{
+    std::vector<std::string> lines = equation_lines(body, model, about, tr);
     for (const RitterPoint& point : body.ritter_points)
-        for (const std::string& line : ritter_lines(body, model, point, tr)) text += line + "\n";
+        for (std::string& line : ritter_lines(body, model, point, tr)) lines.push_back(std::move(line));
+    return lines;
+}
+
+/// The sum's sign and its letter: what stands behind a Greek letter would be taken for its index.
+std::string line_latex(std::string_view line)
+{
+    constexpr std::string_view sum = "Σ";
+    if (!line.starts_with(sum)) return tabular::latex_text(line);
+    line.remove_prefix(sum.size());
+    std::string letters = "\\sum " + std::string(line.substr(0, 1));
+    line.remove_prefix(1);
+    if (std::string_view("xyz").find(line.front()) != std::string_view::npos) {
+        letters += "_" + std::string(line.substr(0, 1));
+        line.remove_prefix(1);
+    }
+    return "\\ensuremath{" + letters + "}" + tabular::latex_text(line);
+}
+
+} // namespace
+
+std::string free_body_text(const FreeBody& body, const Model& model, const Eigen::Vector3d& about, const Translator& tr)
+{
+    std::string text = body_text(body.body, model, tr) + "\n" + moment_point_text(model, about, tr) + "\n\n";
+    for (const tabular::Table& table : tables(body, model, about, tr))
+        text += tabular::plain_text(table, {indent, decimal_mark(tr)}) + "\n";
+    for (const std::string& line : all_lines(body, model, about, tr)) text += line + "\n";
+    return text;
+}
+
+std::string free_body_latex(const FreeBody& body, const Model& model, const Eigen::Vector3d& about,
+                            const Translator& tr)
+{
+    std::string text = "\\section*{" + tabular::latex_text(body_text(body.body, model, tr)) + "}\n" +
+                       tabular::latex_text(moment_point_text(model, about, tr)) + "\n";
+    for (tabular::Table& table : tables(body, model, about, tr)) text += latex_table(std::move(table), tr);
+    for (const std::string& line : all_lines(body, model, about, tr))
+        text += "\\par\\noindent " + line_latex(line) + "\n";
     return text;
 }
 

@@ -29,6 +29,10 @@ std::vector<std::string> ritter_lines(const FreeBody& body, const Model& model, 
 std::string free_body_text(const FreeBody& body, const Model& model, const Eigen::Vector3d& about,
                            const Translator& tr);
 
+/// The same as a part of a LaTeX document, a section*.
+std::string free_body_latex(const FreeBody& body, const Model& model, const Eigen::Vector3d& about,
+                            const Translator& tr);
+
 /// The same for a program, with every digit: members of the object that is open.
 void write_free_body(JsonWriter& json, const FreeBody& body, const Model& model, const Eigen::Vector3d& about);
 

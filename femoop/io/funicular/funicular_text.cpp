@@ -5,11 +5,13 @@
 #include <cstddef>
 
 #include "femoop/geometry/node_position.h"
+#include "femoop/io/results/matrix_table.h"
 #include "femoop/model/fault/fault.h"
 #include "femoop/model/quantity/dimension.h"
 #include "femoop/model/quantity/number_text.h"
 #include "femoop/model/quantity/six_digits.h"
 #include "femoop/model/quantity/unit_signs.h"
+#include "femoop/tabular/latex.h"
 #include "femoop/tabular/plain_text.h"
 
 namespace femoop::funicular {
@@ -103,6 +105,46 @@ tabular::Table table(const Funicular& funicular, const Chain& chain, const Model
         table.add_row({model[node].id, place.x(), funicular.span.moment(place.x()), funicular.ordinate(place.x()),
                        shown_e, funicular.H * shown_e});
     }
+    table.silence_round_off({2});
+    table.silence_round_off({3});
+    return table;
+}
+
+std::string pole_line(const ForcePolygon& polygon, const Model& model, const Translator& tr)
+{
+    const Printer text(model, tr);
+    const double size = std::abs(polygon.levels.back());
+    const auto level = [&](double value) { return text(value, dimension::force, size); };
+    const std::string pattern =
+        polygon.pole.x() < 0.0
+            ? tr("force polygon: load line from 0 to {0}; pole O at height {1}, {2} to its left; the ray parallel to the "
+                 "closing line ends at {3}")
+            : tr("force polygon: load line from 0 to {0}; pole O at height {1}, {2} to its right; the ray parallel to "
+                 "the closing line ends at {3}");
+    return fill(pattern, {level(polygon.levels.back()), level(polygon.pole.y()), level(std::abs(polygon.pole.x())),
+                          level(polygon.closing_level)});
+}
+
+/// Corners of the funicular polygon, each with its load and the ray that the side behind it is parallel to.
+tabular::Table polygon_table(const Funicular& funicular, const ForcePolygon& polygon, const Model& model,
+                             const Translator& tr)
+{
+    const Printer text(model, tr);
+    const std::string length = text.unit(dimension::length), force = text.unit(dimension::force);
+    tabular::Table table({{tr("corner"), "", tabular::Alignment::Left},
+                          {"x", length},
+                          {"y", length},
+                          {"P", force},
+                          {tr("ray to"), force}});
+    const std::vector<Eigen::Vector2d> corners = polygon.corners(funicular);
+    for (std::size_t i = 0; i < corners.size(); ++i) {
+        const bool has_load = i > 0 && i <= polygon.loads.size(), has_side = i < polygon.levels.size();
+        table.add_row({std::to_string(i), corners[i].x(), corners[i].y(),
+                       has_load ? tabular::Cell(polygon.loads[i - 1].P) : tabular::Cell(),
+                       has_side ? tabular::Cell(polygon.levels[i]) : tabular::Cell()});
+    }
+    table.silence_round_off({1, 2});
+    table.silence_round_off({4});
     return table;
 }
 
@@ -177,9 +219,23 @@ std::string reading_line(const Funicular& funicular, const Chain& chain, double 
 
 std::string funicular_text(const Funicular& funicular, const Chain& chain, const Model& model, const Translator& tr)
 {
+    const auto plain = [&](const tabular::Table& of) { return tabular::plain_text(of, {indent, decimal_mark(tr)}); };
     std::string text = chain_text(chain, model, tr) + "\n";
     for (const std::string& line : funicular_lines(funicular, chain, model, tr)) text += line + "\n";
-    return text + "\n" + tabular::plain_text(table(funicular, chain, model, tr), {indent, decimal_mark(tr)}) + "\n";
+    const ForcePolygon polygon = force_polygon(funicular);
+    return text + "\n" + plain(table(funicular, chain, model, tr)) + "\n" + pole_line(polygon, model, tr) + "\n" +
+           plain(polygon_table(funicular, polygon, model, tr)) + "\n";
+}
+
+std::string funicular_latex(const Funicular& funicular, const Chain& chain, const Model& model, const Translator& tr)
+{
+    std::string text = "\\section*{" + tabular::latex_text(chain_text(chain, model, tr)) + "}\n";
+    const auto add = [&](const std::string& line) { text += "\\par\\noindent\n" + tabular::latex_text(line) + "\n"; };
+    for (const std::string& line : funicular_lines(funicular, chain, model, tr)) add(line);
+    text += latex_table(table(funicular, chain, model, tr), tr);
+    const ForcePolygon polygon = force_polygon(funicular);
+    add(pole_line(polygon, model, tr));
+    return text + latex_table(polygon_table(funicular, polygon, model, tr), tr);
 }
 
 } // namespace femoop::funicular

@@ -27,7 +27,11 @@ std::string reading_line(const Funicular& funicular, const Chain& chain, double 
 /// Members of an object that is open, as courseware/reference/command-line.md lists them.
 void write_funicular(JsonWriter& json, const Funicular& funicular, const Chain& chain, const Model& model);
 
-/// The chain and its lines, then the ordinates at its nodes as a table.
+/// The chain and its lines, then the ordinates at its nodes as a table, and the force polygon: its pole, the corners of
+/// the funicular polygon with their loads, and the places of the load line that the rays go to.
 std::string funicular_text(const Funicular& funicular, const Chain& chain, const Model& model, const Translator& tr);
+
+/// The same as a part of a LaTeX document, a section*.
+std::string funicular_latex(const Funicular& funicular, const Chain& chain, const Model& model, const Translator& tr);
 
 } // namespace femoop::funicular

@@ -27,7 +27,8 @@ void check_positions(const Model& model, const LineCheck& check, const std::stri
     for (const PathPosition& position : check.positions)
         if (position.s < -beyond_end * length || position.s > (1.0 + beyond_end) * length)
             faults.push_back({FaultKind::PositionOffPath,
-                              {place, position.text, quantity_text(length, dimension::length, model.units)}});
+                              {place, quantity_text(position.s, dimension::length, model.units),
+                               quantity_text(length, dimension::length, model.units)}});
     if (!check.values.empty() && check.values.size() != check.positions.size())
         faults.push_back({FaultKind::WrongValueCount,
                           {place, std::to_string(check.values.size()), std::to_string(check.positions.size())}});

@@ -20,9 +20,6 @@ namespace {
 
 using Layout = JsonWriter::Layout;
 
-constexpr std::array shown_extremes{PlaneComponent::sx, PlaneComponent::sy, PlaneComponent::sz,   PlaneComponent::txy,
-                                    PlaneComponent::s1, PlaneComponent::s2, PlaneComponent::Mises};
-
 void write_pair(JsonWriter& json, std::string_view key, const Eigen::Vector2d& value)
 {
     json.key(key).begin_array().value(value.x()).value(value.y()).end();
@@ -51,13 +48,8 @@ public:
           results_(results),
           model_(results.model()),
           selection_(selection),
-          regions_of_(model_.points.size())
-    {
-        for (const PlaneElement& element : model_.elements)
-            for (const NodeId node : element.points)
-                if (auto& here = regions_of_[node.index]; std::ranges::find(here, element.region) == here.end())
-                    here.push_back(element.region);
-    }
+          regions_of_(regions_of_points(model_))
+    {}
 
     void write(const PlaneCase& result)
     {
@@ -225,6 +217,16 @@ void write_region_sizes(JsonWriter& json, const PlaneModel& model, const std::ve
 }
 
 } // namespace
+
+std::vector<std::vector<RegionId>> regions_of_points(const PlaneModel& model)
+{
+    std::vector<std::vector<RegionId>> regions(model.points.size());
+    for (const PlaneElement& element : model.elements)
+        for (const NodeId node : element.points)
+            if (auto& here = regions[node.index]; std::ranges::find(here, element.region) == here.end())
+                here.push_back(element.region);
+    return regions;
+}
 
 std::string plane_results_json(const PlaneResults& results, const PlaneSelection& selection)
 {

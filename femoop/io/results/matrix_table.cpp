@@ -5,6 +5,9 @@
 #include <numeric>
 #include <utility>
 
+#include "femoop/model/quantity/six_digits.h"
+#include "femoop/tabular/latex.h"
+
 namespace femoop {
 
 namespace {
@@ -36,6 +39,19 @@ tabular::Table matrix_table(const std::vector<std::string>& rows, const std::vec
     std::iota(numbers.begin(), numbers.end(), std::size_t{1});
     table.silence_round_off(numbers);
     return table;
+}
+
+tabular::Table with_six_digits(tabular::Table table, const Translator& tr)
+{
+    for (tabular::Row& row : table.rows)
+        for (tabular::Cell& cell : row.cells)
+            if (cell.number) cell.shown = six_digits(*cell.number, tr);
+    return table;
+}
+
+std::string latex_table(tabular::Table table, const Translator& tr)
+{
+    return "\\par\\smallskip\\noindent\n" + tabular::latex(with_six_digits(std::move(table), tr));
 }
 
 } // namespace femoop

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "femoop/model/fault/translator.h"
 #include "femoop/tabular/table.h"
 
 namespace femoop {
@@ -12,5 +13,12 @@ namespace femoop {
 /// whole numbers has no decimals.
 tabular::Table matrix_table(const std::vector<std::string>& rows, const std::vector<std::string>& columns,
                             const Eigen::MatrixXd& matrix);
+
+/// The table with its numbers written out, six significant digits each, in the reader's language: for writers that leave
+/// numbers with every digit.
+tabular::Table with_six_digits(tabular::Table table, const Translator& tr);
+
+/// A paragraph of a LaTeX document with such a table.
+std::string latex_table(tabular::Table table, const Translator& tr);
 
 } // namespace femoop

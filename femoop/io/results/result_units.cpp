@@ -12,7 +12,8 @@ ResultUnits result_units(const Units& units)
             .displacement = length,
             .rotation = {"rad"},
             .force = {printed_unit(dimension::force, units)},
-            .moment = {printed_unit(dimension::moment, units)}};
+            .moment = {printed_unit(dimension::moment, units)},
+            .stress = {printed_unit(dimension::stress, units)}};
 }
 
 } // namespace femoop

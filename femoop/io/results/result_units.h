@@ -20,6 +20,7 @@ struct ResultUnits {
     PrintedUnit displacement; ///< of nodes and along members
     PrintedUnit rotation;
     PrintedUnit force, moment;
+    PrintedUnit stress; ///< of plates
 
     const PrintedUnit& of_displacement(Dof dof) const { return is_rotation(dof) ? rotation : displacement; }
     const PrintedUnit& of_force(Dof dof) const { return is_rotation(dof) ? moment : force; }

@@ -76,16 +76,10 @@ private:
     {
         if (train.axles.empty()) return "-";
         if (!placing.position) return tr_("away");
-        constexpr std::size_t most_named = 12;
-        const std::vector<double>& spacings = placing.spacings;
-        std::string text = length_text(*placing.position);
-        double s = *placing.position;
-        for (std::size_t i = 0; i < spacings.size(); ++i) {
-            s += placing.reversed ? spacings[i] : -spacings[i];
-            if (spacings.size() < most_named) text += "; " + length_text(s);
-        }
-        if (spacings.size() >= most_named) text += "; ...; " + length_text(s);
-        return text + (placing.reversed ? " <" : " >");
+        std::vector<double> places{*placing.position};
+        for (const double spacing : placing.spacings)
+            places.push_back(places.back() + (placing.reversed ? spacing : -spacing));
+        return list(places) + (placing.reversed ? " <" : " >");
     }
 
     std::vector<tabular::Column> place_columns(const MovingEffect& effect) const
@@ -210,10 +204,16 @@ private:
                     {length_text(*placing.position)});
     }
 
-    std::string list(const std::vector<double>& numbers) const
+    /// Of many the first, how many there are between, and the last.
+    std::string list(const std::vector<double>& lengths) const
     {
+        constexpr std::size_t most_named = 12;
+        const std::size_t n = lengths.size();
+        if (n > most_named)
+            return length_text(lengths.front()) + "; " + fill(tr_("{0} more"), {std::to_string(n - 2)}) + "; " +
+                   length_text(lengths.back());
         std::string text;
-        for (const double one : numbers) text += (text.empty() ? "" : "; ") + length_text(one);
+        for (const double one : lengths) text += (text.empty() ? "" : "; ") + length_text(one);
         return text;
     }
 

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "femoop/geometry/member_geometry.h"
+#include "femoop/io/results/matrix_table.h"
 #include "femoop/methods/influence/effect_name.h"
 #include "femoop/model/fault/fault.h"
 #include "femoop/model/quantity/number_text.h"
@@ -16,6 +17,7 @@
 #include "femoop/model/quantity/unit_signs.h"
 #include "femoop/result/expression.h"
 #include "femoop/result/magnitudes.h"
+#include "femoop/tabular/latex.h"
 #include "femoop/tabular/plain_text.h"
 
 namespace femoop::virtual_work {
@@ -56,7 +58,43 @@ public:
         : of_(of), captions_(captions), model_(model), tr_(tr), size_(size_of(of))
     {}
 
-    std::string all() const { return integrals() + joints() + supports(); }
+    std::string all() const
+    {
+        const auto shown = [&](const std::string& sentence, const tabular::Table& table, const std::string& note = {}) {
+            if (table.is_empty()) return std::string();
+            return "\n" + sentence + "\n" + tabular::plain_text(table, {indent, decimal_mark(tr_)}) +
+                   (note.empty() ? note : note + "\n");
+        };
+        return shown(integral_sentence(), integrals(), taper_sentence(of_, tr_)) + shown(joint_sentence(), joints()) +
+               shown(support_sentence(), supports());
+    }
+
+    std::string latex() const
+    {
+        const auto shown = [&](const std::string& sentence, const tabular::Table& table) {
+            if (table.is_empty()) return std::string();
+            return "\n\\par\n" + tabular::latex_text(sentence) + "\n" + latex_table(table, tr_);
+        };
+        std::string text;
+        if (!of_.integrals.empty()) text = "\n\\par\n" + tabular::latex_text(integral_sentence()) + "\n";
+        if (const std::string note = taper_sentence(of_, tr_); !note.empty()) text += tabular::latex_text(note) + "\n";
+        for (const WorkIntegral& one : of_.integrals) text += latex(one);
+        return text + shown(joint_sentence(), joints()) + shown(support_sentence(), supports());
+    }
+
+    /// "a + b - c", the work of each part.
+    std::string addends() const
+    {
+        std::string text;
+        for (const Part& one : parts()) {
+            const std::string value = value_text(one.value);
+            if (value == "0") continue;
+            const bool is_negative = value.starts_with('-');
+            text += text.empty() ? (is_negative ? "-" : "") : (is_negative ? " - " : " + ");
+            text += is_negative ? value.substr(1) : value;
+        }
+        return text.empty() ? "0" : text;
+    }
 
     /// What works, a row each, with its work.
     struct Part {
@@ -79,11 +117,6 @@ private:
         return force ? std::string(name(*force, model_.analysis)) : "p";
     }
     std::string length_unit() const { return unit_text(dimension::length, model_.units); }
-    std::string shown(const tabular::Table& table) const
-    {
-        return tabular::plain_text(table, {indent, decimal_mark(tr_)});
-    }
-
     std::string formula(const Polynomial& p, const WorkIntegral& on, int digits = formula_digits) const
     {
         const double length = geometry_of(model_, model_[on.member]).length;
@@ -134,21 +167,89 @@ private:
                 one.value};
     }
 
+    static bool is_tapered(const WorkIntegral& on) { return on.stiffness.n_terms() > 1; }
+    std::string stiffness_value(const WorkIntegral& on) const
+    {
+        if (!is_tapered(on)) return six_digits(1.0 / on.flexibility, tr_);
+        Polynomial varying;
+        for (std::size_t i = 0; i < on.stiffness.n_terms(); ++i) varying.append(on.stiffness[i] / on.flexibility);
+        return formula(varying, on);
+    }
     std::string stiffness(const WorkIntegral& on) const
     {
         if (on.flexibility == 0.0) return tr_("rigid");
-        Polynomial varying;
-        for (std::size_t i = 0; i < on.stiffness.n_terms(); ++i) varying.append(on.stiffness[i] / on.flexibility);
-        const bool is_tapered = on.stiffness.n_terms() > 1;
-        return std::string(stiffness_name(on.force)) + " = " +
-               (is_tapered ? formula(varying, on) : six_digits(1.0 / on.flexibility, tr_));
+        return std::string(stiffness_name(on.force)) + " = " + stiffness_value(on);
     }
 
-    std::string integrals() const
+    /// "EI_{z}", "V_{y}": what follows the letters that are a name by themselves is its index.
+    static std::string with_index(std::string_view symbol, std::size_t n_letters)
+    {
+        std::string text(symbol.substr(0, n_letters));
+        if (symbol.size() > n_letters) text += "_{" + std::string(symbol.substr(n_letters)) + "}";
+        return text;
+    }
+    std::string stiffness_symbol(const WorkIntegral& on) const
+    {
+        return with_index(stiffness_name(on.force), 2) + (is_tapered(on) ? "(x)" : "");
+    }
+
+    /// What is integrated, then the same with numbers; no numbers where the stiffness varies.
+    std::string integrand(const WorkIntegral& on) const
+    {
+        const std::string strained = on.flexibility == 0.0 ? "" : "\\frac{F f}{" + stiffness_symbol(on) + "}";
+        if (on.strain == 0.0) return strained.empty() ? "0" : strained;
+        if (strained.empty()) return "\\varepsilon f";
+        return "\\left(" + strained + " + \\varepsilon f\\right)";
+    }
+    std::string integrated(const WorkIntegral& on) const
+    {
+        if (is_tapered(on)) return {};
+        std::string text;
+        const auto add = [&](const std::string& term) { text += (text.empty() ? "" : " + ") + term; };
+        if (on.flexibility != 0.0)
+            add("\\frac{" + tabular::latex_formula(product_integral(on)) + "}{" +
+                tabular::latex_formula(stiffness_value(on)) + "}");
+        if (on.strain != 0.0) {
+            WorkIntegral of_unit = on;
+            of_unit.real = Polynomial{1.0};
+            add("(" + tabular::latex_formula(six_digits(on.strain, tr_)) + ") \\cdot (" +
+                tabular::latex_formula(product_integral(of_unit)) + ")");
+        }
+        return text.empty() ? text : " = " + text;
+    }
+    std::string latex(const WorkIntegral& one) const
+    {
+        const auto math = [](const std::string& symbol, const std::string& value) {
+            return "$" + symbol + " = " + tabular::latex_formula(value) + "$";
+        };
+        std::string text = "\n\\paragraph{" + tabular::latex_text(model_[one.member].id) + ", $" +
+                           with_index(force_name(one.force), 1) + "$}\n" + math("F", formula(one.real, one)) +
+                           ", \\quad " + math("f", formula(one.unit, one));
+        if (product(one)) text += ", \\quad " + math("F f", product_formula(one));
+        if (one.flexibility == 0.0) text += ", \\quad " + tabular::latex_text(tr_("rigid"));
+        else text += ", \\quad " + math(stiffness_symbol(one), stiffness_value(one));
+        if (one.strain != 0.0) text += ", \\quad " + math("\\varepsilon", six_digits(one.strain, tr_));
+        return text + "\n\\[\n\\int_{" + tabular::latex_formula(six_digits(one.from, tr_)) + "}^{" +
+               tabular::latex_formula(six_digits(one.to, tr_)) + "} " + integrand(one) + "\\, dx" + integrated(one) +
+               " = " + tabular::latex_formula(value_text(one.value)) + "\n\\]\n";
+    }
+
+    bool is_strained() const
+    {
+        return std::ranges::any_of(of_.integrals, [](const WorkIntegral& one) { return one.strain != 0.0; });
+    }
+    std::string integral_sentence() const
+    {
+        return is_strained()
+                   ? tr_("Members: the integral of f (F / stiffness + ε) over x, the distance from the first node.")
+                   : tr_("Members: the integral of F f / stiffness over x, the distance from the first node.");
+    }
+    std::string joint_sentence() const { return tr_("Springs at the ends of members: F f / stiffness."); }
+    std::string support_sentence() const { return tr_("Supports that move, by springs or settlements: -r c."); }
+
+    tabular::Table integrals() const
     {
         const auto& all = of_.integrals;
-        if (all.empty()) return {};
-        const bool is_strained = std::ranges::any_of(all, [](const WorkIntegral& one) { return one.strain != 0.0; });
         std::vector<tabular::Column> columns{tr_("member"),
                                              "F",
                                              {tr_("from"), length_unit()},
@@ -158,7 +259,7 @@ private:
                                              "F f",
                                              {"∫ F f dx", "", tabular::Alignment::Right},
                                              tr_("stiffness")};
-        if (is_strained) columns.emplace_back(tr_("imposed strain ε"), "", tabular::Alignment::Right);
+        if (is_strained()) columns.emplace_back(tr_("imposed strain ε"), "", tabular::Alignment::Right);
         columns.emplace_back(tr_("work"), captions_.unit_of_work, tabular::Alignment::Right);
         tabular::Table table(std::move(columns));
         for (const WorkIntegral& one : all) {
@@ -171,23 +272,15 @@ private:
                                              product_formula(one),
                                              product_integral(one),
                                              stiffness(one)};
-            if (is_strained) cells.emplace_back(six_digits(one.strain, tr_));
+            if (is_strained()) cells.emplace_back(six_digits(one.strain, tr_));
             cells.emplace_back(value_text(one.value));
             table.add_row(std::move(cells));
         }
-        return "\n" +
-               (is_strained
-                    ? tr_("Members: the integral of f (F / stiffness + ε) over x, the distance from the first "
-                          "node.")
-                    : tr_("Members: the integral of F f / stiffness over x, the distance from the first node.")) +
-               "\n" + shown(table) + with_line_end(taper_sentence(of_, tr_));
+        return table;
     }
 
-    static std::string with_line_end(std::string line) { return line.empty() ? line : line + "\n"; }
-
-    std::string joints() const
+    tabular::Table joints() const
     {
-        if (of_.joints.empty()) return {};
         tabular::Table table({tr_("member"),
                               tr_("node"),
                               "F",
@@ -199,12 +292,11 @@ private:
             table.add_row({model_[one.member].id, model_[model_[one.member].nodes.at(one.end)].id,
                            force_name(one.force), six_digits(one.real, tr_), six_digits(one.unit, tr_),
                            six_digits(one.stiffness, tr_), value_text(one.value)});
-        return "\n" + tr_("Springs at the ends of members: F f / stiffness.") + "\n" + shown(table);
+        return table;
     }
 
-    std::string supports() const
+    tabular::Table supports() const
     {
-        if (of_.supports.empty()) return {};
         tabular::Table table({tr_("node"),
                               tr_("direction"),
                               {tr_("displacement c"), "", tabular::Alignment::Right},
@@ -213,7 +305,7 @@ private:
         for (const SupportWork& one : of_.supports)
             table.add_row({model_[one.node].id, std::string(name(one.dof)), six_digits(one.displacement, tr_),
                            six_digits(one.reaction, tr_), value_text(one.value)});
-        return "\n" + tr_("Supports that move, by springs or settlements: -r c.") + "\n" + shown(table);
+        return table;
     }
 
     const Work& of_;
@@ -303,22 +395,50 @@ tabular::Table work_table(const VirtualWork& work, const Model& model, const Tra
     return table;
 }
 
-std::string virtual_work_text(const VirtualWork& work, const Model& model, const Translator& tr)
+namespace {
+
+/// What stands above and below the tables of a displacement.
+struct Sentences {
+    std::string title, units, unit_load, unit_of_work, sum, analysis;
+};
+
+Sentences sentences(const VirtualWork& work, const Model& model, const Translator& tr)
 {
     const std::string unit = printed_unit(influence::dimension_of(work.displacement), model.units);
-    const double size = size_of(work.work);
-    const auto value = [&](double number) { return six_digits(without_rounding(number, size), tr); };
-    const std::string title = fill(tr("{0} = {1} in {2}: by virtual work"),
-                                   {influence::effect_name(model, work.displacement, tr),
-                                    value(work.value) + " " + unit, model.case_name(work.load_case)});
-    return title + "\n" + std::string(tabular::shown_width(title), '=') + "\n" +
-           fill(tr("Lengths in {0}, forces in {1}, rotations in rad."),
-                {std::string(name(model.units.length)), std::string(name(model.units.force))}) +
-           "\n" +
-           tr("A unit load stands where the displacement is asked for, and along it. Its forces work on what the loads "
-              "strain: the displacement is the sum of that work.") +
-           "\n" + work_text(work.work, {tr("under the loads, F"), tr("under the unit load, f"), unit}, model, tr) +
-           "\n" + fill(tr("Sum: {0} {1}; the analysis has {2}."), {value(work.sum), unit, value(work.value)}) + "\n";
+    const auto value = [&](double number) { return six_digits(without_round_off(number, work.work), tr); };
+    return {.title = fill(tr("{0} = {1} in {2}: by virtual work"),
+                          {influence::effect_name(model, work.displacement, tr), value(work.value) + " " + unit,
+                           model.case_name(work.load_case)}),
+            .units = fill(tr("Lengths in {0}, forces in {1}, rotations in rad."),
+                          {std::string(name(model.units.length)), std::string(name(model.units.force))}),
+            .unit_load = tr("A unit load stands where the displacement is asked for, and along it. Its forces work on "
+                            "what the loads strain: the displacement is the sum of that work."),
+            .unit_of_work = unit,
+            .sum = value(work.sum),
+            .analysis = fill(tr("Sum: {0} {1}; the analysis has {2}."), {value(work.sum), unit, value(work.value)})};
+}
+
+} // namespace
+
+std::string virtual_work_text(const VirtualWork& work, const Model& model, const Translator& tr)
+{
+    const Sentences said = sentences(work, model, tr);
+    return said.title + "\n" + std::string(tabular::shown_width(said.title), '=') + "\n" + said.units + "\n" +
+           said.unit_load + "\n" +
+           work_text(work.work, {tr("under the loads, F"), tr("under the unit load, f"), said.unit_of_work}, model,
+                     tr) +
+           "\n" + said.analysis + "\n";
+}
+
+std::string virtual_work_latex(const VirtualWork& work, const Model& model, const Translator& tr)
+{
+    const Sentences said = sentences(work, model, tr);
+    const WorkCaptions captions{tr("under the loads, F"), tr("under the unit load, f"), said.unit_of_work};
+    const Tables tables(work.work, captions, model, tr);
+    const auto line = [](const std::string& text) { return tabular::latex_text(text) + "\n"; };
+    return "\\section*{" + tabular::latex_text(said.title) + "}\n" + line(said.units) + line(said.unit_load) +
+           tables.latex() + "\n\\par\\medskip\\noindent\n$" + tabular::latex_formula(tables.addends()) + " = " +
+           tabular::latex_formula(said.sum) + "$\n\\par\\noindent\n" + line(said.analysis);
 }
 
 } // namespace femoop::virtual_work

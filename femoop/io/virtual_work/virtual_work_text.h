@@ -21,6 +21,9 @@ std::string work_text(const Work& work, const WorkCaptions& captions, const Mode
 /// The integrals stretch by stretch with their formulas, then joints and supports, and their sum.
 std::string virtual_work_text(const VirtualWork& work, const Model& model, const Translator& tr);
 
+/// The same as a part of a LaTeX document, a section*: an integral for each stretch of a member.
+std::string virtual_work_latex(const VirtualWork& work, const Model& model, const Translator& tr);
+
 /// How a member of varying depth is integrated; empty where there is none.
 std::string taper_sentence(const Work& work, const Translator& tr);
 

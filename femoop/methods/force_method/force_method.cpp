@@ -178,7 +178,7 @@ ForceMethod solved(const Model& model, const Results& results, CaseId load_case,
 ForceMethod solve(const Model& model, const Results& results, CaseId load_case, std::span<const Redundant> redundants)
 {
     std::vector<Redundant> released(redundants.begin(), redundants.end());
-    if (released.empty()) released = usual_redundants(model, results.indeterminacy().total());
+    if (released.empty()) released = usual_redundants(model, results.indeterminacy());
     if (released.empty()) throw ModelError({Fault{FaultKind::RedundantsNone, {}}});
     return solved(model, results, load_case, std::move(released));
 }

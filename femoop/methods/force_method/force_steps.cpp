@@ -6,6 +6,7 @@
 #include <set>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "femoop/methods/influence/effect_name.h"
 #include "femoop/result/components.h"
@@ -62,22 +63,46 @@ private:
     Forces section_forces(MemberComponent component) const
     {
         Forces forces{std::string(name(component, primary_.analysis)), {}, {}};
-        for (const Member& member : primary_.members)
-            for (const double percent : percents)
-                forces.places.push_back(member.id + ", " + std::to_string(std::lround(percent)) + "%");
+        std::vector<std::size_t> n_places;
+        for (std::size_t m = 0; m < primary_.members.size(); ++m) {
+            const std::string& id = primary_.members[m].id;
+            n_places.push_back(is_read_once(MemberId(m)) ? 1 : percents.size());
+            if (n_places.back() == 1) forces.places.push_back(id);
+            else
+                for (const double percent : percents)
+                    forces.places.push_back(id + ", " + std::to_string(std::lround(percent)) + "%");
+        }
         forces.values.resize(rows(forces), static_cast<Eigen::Index>(n_states()));
         for (std::size_t state = 0; state < n_states(); ++state) {
             Eigen::Index row = 0;
             for (std::size_t m = 0; m < primary_.members.size(); ++m) {
                 const Curve curve = result(state).curve(MemberId(m));
-                for (const double percent : percents) {
-                    const Side side = percent == 100.0 ? Side::Before : Side::After;
-                    const double x = percent == 100.0 ? curve.length() : percent / 100.0 * curve.length();
-                    forces.values(row++, static_cast<Eigen::Index>(state)) = curve.value(component, x, side);
-                }
+                for (std::size_t i = 0; i < n_places[m]; ++i)
+                    forces.values(row++, static_cast<Eigen::Index>(state)) = value(curve, component, percents.at(i));
             }
         }
         return forces;
+    }
+
+    static double value(const Curve& curve, MemberComponent component, double percent)
+    {
+        const Side side = percent == 100.0 ? Side::Before : Side::After;
+        const double x = percent == 100.0 ? curve.length() : percent / 100.0 * curve.length();
+        return curve.value(component, x, side);
+    }
+
+    /// A bar of a truss has one axial force, unless a load along it stands between its ends.
+    bool is_read_once(MemberId member) const
+    {
+        if (!is_truss(primary_.analysis)) return false;
+        for (std::size_t state = 0; state < n_states(); ++state) {
+            const Curve curve = result(state).curve(member);
+            const double first = value(curve, MemberComponent::N, percents.front());
+            for (const double percent : percents)
+                if (std::abs(value(curve, MemberComponent::N, percent) - first) > round_off * std::abs(first))
+                    return false;
+        }
+        return true;
     }
 
     static Eigen::Index rows(const Forces& forces) { return static_cast<Eigen::Index>(forces.places.size()); }
@@ -185,6 +210,7 @@ Step redundants_step(const ForceMethod& method, const std::vector<std::string>& 
     for (Eigen::Index i = 0; i < given.rows(); ++i)
         given.row(i) << method.imposed[i], method.primary.releases[static_cast<std::size_t>(i)].flexibility;
     step.matrices.push_back({"X", names, {"c", "1/k"}, std::move(given)});
+    if (method.degree.has_foundation) return step; // no number says it
     const Eigen::Vector2d degrees(method.degree.total(), method.states.indeterminacy().total());
     step.matrices.push_back({"n", {"n", "n0"}, {""}, degrees});
     return step;

@@ -65,6 +65,11 @@ std::vector<Redundant> candidates(const Model& model)
     return all;
 }
 
+ModelError too_many(const std::string& degree)
+{
+    return ModelError({Fault{FaultKind::RedundantsTooMany, {degree, std::to_string(most_redundants)}}});
+}
+
 } // namespace
 
 bool is_stable(const Model& model, std::span<const Redundant> redundants)
@@ -82,14 +87,13 @@ bool is_stable(const Model& model, std::span<const Redundant> redundants)
     }
 }
 
-std::vector<Redundant> usual_redundants(const Model& model, int degree)
+std::vector<Redundant> usual_redundants(const Model& model, const Indeterminacy& degree)
 {
-    if (degree > most_redundants)
-        throw ModelError(
-            {Fault{FaultKind::RedundantsTooMany, {std::to_string(degree), std::to_string(most_redundants)}}});
+    if (degree.total() > most_redundants) throw too_many(std::to_string(degree.total()));
+    if (degree.total() <= 0 && degree.has_foundation) throw too_many("∞");
     std::vector<Redundant> chosen;
     for (const Redundant& one : candidates(model)) {
-        if (chosen.size() >= static_cast<std::size_t>(std::max(degree, 0))) break;
+        if (chosen.size() >= static_cast<std::size_t>(std::max(degree.total(), 0))) break;
         chosen.push_back(one);
         if (!is_stable(model, chosen)) chosen.pop_back();
     }

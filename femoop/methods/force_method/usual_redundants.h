@@ -2,6 +2,7 @@
 
 #include <vector>
 
+#include "femoop/discretisation/statics.h"
 #include "femoop/methods/force_method/primary_structure.h"
 
 namespace femoop::force_method {
@@ -14,8 +15,8 @@ inline constexpr int most_redundants = 30;
 /// back, moments at their ends and the other section forces at their starts. None of a determinate structure.
 ///
 /// \param degree  of static indeterminacy; what a foundation adds is left in the primary structure
-/// \throws ModelError  RedundantsTooMany where there are more than most_redundants
-std::vector<Redundant> usual_redundants(const Model& model, int degree);
+/// \throws ModelError  RedundantsTooMany where there are more than most_redundants, or none but those of a foundation
+std::vector<Redundant> usual_redundants(const Model& model, const Indeterminacy& degree);
 
 /// Whether a structure with these redundants released can neither move nor be moved by what stands for them.
 bool is_stable(const Model& model, std::span<const Redundant> redundants);

@@ -68,11 +68,22 @@ public:
             return femoop::without_rounding(force.force.norm(), most.force) == 0.0 &&
                    femoop::without_rounding(force.moment.norm(), most.moment) == 0.0;
         });
+        for (Force& force : free_.forces) silence_rounding(force, most);
         free_.ritter_points = ritter_points(structure_, free_.body, free_.forces);
         return std::move(free_);
     }
 
 private:
+    /// A hinge has no moment that an equation could tell.
+    static void silence_rounding(Force& force, const Magnitudes& most)
+    {
+        for (double& one : force.force) one = femoop::without_rounding(one, most.force);
+        for (double& one : force.moment) one = femoop::without_rounding(one, most.moment);
+        SectionForces& s = force.section;
+        for (double* const one : {&s.N, &s.Vy, &s.Vz}) *one = femoop::without_rounding(*one, most.force);
+        for (double* const one : {&s.T, &s.My, &s.Mz}) *one = femoop::without_rounding(*one, most.moment);
+    }
+
     bool has(NodeId node) const { return std::ranges::find(free_.body.nodes, node) != free_.body.nodes.end(); }
     NodeId node_at(MemberId member, std::size_t end) const { return structure_.members[member.index].nodes[end]; }
     bool ends_at(const Piece& piece, std::size_t end) const
@@ -292,6 +303,29 @@ std::vector<ForceComponent> components(const Force& force)
 FreeBody lift_out(const Model& model, const Results& results, CaseId load_case, const Body& body)
 {
     return Gatherer(model, results, load_case).of(body);
+}
+
+FreeBody scaled(FreeBody body, double length, double force)
+{
+    const double moment = force * length;
+    for (Piece& piece : body.body.pieces) {
+        piece.from *= length;
+        piece.to *= length;
+    }
+    for (Force& one : body.forces) {
+        one.x *= length;
+        one.at *= length;
+        one.force *= force;
+        one.moment *= moment;
+        for (double* const number : {&one.section.N, &one.section.Vy, &one.section.Vz}) *number *= force;
+        for (double* const number : {&one.section.T, &one.section.My, &one.section.Mz}) *number *= moment;
+    }
+    for (RitterPoint& point : body.ritter_points) {
+        point.at *= length;
+        point.arm *= length;
+        for (Vector3d& other : point.others) other *= length;
+    }
+    return body;
 }
 
 Vector3d usual_moment_point(const FreeBody& body, const Model& model)

@@ -70,6 +70,9 @@ struct FreeBody {
     std::vector<RitterPoint> ritter_points; ///< of every bar that has one, in the order of the pieces
 };
 
+/// The same in other units: every length times this, every force times that.
+FreeBody scaled(FreeBody body, double length, double force);
+
 /// What acts on a part of a structure. \pre the results are those of the model
 /// Accuracy  what a foundation does is integrated along the exact deflection; all else is exact
 FreeBody lift_out(const Model& model, const Results& results, CaseId load_case, const Body& body);

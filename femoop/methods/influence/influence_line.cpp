@@ -11,6 +11,7 @@
 #include "femoop/methods/influence/dislocation.h"
 #include "femoop/methods/influence/effect_name.h"
 #include "femoop/methods/influence/load_components.h"
+#include "femoop/methods/influence/usual_path.h"
 #include "femoop/methods/unit_load_case.h"
 #include "femoop/result/components.h"
 #include "femoop/result/curve_reader.h"
@@ -60,7 +61,7 @@ std::array<LocalDisplacement, 2> ends_of(const Curve& curve)
 
 /// Coefficients that rounding alone left are none, beside the line's largest ordinate and what a force of a unit load
 /// is. \param unit_force  0 of a displacement
-void clean(PiecewiseLine& line, double unit_force)
+void clean_coefficients(PiecewiseLine& line, double unit_force)
 {
     const double rounding = std::max(negligible * line.largest(), no_force * unit_force);
     for (LinePiece& piece : line.pieces) {
@@ -71,6 +72,14 @@ void clean(PiecewiseLine& line, double unit_force)
         }
         while (!piece.coefficients.empty() && piece.coefficients.back() == 0.0) piece.coefficients.pop_back();
     }
+}
+
+/// Of a displacement that a support holds nothing is left.
+void clean(InfluenceLine& line, const Model& model, double unit_force)
+{
+    if (holding_support(model, line.effect))
+        for (LinePiece& piece : line.ordinates.pieces) piece.coefficients.clear();
+    clean_coefficients(line.ordinates, unit_force);
 }
 
 /// Takes the pieces of one member of the path; of power series those up to the section, and those behind it, make one
@@ -248,7 +257,7 @@ InfluenceLine InfluenceAnalysis::line_of(const PathLayout& path, const NodeVecto
                is_series(structure_, on.member),
                effect.member == on.member ? std::optional(on.s_of(place(effect))) : std::nullopt);
     }
-    clean(line.ordinates, is_force(effect) ? unit_effect(effect, load) : 0.0);
+    clean(line, model_, is_force(effect) ? unit_effect(effect, load) : 0.0);
     return line;
 }
 
@@ -264,7 +273,9 @@ std::vector<InfluenceLine> InfluenceAnalysis::adjoint_lines(const PathLayout& pa
     for (std::size_t i = 0; i < adjoints.size(); ++i) {
         const MovingEffect& effect = *adjoints[i].effect;
         InfluenceLine line = line_of(path, load, effect, results[CaseId(i)]);
-        const double largest = std::max(line.ordinates.largest(), least_effect * unit_effect(effect, load));
+        const double largest = places.empty()
+                                   ? 0.0
+                                   : std::max(line.ordinates.largest(), least_effect * unit_effect(effect, load));
         bool is_proved = true;
         for (std::size_t k = 0; k < places.size(); ++k) {
             const double direct = effect_in(effect, results[CaseId(adjoints.size() + k)]);
@@ -339,7 +350,7 @@ InfluenceLine InfluenceAnalysis::direct_line(const PathLayout& path, const NodeV
         append(line, std::move(pieces), on.member, is_series(structure_, on.member),
                effect.member == on.member ? std::optional(on.s_of(place(effect))) : std::nullopt);
     }
-    clean(line.ordinates, is_force(effect) ? unit_effect(effect, load) : 0.0);
+    clean(line, model_, is_force(effect) ? unit_effect(effect, load) : 0.0);
     return line;
 }
 
@@ -377,7 +388,7 @@ std::vector<InfluenceLine> InfluenceAnalysis::lines(const PathLayout& path, cons
 
 std::vector<MemberMotion> InfluenceAnalysis::motion(const MovingEffect& effect)
 {
-    if (is_direct(effect)) return {};
+    if (is_direct(effect) || holding_support(model_, effect)) return {};
     std::vector<MemberMotion> motions;
     try {
         const Results results = solve({adjoint(effect).load_case});

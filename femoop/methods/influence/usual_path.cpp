@@ -2,13 +2,17 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <iterator>
+#include <numbers>
 #include <optional>
 
 #include "femoop/geometry/member_geometry.h"
 #include "femoop/geometry/node_position.h"
+#include "femoop/load/place_along.h"
 #include "femoop/methods/influence/load_components.h"
+#include "femoop/methods/influence/member_motion.h"
 #include "femoop/result/components.h"
 
 namespace femoop::influence {
@@ -197,6 +201,66 @@ std::vector<MovingEffect> reactions_at(const Model& model, NodeId node)
             reactions.push_back({.quantity = ExpectedQuantity::Reaction, .node = node, .dof = dof});
     }
     return reactions;
+}
+
+bool is_unheld_reaction(const Model& model, const MovingEffect& effect)
+{
+    if (effect.quantity != ExpectedQuantity::Reaction) return false;
+    const std::vector<MovingEffect> held = reactions_at(model, *effect.node);
+    return std::ranges::none_of(held, [&](const MovingEffect& one) { return one.dof == effect.dof; });
+}
+
+namespace {
+
+constexpr double square_to = 1e-14; // cosine of a right angle that is rounded
+
+/// Does the node's support leave it no way to move along a direction?
+bool is_held_along(const Model& model, NodeId node, const Vector3d& direction)
+{
+    const std::optional<Support>& support = model[node].support;
+    if (!support) return false;
+    const DofSet blocked = support->blocked(model.analysis);
+    const Eigen::Matrix3d axes = // in its columns
+        Eigen::AngleAxisd(support->angle.value() * std::numbers::pi / 180.0, Vector3d::UnitZ()).toRotationMatrix();
+    return std::ranges::all_of(std::array{Dof::ux, Dof::uy, Dof::uz}, [&](Dof dof) {
+        const bool is_free = dofs(model.analysis).contains(dof) && !blocked.contains(dof);
+        return !is_free || std::abs(axes.col(static_cast<Eigen::Index>(index(dof))).dot(direction)) <= square_to;
+    });
+}
+
+bool is_dof_held(const Model& model, NodeId node, Dof dof)
+{
+    if (!is_rotation(dof)) return is_held_along(model, node, Vector3d::Unit(static_cast<int>(index(dof))));
+    const std::optional<Support>& support = model[node].support;
+    return support && support->blocked(model.analysis).contains(dof);
+}
+
+/// At an end that neither a joint lets slip nor a rigid arm carries off; of a section between the ends nothing.
+std::optional<NodeId> holding_support_of(const Model& model, const Member& member, MemberComponent component,
+                                         const Position& at)
+{
+    const MemberGeometry geometry = geometry_of(model, member);
+    const double x = femoop::along(at, geometry.length), near = end_of_member * geometry.length;
+    if (x > near && x < geometry.length - near) return std::nullopt;
+    const std::size_t which = x > near ? 1 : 0;
+    const MemberEnd& end = which == 0 ? member.start : member.end;
+    const auto axis = static_cast<std::size_t>(component) - static_cast<std::size_t>(MemberComponent::u);
+    const Dof along_axis = all_dofs[axis];
+    const bool slips = end.release.contains(along_axis) ||
+                       std::ranges::any_of(end.springs, [&](const Spring& s) { return s.dof == along_axis; });
+    const NodeId node = member.nodes[which];
+    const Vector3d direction = geometry.axes.row(static_cast<Eigen::Index>(axis));
+    if (slips || !end.offset.empty() || !is_held_along(model, node, direction)) return std::nullopt;
+    return node;
+}
+
+} // namespace
+
+std::optional<NodeId> holding_support(const Model& model, const MovingEffect& effect)
+{
+    if (effect.quantity != ExpectedQuantity::Displacement) return std::nullopt;
+    if (effect.member) return holding_support_of(model, model[*effect.member], *effect.component, *effect.at);
+    return is_dof_held(model, *effect.node, *effect.dof) ? effect.node : std::nullopt;
 }
 
 } // namespace femoop::influence

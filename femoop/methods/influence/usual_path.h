@@ -30,4 +30,11 @@ std::vector<MemberId> usual_path(const Model& model, const MovingEffect& effect,
 /// Every force that a support can bear; none of a node without one.
 std::vector<MovingEffect> reactions_at(const Model& model, NodeId node);
 
+/// A reaction along what the node's support leaves free, which is 0 whatever the loads are.
+bool is_unheld_reaction(const Model& model, const MovingEffect& effect);
+
+/// The node whose support holds a displacement itself, so that it is 0 whatever the loads are: one of the node, or of a
+/// member's end that goes with it. Nothing where it can move, be it against a spring.
+std::optional<NodeId> holding_support(const Model& model, const MovingEffect& effect);
+
 } // namespace femoop::influence

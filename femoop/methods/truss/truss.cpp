@@ -136,6 +136,15 @@ std::optional<Refusal> why_no_truss(const Model& model, const Results& results)
     return std::nullopt;
 }
 
+Truss scaled(Truss truss, double length, double force)
+{
+    for (Eigen::Vector2d& joint : truss.joints) joint *= length;
+    for (Bar& bar : truss.bars) bar.force *= force;
+    for (ExternalForce& one : truss.forces) one.force *= force;
+    truss.largest_force *= force;
+    return truss;
+}
+
 Truss truss_of(const Model& model, const Results& results, CaseId load_case)
 {
     const CaseResult result = results[load_case];

@@ -51,6 +51,9 @@ struct Truss {
     bool are_parallel(const Eigen::Vector2d& a, const Eigen::Vector2d& b) const; ///< of any lengths
 };
 
+/// The same in other units: every length times this, every force times that.
+Truss scaled(Truss truss, double length, double force);
+
 /// Why statics alone does not give its forces, if so: no plane truss, no load case, or statically indeterminate.
 std::optional<Refusal> why_no_truss(const Model& model, const Results& results);
 

@@ -12,6 +12,8 @@ namespace femoop {
 
 namespace {
 
+constexpr double least_factor = 1e-100; ///< nobody means less, and a product of three has lost its digits
+
 bool is_control_character(char c) { return static_cast<unsigned char>(c) < 0x20U || c == '\x7f'; }
 
 } // namespace
@@ -75,8 +77,11 @@ void EntryChecker::require_within_reach(const Entry& place, std::string_view key
 void EntryChecker::require_positive(const Entry& place, std::string_view key, const Quantity& value,
                                     Dimension dimension)
 {
-    if (require_finite(place, key, value) && value <= 0.0)
-        add(FaultKind::NotPositive, place, {std::string(key), shown(value, dimension)});
+    if (!require_finite(place, key, value)) return;
+    if (value <= 0.0) add(FaultKind::NotPositive, place, {std::string(key), shown(value, dimension)});
+    else if (value < least_factor)
+        faults_.push_back(
+            {FaultKind::QuantityTooLarge, {place.text() + ", " + std::string(key), shown(value, dimension)}});
 }
 
 void EntryChecker::require_stiffness(const Entry& place, std::string_view key, const Quantity& value,

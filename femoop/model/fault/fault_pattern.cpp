@@ -192,7 +192,7 @@ std::string_view pattern(FaultKind kind)
     case FaultKind::QuantityWrongDimension: return "{0}: \"{1}\" measures {2}, wanted {3}, in {4} for example";
     case FaultKind::QuantityUnwantedUnit: return "{0}: \"{1}\" measures {2}, wanted a plain number; take the unit away";
     case FaultKind::QuantityTooLarge:
-        return "{0}: \"{1}\" is beyond the range of numbers; write 0, or one that is nearer to 1";
+        return "{0}: \"{1}\" is beyond the range of numbers; write one that is nearer to 1, or 0 where nothing is meant";
 
     case FaultKind::EmptyId: return "{0}: \"id\" is empty; give it a name";
     case FaultKind::ControlCharacterInId:
@@ -439,7 +439,7 @@ std::string_view pattern(FaultKind kind)
     case FaultKind::RedundantsUnstrained:
         return "{0} strain nothing in the primary structure, so that no equation gives them; release other forces, or "
                "give inextensible and rigid members a stiffness";
-    case FaultKind::PrimaryMoves: return "without {0} the structure can move; release other forces";
+    case FaultKind::PrimaryMoves: return "the structure does not stand without {0}; release other forces";
 
     case FaultKind::PlaneModelElsewhere:
         return "{0}: {1} is a plane model, for which this is not built yet; `check`, `mesh`, `solve`, `verify`, `render` and `convert` read it";

@@ -8,7 +8,6 @@
 #include <set>
 #include <utility>
 
-#include "femoop/algebra/least_squares.h"
 #include "femoop/plane/mesh/mesh_geometry.h"
 
 namespace femoop::plane {
@@ -16,66 +15,88 @@ namespace femoop::plane {
 namespace {
 
 constexpr double told_apart = 1e-3; // of a term: what the terms before it leave of it
+constexpr int most_terms = 8;       // of a polynomial of a patch
+constexpr int most_values = 8;      // of a row of samples
+
+using RowOfTerms = Eigen::Matrix<double, 1, most_terms>;
+using RowOfValues = Eigen::Matrix<double, 1, Eigen::Dynamic, Eigen::RowMajor, 1, most_values>;
 
 /// The terms 1, x, y, x y, x^2, y^2, x^2 y, x y^2 of a point.
-Eigen::Matrix<double, 1, 8> all_terms(const Eigen::Vector2d& p)
+RowOfTerms all_terms(const Eigen::Vector2d& p)
 {
     const double x = p.x(), y = p.y();
-    Eigen::Matrix<double, 1, 8> terms;
+    RowOfTerms terms;
     terms << 1.0, x, y, x * y, x * x, y * y, x * x * y, x * y * y;
     return terms;
 }
 
 /// A polynomial that is fitted to values at points, of those terms that the points can tell apart, low ones first.
+///
+/// Method  the terms made orthonormal one after the other, twice, so that least squares ask for no equations:
+///         terms = Q R, R c = Q' values
 class PatchFit {
 public:
     PatchFit(const Eigen::Vector2d& middle, double size, const ValueTable& places, const ValueTable& values,
-             const std::vector<int>& wanted)
+             std::span<const int> wanted)
         : middle_(middle), size_(size)
     {
-        Eigen::MatrixXd all(places.rows(), 8), basis(places.rows(), 0);
-        for (Eigen::Index i = 0; i < places.rows(); ++i) all.row(i) = terms(places.row(i).transpose());
+        const Eigen::Index n = places.rows();
+        Eigen::Matrix<double, Eigen::Dynamic, most_terms> all(n, most_terms), Q(n, most_terms);
+        for (Eigen::Index i = 0; i < n; ++i) all.row(i) = terms(places.row(i).transpose());
+        Eigen::Matrix<double, most_terms, most_terms> R = R.Zero();
         for (const int term : wanted) {
-            if (basis.cols() == places.rows()) break;
-            Eigen::VectorXd rest = all.col(term);
-            for (int twice = 0; twice < 2; ++twice) rest -= basis * (basis.transpose() * rest);
-            if (rest.norm() <= told_apart * all.col(term).norm()) continue;
-            basis.conservativeResize(Eigen::NoChange, basis.cols() + 1);
-            basis.rightCols<1>() = rest.normalized();
-            kept_.push_back(term);
+            const Eigen::Index k = n_kept_;
+            if (k == n) break;
+            auto rest = Q.col(k);
+            rest = all.col(term);
+            for (int twice = 0; twice < 2; ++twice) {
+                const SmallVector along = Q.leftCols(k).transpose().lazyProduct(rest);
+                rest -= Q.leftCols(k).lazyProduct(along);
+                R.col(k).head(k) += along;
+            }
+            R(k, k) = rest.norm();
+            if (R(k, k) <= told_apart * all.col(term).norm()) {
+                R.col(k).setZero();
+                continue;
+            }
+            rest /= R(k, k);
+            kept_[static_cast<std::size_t>(n_kept_++)] = term;
         }
-        coefficients_ = least_squares(all(Eigen::all, kept_), values);
+        coefficients_ = Q.leftCols(n_kept_).transpose().lazyProduct(values);
+        R.topLeftCorner(n_kept_, n_kept_).triangularView<Eigen::Upper>().solveInPlace(coefficients_);
     }
 
-    Eigen::RowVectorXd at(const Eigen::Vector2d& place) const
+    RowOfValues at(const Eigen::Vector2d& place) const
     {
-        const Eigen::Matrix<double, 1, 8> here = terms(place);
-        Eigen::RowVectorXd sum = Eigen::RowVectorXd::Zero(coefficients_.cols());
-        for (std::size_t i = 0; i < kept_.size(); ++i)
-            sum += here[kept_[i]] * coefficients_.row(static_cast<Eigen::Index>(i));
+        const RowOfTerms here = terms(place);
+        RowOfValues sum = RowOfValues::Zero(coefficients_.cols());
+        for (Eigen::Index i = 0; i < n_kept_; ++i)
+            sum += here[kept_[static_cast<std::size_t>(i)]] * coefficients_.row(i);
         return sum;
     }
 
 private:
-    Eigen::Matrix<double, 1, 8> terms(const Eigen::Vector2d& place) const
-    {
-        return all_terms((place - middle_) / size_);
-    }
+    using SmallVector = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, most_terms, 1>;
+
+    RowOfTerms terms(const Eigen::Vector2d& place) const { return all_terms((place - middle_) / size_); }
 
     Eigen::Vector2d middle_;
     double size_;
-    std::vector<int> kept_; ///< indices of all_terms
-    Eigen::MatrixXd coefficients_;
+    Eigen::Index n_kept_ = 0;
+    std::array<int, most_terms> kept_{}; ///< indices of all_terms
+    Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, most_terms, most_values> coefficients_;
 };
 
 /// The terms that a patch of such elements is fitted by, those first that come first.
-std::vector<int> wanted_terms(ShapeKind kind)
+std::span<const int> wanted_terms(ShapeKind kind)
 {
+    static constexpr std::array<int, most_terms> low_ones_first{0, 1, 2, 3, 4, 5, 6, 7};
+    const std::span<const int> all(low_ones_first);
     switch (kind) {
-    case ShapeKind::T3: return {0, 1, 2};
-    case ShapeKind::Q4: return {0, 1, 2, 3};
-    case ShapeKind::T6: return {0, 1, 2, 3, 4, 5};
-    default: return {0, 1, 2, 3, 4, 5, 6, 7};
+    case ShapeKind::T3: return all.first(3);
+    case ShapeKind::Q4: return all.first(4);
+    case ShapeKind::T6: return all.first(6);
+    default: return all;
     }
 }
 
@@ -208,7 +229,7 @@ public:
           counts_(recovery.n_values(), 0)
     {}
 
-    PatchFit fit(const std::vector<std::uint32_t>& elements, NodeId around) const
+    PatchFit fit(std::span<const std::uint32_t> elements, NodeId around) const
     {
         Eigen::Index n = 0;
         for (const std::uint32_t e : elements) n += n_samples(e);
@@ -258,15 +279,16 @@ ValueTable PatchRecovery::nodal_values(const ValueTable& samples, const ValueTab
 {
     PatchSweep sweep(model_, *this, samples, places);
     const auto around = [&](std::size_t slot) {
-        std::vector<std::uint32_t> elements(elements_of_.begin() + elements_start_[slot],
-                                            elements_of_.begin() + elements_start_[slot + 1]);
-        return elements;
+        return std::span(elements_of_)
+            .subspan(elements_start_[slot], elements_start_[slot + 1] - elements_start_[slot]);
     };
-    const auto others_of = [&](const std::vector<std::uint32_t>& elements, auto&& wanted) {
-        std::set<std::size_t> slots;
+    const auto others_of = [&](std::span<const std::uint32_t> elements, auto&& wanted) {
+        std::vector<std::size_t> slots;
         for (const std::uint32_t e : elements)
             for (std::size_t i = 0; i < model_.elements[e].points.size(); ++i)
-                if (const std::size_t other = slot(ElementId(e), i); wanted(other)) slots.insert(other);
+                if (const std::size_t other = slot(ElementId(e), i); wanted(other)) slots.push_back(other);
+        std::ranges::sort(slots);
+        slots.erase(std::unique(slots.begin(), slots.end()), slots.end());
         return slots;
     };
     const auto with_neighbours = [&](std::uint32_t e) {
@@ -277,21 +299,20 @@ ValueTable PatchRecovery::nodal_values(const ValueTable& samples, const ValueTab
     };
     for (std::size_t i = 0; i < n_values(); ++i) { // patches inside
         if (!is_corner_[i] || is_on_border_[i]) continue;
-        const std::vector<std::uint32_t> elements = around(i);
+        const std::span<const std::uint32_t> elements = around(i);
         const PatchFit patch = sweep.fit(elements, node_of(i));
         sweep.add(i, patch);
         for (const std::size_t other :
              others_of(elements, [&](std::size_t j) { return !is_corner_[j] || is_on_border_[j]; }))
             sweep.add(other, patch);
     }
-    std::vector<std::pair<std::size_t, std::set<std::size_t>>> own; // patches of corners of the border
+    std::vector<std::pair<std::size_t, std::vector<std::size_t>>> own; // patches of corners of the border
     for (std::size_t i = 0; i < n_values(); ++i)
         if (is_corner_[i] && !sweep.has(i))
             own.emplace_back(i, others_of(around(i), [&](std::size_t j) { return !is_corner_[j] && !sweep.has(j); }));
     const auto patch_of = [&](std::size_t corner) {
-        std::vector<std::uint32_t> elements = around(corner);
-        if (elements.size() == 1) elements = with_neighbours(elements.front());
-        return sweep.fit(elements, node_of(corner));
+        const std::span<const std::uint32_t> elements = around(corner);
+        return sweep.fit(elements.size() == 1 ? with_neighbours(elements.front()) : elements, node_of(corner));
     };
     for (const auto& [corner, middles] : own) {
         const PatchFit patch = patch_of(corner);

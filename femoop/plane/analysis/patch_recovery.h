@@ -44,7 +44,7 @@ class PatchRecovery {
 public:
     explicit PatchRecovery(const PlaneModel& model);
 
-    /// \param samples, places  rows: recovery points, as SampleNumbers has them
+    /// \param samples, places  rows: recovery points, as SampleNumbers has them  \pre at most 8 values in a row
     ValueTable nodal_values(const ValueTable& samples, const ValueTable& places) const;
 
     const SampleNumbers& samples() const { return samples_; }

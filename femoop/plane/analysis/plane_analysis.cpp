@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <memory>
 #include <string>
 #include <utility>
@@ -76,6 +77,19 @@ void require_finite(const PlaneModel& model, const Eigen::MatrixXd& values)
             throw ModelError({{FaultKind::ResultsBeyondRange, {model.load_cases[static_cast<std::size_t>(c)].id}}});
 }
 
+/// Modulus times thickness so small that digits are lost, though each is a number.
+void require_no_vanishing_stiffness(const PlaneModel& model)
+{
+    std::vector<std::string> regions;
+    for (std::size_t i = 0; i < model.regions.size(); ++i) {
+        const PlaneRegion& region = model.regions[i];
+        if (region.is_hole) continue;
+        const double stiffness = model[region.material].E * model.thickness(RegionId(i));
+        if (stiffness < std::numeric_limits<double>::min()) regions.push_back(region.id);
+    }
+    if (!regions.empty()) throw ModelError({{FaultKind::StiffnessBeyondRange, {listed(regions)}}});
+}
+
 /// Elements so stiff, or so small, that their stiffness is no number. The sums of the others would not be any either.
 void require_finite_stiffness(const PlaneModel& model, const StaticSystem& system)
 {
@@ -120,53 +134,81 @@ void keep_axial_sums(detail::Solution& solution)
             *sum = {0.0, (*sum)[1], 0.0, 0.0, 0.0, 0.0};
 }
 
-struct Solved {
+} // namespace
+
+struct PlaneAnalysis::Solved {
     std::vector<detail::CaseSolution> cases;
     AnalysisStatistics statistics;
 };
 
-Solved solved(const PlaneStructure& structure, const std::vector<CaseLoads>& loads, const AnalysisOptions& options)
+PlaneAnalysis::PlaneAnalysis(AnalysisOptions options) : options_(std::move(options)) {}
+PlaneAnalysis::~PlaneAnalysis() = default;
+
+/// The equations, ready to be factored.
+void PlaneAnalysis::assemble(const std::shared_ptr<const PlaneStructure>& structure, Solved& done)
 {
     Stopwatch watch;
-    Solved done;
-    StaticSystem system(structure.discretisation(), options.solver.kind);
+    const std::shared_ptr<const Discretisation>& numbers = structure->discretisation();
+    if (system_ && have_same_equations(*system_->structure(), *numbers)) {
+        system_->update(numbers);
+        structure_ = structure;
+        done.statistics.assemble = watch.lap();
+        require_finite_stiffness(structure->model(), *system_);
+        return;
+    }
+    system_.reset();
+    structure_ = structure;
+    auto system = std::make_unique<StaticSystem>(numbers, options_.solver.kind);
     done.statistics.order = watch.lap();
-    system.assemble();
+    system->assemble();
     done.statistics.assemble = watch.lap();
-    require_finite_stiffness(structure.model(), system);
+    require_finite_stiffness(structure->model(), *system);
     try {
-        system.analyse(options);
+        system->analyse(options_);
     } catch (const InsufficientMemory& refusal) {
-        throw ModelError({insufficient_memory(refusal, system.reduced().matrix().rows())});
+        throw ModelError({insufficient_memory(refusal, system->reduced().matrix().rows())});
     }
     done.statistics.order += watch.lap();
-    const Pivots pivots = system.factorize();
-    system.note_size(done.statistics);
-    if (!pivots.is_complete || pivots.smallest_ratio <= no_pivot || system.has_unrestrained_unknown())
-        refuse_soft_motion(structure, system);
-    if (!pivots.is_complete) throw ModelError(all_ill_conditioned(structure.model()));
+    system_ = std::move(system);
+}
+
+PlaneAnalysis::Solved PlaneAnalysis::solved(const std::shared_ptr<const PlaneStructure>& structure,
+                                            const std::vector<CaseLoads>& loads)
+{
+    Solved done;
+    assemble(structure, done);
+    Stopwatch watch;
+    const Pivots pivots = system_->factorize();
+    system_->note_size(done.statistics);
+    if (!pivots.is_complete || pivots.smallest_ratio <= no_pivot || system_->has_unrestrained_unknown())
+        refuse_soft_motion(*structure, *system_);
+    if (!pivots.is_complete) throw ModelError(all_ill_conditioned(structure->model()));
     done.statistics.factor = watch.lap();
-    const Eigen::MatrixXd F = system.load_vectors(loads);
-    require_finite(structure.model(), F);
-    const ReducedSystem::Displacements u = system.solve(F, {});
-    require_finite(structure.model(), u.all);
-    done.cases = system.solutions(loads, F, u);
+    const Eigen::MatrixXd F = system_->load_vectors(loads);
+    require_finite(structure->model(), F);
+    const ReducedSystem::Displacements u = system_->solve(F, {});
+    require_finite(structure->model(), u.all);
+    done.cases = system_->solutions(loads, F, u);
     done.statistics.solve = watch.lap();
     return done;
 }
 
-} // namespace
-
-PlaneResults analyse(const PlaneModel& model, const AnalysisOptions& options)
+PlaneResults PlaneAnalysis::solve(const PlaneModel& model)
 {
     require_sound(model);
+    return solve_sound(model);
+}
+
+PlaneResults PlaneAnalysis::solve_sound(const PlaneModel& model)
+{
+    require_no_vanishing_stiffness(model);
     auto structure = std::make_shared<const PlaneStructure>(model);
     refuse_rigid_motions(*structure);
     auto solution = std::make_shared<detail::Solution>();
     solution->structure = structure->discretisation();
     solution->loads = structure->loads();
     solution->cases = cases_of(structure->model());
-    Solved done = solved(*structure, solution->loads, options);
+    Solved done = solved(structure, solution->loads);
     solution->solutions = std::move(done.cases);
     add_reactions(*solution);
     if (model.analysis == StressState::Axisymmetric) keep_axial_sums(*solution);
@@ -176,6 +218,11 @@ PlaneResults analyse(const PlaneModel& model, const AnalysisOptions& options)
     PlaneResults results(std::move(structure), solution, done.statistics);
     require_finite_results(results, *solution);
     return results;
+}
+
+PlaneResults analyse(const PlaneModel& model, const AnalysisOptions& options)
+{
+    return PlaneAnalysis(options).solve(model);
 }
 
 } // namespace femoop::plane

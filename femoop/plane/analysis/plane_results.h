@@ -65,6 +65,8 @@ public:
     PlaneStrain smoothed_strain(NodeId node, RegionId region) const;
     PlaneStress element_stress(NodeId node, RegionId region) const;
 
+    void recover() const; ///< finds what is smoothed now, and not when it is first asked for
+
     /// Calls visit(place, stress) at every integration point of an element.
     void at_integration_points(ElementId element,
                                const std::function<void(const Eigen::Vector2d&, const PlaneStress&)>& visit) const;

@@ -147,9 +147,10 @@ PlaneExtreme extreme(const PlaneCase& result, const ExtremeQuestion& question)
             auto& regions = seen[node.index];
             if (!is_wanted[node.index] || std::ranges::find(regions, element.region) != regions.end()) continue;
             regions.push_back(element.region);
+            const Location here{.element = ElementId(e), .at = shape_of(element.kind).nodes()[i]};
             search.see(structure.positions()[node.index], question.read == StressReading::Element
                                                               ? result.element_stress(node, element.region)
-                                                              : result.smoothed_stress(node, element.region));
+                                                              : result.smoothed_stress(here));
         }
     }
     return search.found();

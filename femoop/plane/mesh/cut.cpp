@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <optional>
 
 #include "femoop/plane/mesh/mesh_geometry.h"
@@ -11,7 +12,7 @@ namespace femoop::plane {
 
 namespace {
 
-constexpr double negligible_piece = 1e-10; // of the cut's length
+constexpr double negligible_piece = 1e-10; // of the cut, or of the body along it where that is shorter
 
 /// The roots of a x^2 + b x + c from -1 to 1.
 std::vector<double> roots(double a, double b, double c)
@@ -43,12 +44,18 @@ public:
     {
         for (const Shape::Edge edge : shape.edges()) {
             std::array<Eigen::Vector2d, 3> at; // relative to the cut: along, across
-            for (std::size_t i = 0; i < edge.size(); ++i) at[i] = relative(X.row(edge[i]).transpose());
+            for (std::size_t i = 0; i < edge.size(); ++i) {
+                at[i] = relative(X.row(edge[i]).transpose());
+                low_ = std::min(low_, at[i].x());
+                high_ = std::max(high_, at[i].x());
+            }
             if (edge.size() == 2) at[2] = 0.5 * (at[0] + at[1]);
             const Eigen::Vector2d a = 0.5 * (at[0] + at[1]) - at[2], b = 0.5 * (at[1] - at[0]), c = at[2];
             for (const double xi : roots(a.y(), b.y(), c.y())) places_.push_back(a.x() * xi * xi + b.x() * xi + c.x());
         }
     }
+
+    double extent() const { return high_ - low_; } ///< of the elements along the cut
 
 private:
     Eigen::Vector2d relative(const Eigen::Vector2d& at) const
@@ -57,6 +64,7 @@ private:
     }
     const Cut& cut_;
     std::vector<double>& places_;
+    double low_ = std::numeric_limits<double>::infinity(), high_ = -std::numeric_limits<double>::infinity();
 };
 
 } // namespace
@@ -68,11 +76,12 @@ std::vector<CutPiece> pieces_along(const PlaneModel& model, const Locator& locat
     EdgeCrossings crossings(cut, places);
     for (const ElementId element : locator.in_box(cut.start.cwiseMin(cut.end), cut.start.cwiseMax(cut.end)))
         crossings.add(shape_of(model[element].kind), positions_of(model, model[element]));
+    const double negligible = negligible_piece * std::min(length, crossings.extent());
     std::ranges::sort(places);
     std::vector<CutPiece> pieces;
     for (std::size_t i = 0; i + 1 < places.size(); ++i) {
         const double from = std::max(places[i], 0.0), to = std::min(places[i + 1], length);
-        if (to - from <= negligible_piece * length) continue;
+        if (to - from <= negligible) continue;
         CutPiece piece{.from = from, .to = to, .elements = {}};
         const Eigen::Vector2d middle = cut.at(0.5 * (from + to));
         for (const ElementId element : locator.in_box(middle, middle)) {

@@ -32,6 +32,17 @@ std::vector<Eigen::Vector2d> positions(const PlaneModel& model)
     return all;
 }
 
+double extent(const std::vector<Eigen::Vector2d>& places)
+{
+    if (places.empty()) return 0.0;
+    Eigen::Vector2d low = places.front(), high = low;
+    for (const Eigen::Vector2d& at : places) {
+        low = low.cwiseMin(at);
+        high = high.cwiseMax(at);
+    }
+    return (high - low).norm();
+}
+
 NodePositions positions_of(const PlaneModel& model, const PlaneElement& element)
 {
     NodePositions X(static_cast<Eigen::Index>(element.points.size()), 2);

@@ -13,6 +13,8 @@ namespace femoop::plane {
 Eigen::Vector2d position(const PlanePoint& point);
 std::vector<Eigen::Vector2d> positions(const PlaneModel& model);                  ///< of all points, by their ids
 NodePositions positions_of(const PlaneModel& model, const PlaneElement& element); ///< \pre has_points
+/// The diagonal of the box around the places; 0 where there are none.
+double extent(const std::vector<Eigen::Vector2d>& places);
 
 /// A node of a curve: how far along it lies, and in which direction the curve runs there. Where the curve turns by 60
 /// degrees or more it has a corner with two directions, elsewhere the mean of those before and behind.

@@ -2,12 +2,15 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace femoop::plane {
 
 namespace {
 
 constexpr double rounding = 1e-9; // of the larger end: a narrower range is one value
+constexpr double least_size = std::numeric_limits<double>::min() /
+                              rounding; // of which that is a number with its digits
 
 /// The round number that is not less than this, but for rounding.
 double round_step(double least)
@@ -23,8 +26,9 @@ double round_step(double least)
 std::vector<double> round_levels(double low, double high, int n_steps)
 {
     const double size = std::max(std::abs(low), std::abs(high));
-    if (!(high - low > rounding * size))
-        return size > 0.0 ? std::vector{low, high + rounding * size} : std::vector{0.0, 1.0};
+    if (size < least_size) return {0.0, 1.0};
+    if (!(high - low > rounding * size)) return {low, high + rounding * size};
+    if (!std::isfinite(high - low)) return {low, 0.0, high};
     const double step = round_step((high - low) / n_steps);
     const double first = std::floor(low / step + rounding), last = std::ceil(high / step - rounding);
     std::vector<double> levels;

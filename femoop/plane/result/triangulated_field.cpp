@@ -124,14 +124,16 @@ enum class NodeValues : std::uint8_t { OfRegion, OfElement };
 /// What a place has in the region that came there first, and in others.
 class RegionValues {
 public:
-    /// The value that is known, or else this one.
-    double known_or(std::uint32_t place, RegionId region, double value)
+    /// The value that is known, or else the one that is found.
+    double known_or(std::uint32_t place, RegionId region, auto&& find)
     {
         if (place >= first_.size()) first_.resize(place + 1);
         std::optional<Entry>& first = first_[place];
-        if (!first) first = Entry{.region = region, .value = value};
+        if (!first) first = Entry{.region = region, .value = find()};
         if (first->region == region) return first->value;
-        return others_.try_emplace({place, region.index}, value).first->second;
+        const auto [found, is_new] = others_.try_emplace({place, region.index});
+        if (is_new) found->second = find();
+        return found->second;
     }
 
 private:
@@ -215,18 +217,18 @@ private:
         const PlaneElement& element = mesh_[e];
         const Pattern& cut = pattern(element.kind);
         const NodePositions X = positions_of(mesh_, element);
-        std::vector<std::uint32_t> places;
-        std::vector<double> values;
+        places_.clear();
+        values_.clear();
         for (const PatternPoint& point : cut.points) {
-            const std::uint32_t place = places.emplace_back(place_of(e, point, X));
-            const double value = value_({.element = e, .at = point.at}, point.N);
-            values.push_back(is_shared_ ? known_.known_or(place, element.region, value) : value);
+            const std::uint32_t place = places_.emplace_back(place_of(e, point, X));
+            const auto value = [&] { return value_({.element = e, .at = point.at}, point.N); };
+            values_.push_back(is_shared_ ? known_.known_or(place, element.region, value) : value());
         }
         for (const auto& [a, b, c] : cut.triangles) {
             const auto i = static_cast<std::size_t>(a), j = static_cast<std::size_t>(b),
                        k = static_cast<std::size_t>(c);
-            field_.triangles.push_back({places[i], places[j], places[k]});
-            field_.values.push_back({values[i], values[j], values[k]});
+            field_.triangles.push_back({places_[i], places_[j], places_[k]});
+            field_.values.push_back({values_[i], values_[j], values_[k]});
         }
     }
 
@@ -239,6 +241,8 @@ private:
     std::unordered_map<std::uint64_t, std::size_t> on_sides_; ///< by both corners, the lesser first: among the next
     std::vector<std::uint32_t> places_on_sides_;
     std::map<ShapeKind, Pattern> patterns_;
+    std::vector<std::uint32_t> places_; ///< of the pattern's points in an element, and what is there
+    std::vector<double> values_;
     TriangulatedField field_;
 };
 
@@ -298,7 +302,7 @@ void join(TriangulatedField& field)
 int parts_of_sides(const PlaneModel& mesh)
 {
     const std::size_t n = mesh.elements.size();
-    if (n > 2000) return 0;
+    if (n > 1000) return 0;
     if (n > 400) return 4;
     return n > 60 ? 8 : 16;
 }

@@ -124,6 +124,7 @@ TEST_CASE("No rise and no parts are refused, with the model as it was")
 {
     Model model = beam(false);
     CHECK_THROWS_AS(bend_member(model, MemberId(0), {BendCurve::Arc, 0.0, 6}), std::invalid_argument);
+    CHECK_THROWS_AS(bend_member(model, MemberId(0), {BendCurve::Parabola, 1e-7 * span, 6}), std::invalid_argument);
     CHECK_THROWS_AS(bend_member(model, MemberId(0), {BendCurve::Arc, 1.0, 1}), std::invalid_argument);
     CHECK(model.members.size() == 1);
     CHECK(model.nodes.size() == 2);

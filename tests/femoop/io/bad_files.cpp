@@ -283,7 +283,7 @@ std::vector<BadFile> files_with_bad_quantities()
         {File{.materials = R"([{"id": "m", "E": 2e8, "nu": "0.3 m"}])"}.text(),
          "materials[0].nu: \"0.3 m\" measures length, wanted a plain number; take the unit away"},
         {with_E("1e305 GPa"),
-         "materials[0].E: \"1e305 GPa\" is beyond the range of numbers; write 0, or one that is nearer to 1"},
+         "materials[0].E: \"1e305 GPa\" is beyond the range of numbers; write one that is nearer to 1, or 0 where nothing is meant"},
         {with_nodes(R"([{"id": "A", "at": [0, "5 kN"], "support": "fixed"}, {"id": "B", "at": [6, 0]}])"),
          "nodes[0].at[1]: \"5 kN\" measures force, wanted length, in m for example"},
         {with_support(R"({"fixed": ["ux", "uy"], "angle": "30 m"})"),

@@ -143,10 +143,12 @@ TEST_CASE("What is not a quantity is refused with a remedy")
           "here: \"5 kN m\": cannot read the unit at \"m\"; join units with * / and ^, like kN*m/rad or cm^4");
     CHECK(refusal("5 kN/", dimension::force).find("cannot read the unit at \"\"") != std::string::npos);
     CHECK(refusal("5 m^99", dimension::length).find("cannot read the unit at \"99\"") != std::string::npos);
-    CHECK(refusal("1e999 kN", dimension::force) ==
-          "here: \"1e999 kN\" is beyond the range of numbers; write 0, or one that is nearer to 1");
-    CHECK(refusal("1e308 km", dimension::length) ==
-          "here: \"1e308 km\" is beyond the range of numbers; write 0, or one that is nearer to 1");
+    CHECK(
+        refusal("1e999 kN", dimension::force) ==
+        "here: \"1e999 kN\" is beyond the range of numbers; write one that is nearer to 1, or 0 where nothing is meant");
+    CHECK(
+        refusal("1e308 km", dimension::length) ==
+        "here: \"1e308 km\" is beyond the range of numbers; write one that is nearer to 1, or 0 where nothing is meant");
 }
 
 TEST_CASE("Converting from one set of base units to another rounds once")

@@ -244,6 +244,55 @@ TEST_CASE("Tied nodes have one displacement, and what they hold is shared by the
     CHECK(P.reaction(everywhere(model)).x() == doctest::Approx(-13.0).epsilon(1e-11));
 }
 
+TEST_CASE("An analysis that goes on finds what a new one finds, whether the equations stayed or not")
+{
+    constexpr std::string_view pull = R"(, "points": [{"point": "F", "fx": 11}])";
+    constexpr std::string_view tied =
+        R"([{"id": "left", "kind": "edges", "points": ["D", "A"], "support": "fixed"},
+            {"id": "right", "kind": "edges", "points": ["C", "F"], "tie": ["ux"]}])";
+    constexpr std::string_view sprung =
+        R"([{"id": "left", "kind": "edges", "points": ["D", "A"], "support": "fixed"},
+            {"id": "right", "kind": "edges", "points": ["C", "F"], "support": {"springs": {"ux": 90}}}])";
+    constexpr std::string_view longer =
+        R"([{"id": "A", "at": [0, 0]}, {"id": "B", "at": [3, 0]}, {"id": "C", "at": [9, 0]},
+        {"id": "D", "at": [0, 2]}, {"id": "E", "at": [3, 2.5]}, {"id": "F", "at": [9, 2]}])";
+    constexpr std::string_view turned =
+        R"([{"id": "1", "kind": "Q4", "points": ["D", "A", "B", "E"], "region": "web"},
+            {"id": "2", "kind": "T3", "points": ["B", "C", "F"], "region": "rib"},
+            {"id": "3", "kind": "T3", "points": ["B", "F", "E"], "region": "rib"}])";
+    const PlaneText plain{.load_case = pull};
+    const std::array texts{plain, // each differs from the one before in one thing that equations hang on
+                           PlaneText{.points = longer, .load_case = pull},
+                           PlaneText{.elements = turned, .load_case = pull},
+                           plain,
+                           PlaneText{.curves = sprung, .load_case = pull},
+                           plain,
+                           PlaneText{.curves = tied, .load_case = pull},
+                           narrowing(pull)};
+    PlaneAnalysis analysis;
+    for (const PlaneText& text : texts) {
+        CAPTURE(text.text());
+        const auto [model, results, P] = solved(text);
+        const PlaneResults again = analysis.solve(model);
+        for (const NodeId node : everywhere(model)) {
+            CHECK(again[CaseId(0)].displacement(node).x() == doctest::Approx(P.displacement(node).x()).epsilon(1e-11));
+            CHECK(again[CaseId(0)].reaction(node).x() ==
+                  doctest::Approx(P.reaction(node).x()).epsilon(1e-11).scale(11.0));
+        }
+    }
+}
+
+TEST_CASE("An analysis that refused a body that can move solves the next one")
+{
+    PlaneAnalysis analysis;
+    const std::string loose = PlaneText{.curves = R"([{"id": "left", "kind": "edges", "points": ["D", "A"]}])"}.text();
+    const PlaneModel held = read_plane_model(narrowing(R"(, "points": [{"point": "F", "fx": 11}])").text());
+    for (int twice = 0; twice < 2; ++twice) {
+        CHECK_THROWS_AS(analysis.solve(read_plane_model(loose)), MechanismError);
+        CHECK(analysis.solve(held)[CaseId(0)].displacement(F).x() > 0.0);
+    }
+}
+
 TEST_CASE("A side whose nodes are held along their own curve is one that slides on it")
 {
     // A quarter ring, its inner side sliding on a shaft: a pressure outside makes it carry p r2 / r1 there.
@@ -387,6 +436,46 @@ TEST_CASE("A shape that no integration point feels is refused and named")
         .elements =
             R"([{"id": "1", "kind": "Q8", "points": ["A", "B", "C", "D", "ab", "bc", "cd", "da"], "region": "web"}])"};
     CHECK(refusal(alone).find("elements in web deform so that no integration point feels it") != std::string::npos);
+}
+
+TEST_CASE("A body goes where the springs that alone hold it settle, to the digits that are told")
+{
+    const Eigen::Vector2d settled(0.3, -0.2);
+    const auto on_points = [](const std::string& k) {
+        const std::string held = R"(, "support": {"springs": {"ux": )" + k + R"(, "uy": )" + k + "}}";
+        return R"([{"id": "A", "at": [0, 0])" + held + R"(}, {"id": "B", "at": [3, 0]}, {"id": "C", "at": [7, 0])" +
+               held + R"(}, {"id": "D", "at": [0, 2]}, {"id": "E", "at": [3, 2]}, {"id": "F", "at": [7, 2]}])";
+    };
+    const auto on_curve = [](const std::string& k) {
+        return R"([{"id": "left", "kind": "edges", "points": ["D", "A"], "support": {"springs": {"ux": )" + k +
+               R"(, "uy": )" + k + R"(}, "axes": "local"}}])";
+    };
+    const auto require_truth = [&settled](const PlaneText& text) {
+        const Solved moved = solved(text);
+        double digits = 8.0; // of what is not warned of
+        for (const Fault& warning : moved.results.warnings()) {
+            CHECK(warning.kind == FaultKind::InaccurateBody);
+            digits = std::stod(warning.arguments.at(1));
+        }
+        for (const NodeId node : everywhere(moved.model))
+            CHECK((moved.first.displacement(node) - settled).norm() <= std::pow(10.0, -digits));
+        return digits;
+    };
+    for (const char* const k : {"2e4", "2e2", "2", "2e-2"}) {
+        CAPTURE(k);
+        const std::string points = on_points(k), curves = on_curve(k);
+        CHECK(require_truth({.points = points,
+                             .curves = "[]",
+                             .load_case = R"(, "settlements": [{"point": "A", "ux": 0.3, "uy": -0.2},
+                                 {"point": "C", "ux": 0.3, "uy": -0.2}])"}) == 8.0);
+        // along the curve, which goes down, and to its left
+        CHECK(require_truth({.curves = curves,
+                             .load_case = R"(, "settlements": [{"curve": "left", "ux": 0.2, "uy": 0.3}])"}) == 8.0);
+    }
+    const std::string soft = on_points("2e-7");
+    CHECK(require_truth(
+              {.points = soft, .curves = "[]", .load_case = R"(, "settlements": [{"point": "A", "ux": 0.3, "uy": -0.2},
+                             {"point": "C", "ux": 0.3, "uy": -0.2}])"}) < 8.0);
 }
 
 TEST_CASE("Elements that are one moved along share their stiffness, but not around an axis")

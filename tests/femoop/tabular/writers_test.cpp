@@ -43,6 +43,12 @@ TEST_CASE("Greek letters take their index along, and a minus is one only before 
     CHECK(latex_text("pile-3, 2e+1a") == "pile-3, 2e+1a");
 }
 
+TEST_CASE("A formula for LaTeX has powers, minus and decimal comma of mathematics")
+{
+    CHECK(latex_formula("−42,7 + 5,06e+01 x² - 3e-05 x³") == "-42{,}7 + 5{,}06\\cdot 10^{1} x^2 - 3\\cdot 10^{-5} x^3");
+    CHECK(latex_formula("1 + …") == "1 + \\ldots");
+}
+
 TEST_CASE("A row of LaTeX cannot be taken for an option of the line above it")
 {
     for (const char* name : {"[2cm]", "*"}) {

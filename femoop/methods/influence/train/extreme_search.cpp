@@ -231,6 +231,7 @@ private:
     WorstSection worst() const
     {
         const auto [most, scale] = size();
+        if (scale == 0.0) return {.sections = {0.0, lines_.length()}, .placing = placing_at(0.0)}; // nothing anywhere
         std::vector<Tried> equal;
         for (std::size_t i = 0; i < sections_.size(); ++i)
             if (sections_[i].value >= most - equal_extremes * scale && is_peak(i, 0.01 * equal_extremes * scale))
@@ -304,10 +305,14 @@ private:
 double search_size(const MovingTrain& train, std::size_t n_members)
 {
     constexpr double n_sections = 1600.0, n_exact = 16.0; // that are searched, of both extremes
+    constexpr double of_three_axles = 0.04; // one at the section, one at a border, one whose ordinate counts
     const auto n_varying = std::ranges::count_if(train.spacings, [](const auto& one) { return one.most > one.least; });
     const double of_one_section = static_cast<double>((n_members + 1) * (train.axles.size() + 1)) *
                                   static_cast<double>(1 + n_varying);
-    return of_one_section * (has_only_fixed_axles(train) ? n_exact : n_sections);
+    const double n_axles = static_cast<double>(train.axles.size()), n_ways = train.both_directions ? 2.0 : 1.0;
+    const double with_axle_at_section = of_three_axles * n_ways * static_cast<double>(n_members + 1) *
+                                        std::pow(n_axles, 3);
+    return of_one_section * (has_only_fixed_axles(train) ? n_exact : n_sections) + with_axle_at_section;
 }
 
 WorstSection worst_section(const SectionLines& lines, const std::vector<double>& ends, const MovingTrain& train,

@@ -22,7 +22,7 @@ struct Permanent {
 };
 
 /// How long `worst_section` takes for both extremes, known before it is called: in pieces of polynomials that are gone
-/// through, of which some 4e5 take a second. Axles at fixed distances alone cost next to nothing.
+/// through, of which some 4e5 take a second. A dozen axles at fixed distances alone cost next to nothing.
 /// \param n_members  of the path
 double search_size(const MovingTrain& train, std::size_t n_members);
 

@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <deque>
 #include <limits>
+#include <span>
 #include <utility>
 
 #include "femoop/methods/influence/piecewise_line.h"
@@ -20,11 +21,42 @@ using Piece = PositionFunction::Piece;
 
 Polynomial constant(double value) { return {value}; }
 
-void add(std::array<double, Polynomial::max_terms>& sum, std::size_t& n, const Polynomial& p, double factor)
-{
-    for (; n < p.n_terms(); ++n) sum[n] = 0.0;
-    for (std::size_t i = 0; i < p.n_terms(); ++i) sum[i] += factor * p[i];
-}
+/// A sum of polynomials, each about a place of its own, and times a factor.
+class PolynomialSum {
+public:
+    /// factor * p(t + by)
+    void add(const Polynomial& p, double by, double factor)
+    {
+        if (p.n_terms() > n_usual) return add(p.shifted(by), factor);
+        std::array<double, n_usual> c{}; // most lines are cubics: a polynomial of its own would take longer to copy
+        for (std::size_t i = 0; i < p.n_terms(); ++i) c[i] = p[i];
+        shift_coefficients(std::span(c).first(p.n_terms()), by);
+        for (; n_ < p.n_terms(); ++n_) sum_[n_] = 0.0;
+        for (std::size_t i = 0; i < p.n_terms(); ++i) sum_[i] += factor * c[i];
+    }
+    void add(double value, double factor)
+    {
+        if (n_ == 0) sum_[n_++] = 0.0;
+        sum_[0] += factor * value;
+    }
+    Polynomial polynomial() const
+    {
+        Polynomial p;
+        for (std::size_t k = 0; k < n_; ++k) p.append(sum_[k]);
+        return p;
+    }
+
+private:
+    void add(const Polynomial& p, double factor)
+    {
+        for (; n_ < p.n_terms(); ++n_) sum_[n_] = 0.0;
+        for (std::size_t i = 0; i < p.n_terms(); ++i) sum_[i] += factor * p[i];
+    }
+
+    static constexpr std::size_t n_usual = 4;
+    std::array<double, Polynomial::max_terms> sum_; // only the first n_ mean anything
+    std::size_t n_ = 0;
+};
 
 /// Walks over a function from left to right and hands out its polynomial about any place.
 class Walker {
@@ -34,17 +66,28 @@ public:
     /// In t = x - start, on the stretch around `middle`, which never goes back.
     Polynomial polynomial_about(double start, double middle)
     {
-        const std::vector<Piece>& pieces = of_.pieces();
-        while (next_ < pieces.size() && pieces[next_].to < middle) ++next_;
-        is_before_ = next_ == 0 && !pieces.empty() && middle < pieces.front().from;
-        if (next_ == pieces.size()) return constant(of_.after());
-        if (is_before_) return constant(of_.before());
-        return pieces[next_].value.shifted(start - pieces[next_].from);
+        if (const Piece* piece = piece_at(middle)) return piece->value.shifted(start - piece->from);
+        return constant(is_before_ ? of_.before() : of_.after());
+    }
+    /// Adds the same to a sum.
+    void add_about(double start, double middle, double factor, PolynomialSum& sum)
+    {
+        if (const Piece* piece = piece_at(middle)) sum.add(piece->value, start - piece->from, factor);
+        else sum.add(is_before_ ? of_.before() : of_.after(), factor);
     }
     /// Whose polynomial was handed out last: a piece from 1, 0 before the first, one more behind the last.
     std::size_t piece() const { return next_ == 0 && is_before_ ? 0 : next_ + 1; }
 
 private:
+    /// Null before the first one and behind the last.
+    const Piece* piece_at(double middle)
+    {
+        const std::vector<Piece>& pieces = of_.pieces();
+        while (next_ < pieces.size() && pieces[next_].to < middle) ++next_;
+        is_before_ = next_ == 0 && !pieces.empty() && middle < pieces.front().from;
+        return next_ == pieces.size() || is_before_ ? nullptr : &pieces[next_];
+    }
+
     const PositionFunction& of_;
     std::size_t next_ = 0;
     bool is_before_ = false;
@@ -56,20 +99,28 @@ void add_breaks(std::vector<double>& breaks, const PositionFunction& of, double 
     if (!of.pieces().empty()) breaks.push_back(of.pieces().back().to + shift);
 }
 
-/// Roots of the quadratic a + b t + c t^2 within (0, end), ascending.
-std::vector<double> quadratic_roots(double a, double b, double c, double end)
+/// Roots of the quadratic a + b t + c t^2 within (0, end), ascending, each handed to `keep`.
+template <class Keep> void visit_quadratic_roots(double a, double b, double c, double end, const Keep& keep)
 {
-    std::vector<double> roots;
-    const auto keep = [&](double t) {
-        if (t > 0.0 && t < end) roots.push_back(t);
-    };
     const double discriminant = b * b - 4.0 * a * c;
-    if (discriminant < 0.0) return roots;
+    if (discriminant < 0.0) return;
     const double q = -0.5 * (b + std::copysign(std::sqrt(discriminant), b));
-    if (q != 0.0) keep(a / q);
-    if (c != 0.0) keep(q / c);
-    std::sort(roots.begin(), roots.end());
-    return roots;
+    std::array<double, 2> roots{};
+    std::size_t n = 0;
+    if (q != 0.0) roots[n++] = a / q;
+    if (c != 0.0) roots[n++] = q / c;
+    if (n == 2 && roots[1] < roots[0]) std::swap(roots[0], roots[1]);
+    for (std::size_t i = 0; i < n; ++i)
+        if (roots[i] > 0.0 && roots[i] < end) keep(roots[i]);
+}
+
+/// As `stationary_places`, one by one: most pieces have none, and no list is made of them.
+template <class Keep> void visit_stationary_places(const Polynomial& p, double end, const Keep& keep)
+{
+    if (p.n_terms() < 3) return;
+    if (p.n_terms() <= 4) return visit_quadratic_roots(p[1], 2.0 * p[2], 3.0 * p[3], end, keep);
+    for (const double root : p.derivative().roots(end))
+        if (root > 0.0 && root < end) keep(root);
 }
 
 /// Its first coefficient outweighs all the others up to the end; most stretches are too short for a zero.
@@ -172,15 +223,14 @@ private:
 
 std::vector<double> stationary_places(const Polynomial& p, double end)
 {
-    if (p.n_terms() < 3) return {};
-    if (p.n_terms() <= 4) return quadratic_roots(p[1], 2.0 * p[2], 3.0 * p[3], end);
-    std::vector<double> roots = p.derivative().roots(end);
-    std::erase_if(roots, [&](double t) { return t <= 0.0 || t >= end; });
-    return roots;
+    std::vector<double> places;
+    visit_stationary_places(p, end, [&](double t) { places.push_back(t); });
+    return places;
 }
 
 PositionFunction::PositionFunction(const PiecewiseLine& line)
 {
+    pieces_.reserve(line.pieces.size());
     for (const LinePiece& piece : line.pieces)
         if (piece.to > piece.from) pieces_.push_back({piece.from, piece.to, polynomial_of(piece.coefficients)});
 }
@@ -194,6 +244,11 @@ PositionFunction PositionFunction::sum(const std::vector<Term>& terms, double sh
     std::vector<double> breaks;
     std::vector<Walker> walkers;
     PositionFunction sum;
+    std::size_t n_breaks = 0;
+    for (const Term& term : terms) n_breaks += term.of->pieces().size() + 1;
+    breaks.reserve(n_breaks);
+    walkers.reserve(terms.size());
+    sum.pieces_.reserve(n_breaks);
     for (const Term& term : terms) {
         add_breaks(breaks, *term.of, term.shift);
         walkers.emplace_back(*term.of);
@@ -204,12 +259,10 @@ PositionFunction PositionFunction::sum(const std::vector<Term>& terms, double sh
     for (std::size_t i = 0; i + 1 < breaks.size(); ++i) {
         const double from = breaks[i], to = breaks[i + 1], middle = 0.5 * (from + to);
         if (to - from <= shortest) continue;
-        std::array<double, Polynomial::max_terms> c{};
-        std::size_t n = 0;
+        PolynomialSum here;
         for (std::size_t k = 0; k < terms.size(); ++k)
-            add(c, n, walkers[k].polynomial_about(from - terms[k].shift, middle - terms[k].shift), terms[k].factor);
-        Piece& piece = sum.pieces_.emplace_back(Piece{from, to, {}});
-        for (std::size_t k = 0; k < n; ++k) piece.value.append(c[k]);
+            walkers[k].add_about(from - terms[k].shift, middle - terms[k].shift, terms[k].factor, here);
+        sum.pieces_.push_back({from, to, here.polynomial()});
     }
     return sum;
 }
@@ -217,6 +270,7 @@ PositionFunction PositionFunction::sum(const std::vector<Term>& terms, double sh
 PositionFunction PositionFunction::mirrored(double length) const
 {
     PositionFunction mirror({}, after_, before_);
+    mirror.pieces_.reserve(pieces_.size());
     for (std::size_t i = pieces_.size(); i-- > 0;) {
         const Piece& piece = pieces_[i];
         const Polynomial about_end = piece.value.shifted(piece.to - piece.from);
@@ -239,6 +293,7 @@ PositionFunction PositionFunction::negated() const
 PositionFunction PositionFunction::integral() const
 {
     PositionFunction integral;
+    integral.pieces_.reserve(pieces_.size());
     double so_far = 0.0;
     for (const Piece& piece : pieces_) {
         Piece& sum = integral.pieces_.emplace_back(Piece{piece.from, piece.to, {so_far}});
@@ -279,15 +334,17 @@ PositionFunction PositionFunction::largest_within(double least, double most, dou
 std::vector<Trial> PositionFunction::candidates() const
 {
     std::vector<Trial> all;
+    if (pieces_.empty()) return all;
+    all.reserve(3 * pieces_.size() + 2);
+    all.push_back({pieces_.front().from, before_, Trial::Kind::BreakBefore});
     for (const Piece& piece : pieces_) {
         const double length = piece.to - piece.from;
         all.push_back({piece.from, piece.value[0], Trial::Kind::BreakAfter});
-        for (const double t : stationary_places(piece.value, length))
+        visit_stationary_places(piece.value, length, [&](double t) {
             all.push_back({piece.from + t, piece.value(t), Trial::Kind::Root});
+        });
         all.push_back({piece.to, piece.value(length), Trial::Kind::BreakBefore});
     }
-    if (all.empty()) return all;
-    all.insert(all.begin(), {pieces_.front().from, before_, Trial::Kind::BreakBefore});
     all.push_back({pieces_.back().to, after_, Trial::Kind::BreakAfter});
     return all;
 }

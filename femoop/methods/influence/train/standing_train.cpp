@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "femoop/methods/influence/load_components.h"
+#include "femoop/result/magnitudes.h"
 
 namespace femoop::influence {
 
@@ -37,9 +38,10 @@ Forces concentrated_on_path(const MovingTrain& train, const Placing& placing)
 
 double with_ordinates(Forces& forces, const PiecewiseLine& line, Side side)
 {
+    const double size = line.largest();
     double sum = 0.0;
     for (StandingForce& force : forces) {
-        force.ordinate = line.value(force.s, side);
+        force.ordinate = without_rounding(line.value(force.s, side), size);
         sum += force.force * force.ordinate;
     }
     return sum;

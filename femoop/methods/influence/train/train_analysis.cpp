@@ -42,7 +42,12 @@ PiecewiseLine without_noise(PiecewiseLine line, const MovingEffect& effect, cons
     if (is_displaced) return line;
     double usual = is_moment(effect) ? line.length() : 1.0;
     if (is_couple(load)) usual /= line.length();
-    if (line.largest() > noise * usual) return line;
+    const double least = noise * usual;
+    const bool stands_out = std::ranges::any_of(
+        line.pieces, [&](const LinePiece& piece) { // most do so at a piece's end
+            return std::abs(piece.value(piece.from)) > least || std::abs(piece.value(piece.to)) > least;
+        });
+    if (stands_out || line.largest() > least) return line;
     for (LinePiece& piece : line.pieces) piece.coefficients.clear();
     return line;
 }

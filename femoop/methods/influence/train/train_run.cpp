@@ -18,9 +18,11 @@ constexpr double one_value = 1e-12; ///< of the largest magnitude: values that a
 TrainRun::TrainRun(const Ground& ground, const MovingTrain& train) : ground_(ground)
 {
     part_into_groups(train);
-    for (std::size_t k = 0; k < groups_.size(); ++k) own_.push_back(own_effect(k));
-    stages_ = own_;
-    for (std::size_t k = groups_.size() - 1; k-- > 0;) {
+    const std::size_t last = groups_.size() - 1;
+    for (std::size_t k = 0; k < last; ++k) own_.push_back(own_effect(k));
+    stages_.resize(groups_.size());
+    stages_[last] = own_effect(last);
+    for (std::size_t k = last; k-- > 0;) {
         const Group& group = groups_[k];
         const double length = group.offsets.back();
         const PositionFunction behind = stages_[k + 1].largest_within(length + group.least, length + group.most,

@@ -47,7 +47,8 @@ private:
 
     Ground ground_;
     std::vector<Group> groups_;
-    std::vector<PositionFunction> own_, stages_; ///< of each group, and of it with all behind it
+    std::vector<PositionFunction> own_;    ///< of each group but the last
+    std::vector<PositionFunction> stages_; ///< of each with all behind it
 };
 
 } // namespace femoop::influence

@@ -153,6 +153,17 @@ void check_superposition(const Model& model, const ForceMethod& method, const Ca
     }
 }
 
+/// A truss with one bar too many, pushed at D.
+FrameMaker braced_panel()
+{
+    FrameMaker made;
+    made.model.analysis = AnalysisKind::Truss2d;
+    made.node("A", 0, 0, SupportKind::Pin).node("B", 3, 0, SupportKind::Roller).node("C", 0, 2).node("D", 3, 2);
+    made.member("A", "B").member("A", "C").member("B", "D").member("C", "D").member("A", "D").member("B", "C");
+    made.force("D", Dof::ux, 9.0);
+    return made;
+}
+
 } // namespace
 
 TEST_SUITE("force method")
@@ -241,11 +252,8 @@ TEST_SUITE("force method")
 
     TEST_CASE("A redundant bar of a truss carries what its misfit and the loads open")
     {
-        FrameMaker made;
-        made.model.analysis = AnalysisKind::Truss2d;
-        made.node("A", 0, 0, SupportKind::Pin).node("B", 3, 0, SupportKind::Roller).node("C", 0, 2).node("D", 3, 2);
-        made.member("A", "B").member("A", "C").member("B", "D").member("C", "D").member("A", "D").member("B", "C");
-        made.force("D", Dof::ux, 9.0).load("BC", Misfit{0.003});
+        FrameMaker made = braced_panel();
+        made.load("BC", Misfit{0.003});
         const ForceMethod method = solved(made.model);
         CHECK(names(made.model, method.redundants) == std::vector<std::string>{"N(BC, 0%)"});
         CHECK(method.X[0] == doctest::Approx(method.analysed[0]));
@@ -363,6 +371,20 @@ TEST_SUITE("force method")
                     CHECK((values.leftCols(values.cols() - 1).rowwise().sum() - values.rightCols(1)).norm() <=
                           1e-9 * size);
             }
+    }
+
+    TEST_CASE("In the steps of a truss a bar has one axial force, one with a load along it three")
+    {
+        const auto rows = [](const Model& model) {
+            for (const derivation::Step& step : steps(solved(model), model).steps)
+                if (step.kind == derivation::StepKind::State) return step.matrices.front().rows;
+            return std::vector<std::string>();
+        };
+        FrameMaker made = braced_panel();
+        CHECK(rows(made.model) == std::vector<std::string>{"AB", "AC", "BD", "CD", "AD", "BC"});
+        made.load("CD", PointLoad{.at = Quantity(1.3), .components = {{Dof::ux, 5.0}}});
+        CHECK(rows(made.model) ==
+              std::vector<std::string>{"AB", "AC", "BD", "CD, 0%", "CD, 50%", "CD, 100%", "AD", "BC"});
     }
 
     TEST_CASE("Gaps are symmetric: the work of state i on state j is that of j on i")

@@ -8,6 +8,7 @@
 
 #include "femoop/analysis/linear_static.h"
 #include "femoop/io/free_body/free_body_text.h"
+#include "femoop/io/model_file.h"
 #include "tests/frame_maker.h"
 
 using namespace femoop;
@@ -98,6 +99,8 @@ TEST_CASE("Moments about another point have the arms of all forces")
     // the section force V acts 3 m from there, and M of the section as it is
     CHECK(lines[2] == "ΣM(5, 0) = 30 kN · 2 m + 36 kN · 1.5 m − 66 kN · 3 m + 84 kN·m");
     CHECK(lines[3] == "= 60 + 54 − 198 + 84 = 0  [kN·m]");
+    const auto below = equation_lines(right_part(model), model, {5.0, -3.25, 0.0}, english);
+    CHECK(below[2].starts_with("ΣM(5, −3.25) = "));
 }
 
 TEST_CASE("Equations add up to nothing as printed, also where each number is rounded")
@@ -118,4 +121,25 @@ TEST_CASE("Equations add up to nothing as printed, also where each number is rou
                 CHECK(std::abs(printed_sum(line)) < 1e-11);
             }
     CHECK(n_sums == 2 * 20 * 3);
+}
+
+TEST_CASE("For LaTeX the equations of a body begin with a sum's sign, and its tables have the numbers of the text")
+{
+    const Model model = held_beam();
+    const std::string latex = free_body_latex(right_part(model), model, {2.0, 0.0, 0.0}, english);
+    CHECK(latex.starts_with(
+        "\\section*{Free body: node B; member AB from x = 2 m to x = 5 m}\nMoments about (2, 0) m\n"));
+    const auto has = [&](std::string_view part) { return latex.find(part) != std::string::npos; };
+    CHECK(has("\\par\\noindent \\ensuremath{\\sum F_y} = "));
+    CHECK(has("\\par\\noindent \\ensuremath{\\sum M}(2, 0) = \\ensuremath{-}30 kN"));
+    CHECK(has("section of AB at x = 2 m & 0 & 66 \\\\\n"));
+    CHECK(!has("Σ"));
+}
+
+TEST_CASE("Round-off that a hinge has for a moment is 0 in its equation")
+{
+    const Model model = read_model_file("examples/three_hinged_arch.json");
+    const FreeBody hinge = lift_out(model, analyse(model), CaseId(0), body_of(*model.find_node("E")));
+    const std::vector<std::string> lines = equation_lines(hinge, model, usual_moment_point(hinge, model), english);
+    CHECK(lines.back() == "ΣM(12, 6) = 0  [kN·m]");
 }

@@ -4,9 +4,11 @@
 
 #include <sstream>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "femoop/io/model_file.h"
+#include "tests/latex_document.h"
 
 using namespace femoop;
 using namespace femoop::funicular;
@@ -49,6 +51,34 @@ TEST_SUITE("funicular")
         CHECK(eta == doctest::Approx(75.0 * 3.0 / 50.0));
         CHECK(e == doctest::Approx(4.5 - 2.625));
         CHECK(M == doctest::Approx(50.0 * (4.5 - 2.625)));
+    }
+
+    TEST_CASE("The force polygon is told with its pole, and side and ray are parallel; for LaTeX likewise")
+    {
+        const Model model = read_model_file("examples/three_hinged_arch.json");
+        const Discretisation structure = discretise(model);
+        const Chain chain = chain_of(structure, members_across(structure));
+        const SimpleSpan span(0.0, 24.0, vertical_loads(model, structure, chain, CaseId(1))); // 100 at x = 6
+        const Funicular funicular{span, {0.0, 0.0}, 50.0};
+        const std::string text = funicular_text(funicular, chain, model, english);
+        CHECK(text.find(
+                  "\nforce polygon: load line from 0 to −100 kN; pole O at height −75 kN, 50 kN to its left; the ray "
+                  "parallel to the closing line ends at −75 kN\n") != std::string::npos);
+        std::istringstream rows(text.substr(text.find('\n', text.find("  corner"))));
+        double n0 = 0.0, x0 = 0.0, y0 = 0.0, ray = 0.0, n1 = 0.0, x1 = 0.0, y1 = 0.0, P = 0.0;
+        rows >> n0 >> x0 >> y0 >> ray >> n1 >> x1 >> y1 >> P;
+        CHECK(P == 100.0);
+        CHECK((y1 - y0) / (x1 - x0) == doctest::Approx((ray + 75.0) / 50.0)); // from O to the load line at x = 0
+
+        const std::string latex = funicular_latex(funicular, chain, model, english);
+        const auto has = [&](std::string_view part) { return latex.find(part) != std::string::npos; };
+        CHECK(latex.starts_with("\\section*{Funicular over AB, BC, CD, DE, EF, FG, GH and HI from A to I}\n"));
+        CHECK(has("thrust H = M0 / f = 450 / 9 = 50 kN"));
+        CHECK(has("pole O at height \\ensuremath{-}75 kN, 50 kN to its left"));
+        CHECK(has("\n1 & 6 & 9 & 100 & \\ensuremath{-}100 \\\\\n"));
+        CHECK(fault_of_latex(latex) == "");
+        const std::string pull = funicular_text({span, {0.0, 0.0}, -90.0}, chain, model, english);
+        CHECK(pull.find("90 kN to its right") != std::string::npos);
     }
 
     TEST_CASE("A refusal names the load, and what to do")

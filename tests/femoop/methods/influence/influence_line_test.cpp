@@ -7,6 +7,7 @@
 #include "femoop/analysis/linear_static.h"
 #include "femoop/analysis/mechanism.h"
 #include "femoop/methods/influence/influence_line.h"
+#include "femoop/methods/influence/usual_path.h"
 #include "tests/frame_maker.h"
 
 using namespace femoop;
@@ -155,6 +156,56 @@ TEST_CASE("A line that is zero by nature is not rounding")
     const Model model = simple_beam();
     const InfluenceLine line = line_of(model, force(model, "AB", MemberComponent::N, x));
     CHECK(line.ordinates.largest() == 0.0);
+}
+
+TEST_CASE(
+    "The line of a displacement that a support holds is 0 along the whole path, also where the support is inclined")
+{
+    Model model = two_spans(), turned = two_spans();
+    const auto moved = [](const Model& of, const std::string& node, Dof dof) {
+        return MovingEffect{.quantity = ExpectedQuantity::Displacement, .node = of.find_node(node), .dof = dof};
+    };
+    const auto within = [](const Model& of, const std::string& member, MemberComponent component, double at) {
+        MovingEffect effect = force(of, member, component, at);
+        effect.quantity = ExpectedQuantity::Displacement;
+        return effect;
+    };
+    model.nodes[2].support = Support{.kind = SupportKind::Fixed};
+    for (const MovingEffect& effect : {moved(model, "A", Dof::uy), moved(model, "B", Dof::uy),
+                                       moved(model, "C", Dof::rz), within(model, "AB", MemberComponent::v, 5.0)}) {
+        CHECK(line_of(model, effect).ordinates.largest() == 0.0);
+        CHECK(holding_support(model, effect).has_value());
+        CHECK(InfluenceAnalysis(model).motion(effect).empty());
+    }
+    for (const MovingEffect& effect :
+         {moved(model, "A", Dof::rz), within(model, "AB", MemberComponent::v, 4.0), reaction(model, "A", Dof::uy)})
+        CHECK_FALSE(holding_support(model, effect).has_value());
+    CHECK_FALSE(holding_support(model, moved(model, "B", Dof::ux)).has_value());
+    turned.nodes[2].support = Support{.kind = SupportKind::Roller, .angle = 30.0}; // slides along the incline
+    CHECK(line_of(turned, moved(turned, "C", Dof::uy)).ordinates.largest() > 0.0);
+    turned.nodes[2].support = Support{.kind = SupportKind::Pin, .angle = 30.0};
+    CHECK(line_of(turned, moved(turned, "C", Dof::uy)).ordinates.largest() == 0.0);
+    turned.nodes[2].support = Support{.kind = SupportKind::Roller, .angle = 90.0}; // holds sideways
+    CHECK(holding_support(turned, moved(turned, "C", Dof::ux)) == turned.find_node("C"));
+    CHECK_FALSE(holding_support(turned, moved(turned, "C", Dof::uy)).has_value());
+}
+
+TEST_CASE("A support that is a spring, a joint that slips and a rigid arm let what they hold move")
+{
+    Model model = two_spans();
+    model.nodes[1].support = Support{.springs = {{Dof::uy, 3e4}}};
+    MovingEffect end = force(model, "AB", MemberComponent::v, 0.0);
+    end.quantity = ExpectedQuantity::Displacement;
+    const MovingEffect sprung{.quantity = ExpectedQuantity::Displacement, .node = NodeId(1), .dof = Dof::uy};
+    CHECK_FALSE(holding_support(model, sprung).has_value());
+    CHECK(holding_support(model, end) == model.find_node("A"));
+    Model slipping = model, on_arm = model;
+    slipping.members[0].start.springs = {{Dof::uy, 5e4}};
+    on_arm.members[0].start.offset = {0.4, 0.0};
+    CHECK_FALSE(holding_support(slipping, end).has_value());
+    CHECK_FALSE(holding_support(on_arm, end).has_value());
+    CHECK(line_of(slipping, end).ordinates.largest() > 0.0);
+    CHECK(line_of(on_arm, end).ordinates.largest() > 0.0);
 }
 
 TEST_CASE("At a hinge the moment's line is 0, not what rounding leaves of a motion")

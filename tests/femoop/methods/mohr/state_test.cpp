@@ -87,8 +87,9 @@ TEST_CASE("What is no stress is refused with its component and a remedy")
     const auto plain = parse_components(strains, names, "--strain", femoop::dimension::none);
     REQUIRE(std::holds_alternative<femoop::Fault>(plain));
     CHECK(femoop::message(std::get<femoop::Fault>(plain)).find("--strain TXY: \"3 kN\" measures force") == 0);
-    CHECK(refusal({"1e300", "2", "3"}) ==
-          "--stress SX: \"1e300\" is beyond the range of numbers; write 0, or one that is nearer to 1");
+    CHECK(
+        refusal({"1e300", "2", "3"}) ==
+        "--stress SX: \"1e300\" is beyond the range of numbers; write one that is nearer to 1, or 0 where nothing is meant");
 }
 
 TEST_CASE("No section has a negative principal second moment")

@@ -113,6 +113,16 @@ TEST_CASE("A permanent moment moves the worst section")
     CHECK(worst.placing.value == Approx(k * x * (L - x) + 40.0 * x).epsilon(1e-12));
 }
 
+TEST_CASE("Where no load does anything the ends of the member are named, however many axles there are")
+{
+    const SectionLines nothing([](double x) { return PiecewiseLine{{{0.0, x, {}}, {x, 9.0, {}}}}; }, 9.0, 1);
+    MovingTrain convoy{.axles = std::vector<double>(60, 3.0),
+                       .spacings = std::vector<MovingTrain::Spacing>(59, {0.1, 0.1})};
+    const WorstSection worst = worst_section(nothing, {0.0, 9.0}, convoy, ExtremeKind::Max);
+    CHECK(worst.sections == std::vector<double>{0.0, 9.0});
+    CHECK(worst.placing.value == 0.0);
+}
+
 TEST_CASE("A member whose force does not change names the two ends of the stretch")
 {
     const double L = 7.0; // a cantilever, its tip the first node: V = -P from the load to the clamp

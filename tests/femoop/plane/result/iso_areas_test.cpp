@@ -1,9 +1,11 @@
 // Lines and areas of equal value of a field on triangles.
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <numbers>
+#include <vector>
 
 #include "femoop/plane/result/iso_areas.h"
 #include "femoop/plane/result/round_levels.h"
@@ -170,7 +172,16 @@ TEST_CASE("Levels are round, and enclose the range")
         CHECK(levels.size() <= 13);
     }
     CHECK(round_levels(4.0, 4.0).size() == 2);
-    CHECK(round_levels(0.0, 0.0).size() == 2);
+    for (const double high : {0.0, 5e-324, 1e-310, 1e-300, 1e300}) {
+        CAPTURE(high);
+        for (const double low : {-high, 0.0, high}) {
+            const auto levels = round_levels(low, high);
+            CHECK(levels.size() >= 2);
+            CHECK(levels.size() <= 13);
+            CHECK(std::ranges::is_sorted(levels));
+        }
+    }
+    CHECK(round_levels(-1.7e308, 1.7e308) == std::vector{-1.7e308, 0.0, 1.7e308});
 }
 
 TEST_CASE("Ten bands of 200 000 triangles are built in well under a second")
