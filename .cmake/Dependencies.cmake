@@ -87,10 +87,11 @@ if(CREMONA_APPS)
     add_library(pugixml::pugixml ALIAS pugixml)
   endif()
 
-  # These two come with every desktop and are not fetched.
+  # These come with every desktop and are not fetched.
   find_package(PkgConfig REQUIRED)
   pkg_check_modules(CAIRO REQUIRED IMPORTED_TARGET cairo)
   pkg_check_modules(FREETYPE REQUIRED IMPORTED_TARGET freetype2)
+  pkg_check_modules(PHOTOS REQUIRED IMPORTED_TARGET libpng libturbojpeg)
 endif()
 
 if(BUILD_TESTING)

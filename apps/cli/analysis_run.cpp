@@ -8,6 +8,7 @@
 
 #include "apps/cli/argument.h"
 #include "femoop/analysis/mechanism.h"
+#include "femoop/io/json/json_writer.h"
 
 namespace cli {
 
@@ -54,9 +55,6 @@ bool is_of_redundants(const femoop::MechanismError& error)
                                [](const Fault& cause) { return cause.kind == femoop::FaultKind::PrimaryMoves; });
 }
 
-/// What stands before the last semicolon: the motion without its remedy.
-std::string motion(const std::string& sentence) { return sentence.substr(0, sentence.rfind(';')); }
-
 void report_primary(const femoop::MechanismError& error, const std::string& file, const Console& console)
 {
     for (const Fault& cause : error.causes()) {
@@ -66,7 +64,7 @@ void report_primary(const femoop::MechanismError& error, const std::string& file
             console.message("  " + console.tr()("in brackets stands the node at which a member is cut"));
     }
     for (const femoop::Mechanism& mechanism : error.mechanisms())
-        console.message("  " + motion(console.sentence(mechanism.fault)));
+        console.message("  " + femoop::without_remedy(console.sentence(mechanism.fault)));
 }
 
 } // namespace
@@ -113,6 +111,13 @@ femoop::SolverKind solver_named(const std::string& name, const ui::Catalogue& tr
     std::vector<std::string> names;
     for (const femoop::SolverKind kind : femoop::available_solvers()) names.emplace_back(femoop::name(kind));
     throw unknown_choice("--solver", name, names, tr);
+}
+
+std::string description_json(const std::string& sentences)
+{
+    femoop::JsonWriter json;
+    json.begin_object().member("cremona", 1).member("description", sentences).end();
+    return json.take();
 }
 
 } // namespace cli

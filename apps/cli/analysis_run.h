@@ -34,6 +34,9 @@ ExitStatus report_unsolved(const femoop::ModelError& error, const std::string& f
 /// Constraints that contradict a settlement are the structure's fault (CannotSolve), all else is the file's.
 ExitStatus status_of(const std::vector<femoop::Fault>& faults);
 
+/// What `--describe` has to say, for programs.
+std::string description_json(const std::string& sentences);
+
 /// The solver of this name (automatic, skyline, multifrontal, ldlt, cholmod), of those that the program is built with.
 /// \throws UsageError
 femoop::SolverKind solver_named(const std::string& name, const ui::Catalogue& tr);

@@ -1,6 +1,9 @@
 #include "apps/cli/asked_bend.h"
 
 #include <array>
+#include <cmath>
+#include <string>
+#include <vector>
 
 #include "apps/cli/argument.h"
 #include "apps/cli/asked_effect.h"
@@ -46,7 +49,7 @@ femoop::Bend bend_of(const BendWords& words, const femoop::Model& model, const u
     constexpr WholeRange range{femoop::least_bend_parts, femoop::most_bend_parts};
     if (!words.parts.empty())
         bend.n_parts = static_cast<std::size_t>(whole_number("--bend parts", words.parts.front(), range, tr));
-    if (bend.rise == 0.0) throw UsageError("--bend: " + tr(femoop::no_rise));
+    require_near("--bend rise", words.rise.front(), std::array{bend.rise}, model, tr);
     return bend;
 }
 
@@ -80,6 +83,8 @@ void AskedBend::apply(femoop::Model& model, const Console& console) const
         const BendWords words = bend_words(text, tr);
         const femoop::Bend bend = bend_of(words, model, tr);
         for (const femoop::MemberId member : members_named("--bend", words.members, model, tr)) {
+            if (std::abs(bend.rise) < least_bend_rise(model, member))
+                throw UsageError("--bend: " + tr(femoop::no_rise));
             const std::string name = model[member].id;
             const femoop::BentMember bent = bend_member(model, member, bend);
             console.message(bent_text(name, model, bent, tr));

@@ -114,16 +114,19 @@ Eigen::Vector3d AskedBody::about(const Model& model, const FreeBody& body, const
 {
     if (!about_) return usual_moment_point(body, model);
     Eigen::Vector3d point = Eigen::Vector3d::Zero();
-    std::ranges::copy(lengths_named("--about", *about_, n_coordinates(model.analysis), model, tr), point.begin());
+    const std::vector<double> place = lengths_named("--about", *about_, n_coordinates(model.analysis), model, tr);
+    require_near("--about", *about_, place, model, tr);
+    std::ranges::copy(place, point.begin());
     return point;
 }
 
 std::string AskedBody::output(const Model& model, const femoop::Results& results, femoop::CaseId load_case,
-                              bool is_json, const ui::Catalogue& tr) const
+                              StepFormat format, const ui::Catalogue& tr) const
 {
     const FreeBody lifted = lift_out(model, results, load_case, body(model, tr));
     const Eigen::Vector3d point = about(model, lifted, tr);
-    if (!is_json) return free_body_text(lifted, model, point, tr);
+    if (format == StepFormat::Text) return free_body_text(lifted, model, point, tr);
+    if (format == StepFormat::Latex) return free_body_latex(lifted, model, point, tr);
     femoop::JsonWriter json;
     begin_output(json, model.units);
     json.key("free_body").begin_object(femoop::JsonWriter::Layout::Block).member("case", model.case_name(load_case));

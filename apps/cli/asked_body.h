@@ -6,6 +6,7 @@
 
 #include "apps/cli/argument.h"
 #include "apps/cli/option_parser.h"
+#include "apps/cli/step_format.h"
 #include "femoop/methods/free_body/free_body.h"
 #include "femoop/result/results.h"
 
@@ -20,9 +21,9 @@ public:
     /// The point without the body asks for nothing. \throws UsageError
     void require_sensible(const ui::Catalogue& tr) const;
 
-    /// In words, or as JSON. \throws UsageError, ModelError where what was typed is none of the model's
+    /// In words, as JSON, or for LaTeX. \throws UsageError, ModelError where what was typed is none of the model's
     std::string output(const femoop::Model& model, const femoop::Results& results, femoop::CaseId load_case,
-                       bool is_json, const ui::Catalogue& tr) const;
+                       StepFormat format, const ui::Catalogue& tr) const;
     /// What was typed without a unit, before the model is counted in another one.
     void count_lengths_in(std::string_view unit);
 

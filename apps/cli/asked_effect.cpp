@@ -9,10 +9,12 @@
 #include <vector>
 
 #include "apps/cli/argument.h"
+#include "femoop/geometry/node_position.h"
 #include "femoop/geometry/path_walk.h"
 #include "femoop/io/influence/influence_block.h"
 #include "femoop/model/check/check.h"
 #include "femoop/model/fault/errors_among.h"
+#include "femoop/model/quantity/number_text.h"
 #include "femoop/model/quantity/quantity_parser.h"
 
 namespace cli {
@@ -98,6 +100,8 @@ void AskedEffect::set(std::string_view option, std::string_view text, const ui::
         const std::string_view part = text.substr(begin, end - begin);
         if (const auto* key = key_of(part); key != keys.end()) {
             last = key->second;
+            if (*last)
+                throw femoop::ModelError({Fault{FaultKind::RepeatedComponent, {within_, std::string(key->first)}}});
             *last = part.substr(key->first.size() + 1);
         } else if (last != nullptr) {
             **last += "," + std::string(part);
@@ -193,6 +197,23 @@ std::vector<double> lengths_named(std::string_view option, const std::string& te
     if (lengths.size() == wanted) return lengths;
     throw UsageError(tr("{option}: found {found}; wanted {count} lengths with commas between them",
                         {{"option", option}, {"found", femoop::printable(text)}, {"count", std::to_string(wanted)}}));
+}
+
+void require_near(std::string_view option, const std::string& found, std::span<const double> lengths,
+                  const Model& model, const ui::Catalogue& tr)
+{
+    constexpr double times = 1e6;
+    double size = 0.0;
+    for (std::size_t i = 0; i < model.nodes.size(); ++i)
+        size = std::max(size, position_of(model, femoop::NodeId(i)).cwiseAbs().maxCoeff());
+    const bool is_near = std::ranges::all_of(lengths, [&](double one) { return std::abs(one) <= times * size; });
+    if (is_near) return;
+    throw UsageError(
+        tr("{option}: found {found}; wanted lengths up to {most}, a million times the farthest node; give "
+           "a nearer place",
+           {{"option", option},
+            {"found", femoop::printable(found)},
+            {"most", femoop::localized(quantity_text(times * size, femoop::dimension::length, model.units), tr)}}));
 }
 
 femoop::LoadPathReference path_named(const Model& model, const std::string& name, const ui::Catalogue& tr)

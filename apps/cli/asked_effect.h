@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -52,6 +53,10 @@ femoop::Quantity length_named(std::string_view option, const std::string& text, 
 /// So many of them, with commas between. \throws ModelError, UsageError where there are more or fewer
 std::vector<double> lengths_named(std::string_view option, const std::string& text, std::size_t wanted,
                                   const femoop::Model& model, const ui::Catalogue& tr);
+
+/// \throws UsageError for lengths so far off that the structure would shrink to a point beside them.
+void require_near(std::string_view option, const std::string& found, std::span<const double> lengths,
+                  const femoop::Model& model, const ui::Catalogue& tr);
 
 /// A path of the file by its id, else members by theirs: m1,m2. \throws UsageError
 femoop::LoadPathReference path_named(const femoop::Model& model, const std::string& name, const ui::Catalogue& tr);

@@ -70,22 +70,25 @@ Funicular AskedFunicular::funicular(const LoadedChain& loaded, const Model& mode
     ClosingLine line{chain.left().y(), chain.right().y()};
     if (closing_) {
         const std::vector<double> heights = lengths_named("--closing", *closing_, 2, model, tr);
+        require_near("--closing", *closing_, heights, model, tr);
         line = {heights[0], heights[1]};
     }
     if (!through_) return {span, line, usual_thrust(chain, span)};
     const std::vector<double> point = lengths_named("--through", *through_, 2, model, tr);
+    require_near("--through", *through_, point, model, tr);
     if (const auto H = thrust_through(span, line, {point[0], point[1]})) return {span, line, *H};
     throw UsageError(tr("--through: no funicular passes through {found}: M0 is 0 there, or the closing line passes "
                         "through it; choose a point between the ends and off that line",
                         {{"found", femoop::printable(*through_)}}));
 }
 
-std::string AskedFunicular::output(const Model& model, femoop::CaseId load_case, bool is_json,
+std::string AskedFunicular::output(const Model& model, femoop::CaseId load_case, StepFormat format,
                                    const ui::Catalogue& tr) const
 {
     const LoadedChain loaded = loaded_chain(model, load_case, tr);
     const Funicular found = funicular(loaded, model, tr);
-    if (!is_json) return funicular_text(found, loaded.chain, model, tr);
+    if (format == StepFormat::Text) return funicular_text(found, loaded.chain, model, tr);
+    if (format == StepFormat::Latex) return funicular_latex(found, loaded.chain, model, tr);
     femoop::JsonWriter json;
     begin_output(json, model.units);
     json.key("funicular").begin_object(femoop::JsonWriter::Layout::Block).member("case", model.case_name(load_case));

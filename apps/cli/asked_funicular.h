@@ -6,6 +6,7 @@
 
 #include "apps/cli/console.h"
 #include "apps/cli/option_parser.h"
+#include "apps/cli/step_format.h"
 #include "femoop/methods/funicular/loaded_chain.h"
 
 namespace cli {
@@ -19,8 +20,8 @@ public:
     /// A closing line or a point without the funicular asks for nothing. \throws UsageError
     void require_sensible(const ui::Catalogue& tr) const;
 
-    /// In words, or as JSON. \throws UsageError where what was typed is none of the model's, or has no funicular
-    std::string output(const femoop::Model& model, femoop::CaseId load_case, bool is_json,
+    /// In words, as JSON, or for LaTeX. \throws UsageError where what was typed is none of the model's, or has no funicular
+    std::string output(const femoop::Model& model, femoop::CaseId load_case, StepFormat format,
                        const ui::Catalogue& tr) const;
     /// What was typed without a unit, before the model is counted in another one.
     void count_lengths_in(std::string_view unit);

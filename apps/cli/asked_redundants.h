@@ -1,18 +1,15 @@
 #pragma once
 
-#include <cstdint>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "apps/cli/argument.h"
 #include "apps/cli/option_parser.h"
+#include "apps/cli/step_format.h"
 #include "femoop/result/results.h"
 
 namespace cli {
-
-/// As what steps are printed.
-enum class StepFormat : std::uint8_t { Text, Json, Latex };
 
 /// The force method with the redundants that `solve --force-method WHAT` asks for, once for each, or `automatic`.
 class AskedRedundants {

@@ -7,6 +7,8 @@
 #include "apps/cli/argument.h"
 #include "apps/drawing/sketch/scene.h"
 #include "apps/drawing/sketch/table_units.h"
+#include "apps/plane/view/plate_picture.h"
+#include "apps/plane/view/plate_scene.h"
 #include "femoop/io/train/train_table.h"
 #include "femoop/methods/influence/load_components.h"
 #include "femoop/model/quantity/in_units.h"
@@ -46,6 +48,18 @@ UsageError units_of_file(std::string_view option, const ui::Catalogue& tr)
     return UsageError(tr("{option} counts in the units of the file; leave out --unit, or write the file in other units "
                          "with cremona convert --units",
                          {{"option", option}}));
+}
+
+std::string units_line(const std::vector<femoop::PrintedUnit>& units, const ui::Catalogue& tr)
+{
+    std::vector<std::string> names;
+    std::string list;
+    for (const femoop::PrintedUnit& unit : units) {
+        if (std::ranges::find(names, unit.name) != names.end()) continue;
+        list += (list.empty() ? "" : ", ") + unit.name;
+        names.push_back(unit.name);
+    }
+    return tr("Units of the tables: {units}", {{"units", list}}) + "\n";
 }
 
 namespace {
@@ -125,6 +139,14 @@ ui::UnitChoices AskedUnits::choices(const ui::Catalogue& tr) const
 femoop::ResultUnits AskedUnits::of_results(const femoop::Model& model, const ui::Catalogue& tr) const
 {
     return drawing::table_units(drawing::display_units(model, in_units_of_file(choices(tr))));
+}
+
+femoop::ResultUnits AskedUnits::of_results(const femoop::plane::PlaneModel& model, const ui::Catalogue& tr) const
+{
+    if (!are_given()) return femoop::result_units(model.units);
+    ::plane::PlateOptions options;
+    options.unit_choices = choices(tr);
+    return drawing::table_units(::plane::display_units(model, options));
 }
 
 femoop::influence::LineUnits AskedUnits::of_line(const femoop::Model& model,

@@ -11,7 +11,9 @@
 #include "apps/cli/model_input.h"
 #include "apps/cli/plane_input.h"
 #include "apps/frame/document/companion/companion_file.h"
+#include "apps/plane/backdrop/view_file.h"
 #include "femoop/analysis/linear_static.h"
+#include "femoop/io/any_model.h"
 #include "femoop/io/counting/counting_text.h"
 #include "femoop/io/cross/cross_block.h"
 #include "femoop/io/file_text.h"
@@ -20,6 +22,7 @@
 #include "femoop/io/train/train_block.h"
 #include "femoop/io/truss/truss_json.h"
 #include "femoop/io/truss/truss_sentence.h"
+#include "ui/files/view_file.h"
 
 namespace cli {
 
@@ -37,15 +40,18 @@ std::size_t number_of(const std::vector<femoop::Fault>& faults, Severity severit
 /// What a file holds and everything wrong with it: with a view file as it stands beside its model, else with a model.
 femoop::AnyReading read(const std::string& file, const ui::Catalogue& tr)
 {
-    const auto beside = frame::model_of_companion(file);
+    const auto beside = ui::model_of_view(file);
     if (!beside) return examine_any(file, tr);
     femoop::FileText model = femoop::file_text(*beside);
     if (model.fault) return femoop::ModelReading{{}, {*std::move(model.fault)}};
     femoop::FileText views = femoop::file_text(file);
     if (views.fault) return femoop::ModelReading{{}, {*std::move(views.fault)}};
-    femoop::ModelReading reading = femoop::examine_model(model.text);
+    femoop::AnyReading any = femoop::examine_any(model.text);
+    if (std::holds_alternative<femoop::plane::PlaneReading>(any))
+        return femoop::plane::PlaneReading{.faults = ::plane::read_view(views.text, beside->parent_path()).faults};
+    auto& reading = std::get<femoop::ModelReading>(any);
     reading.faults = frame::read_companion(views.text, reading.model).faults;
-    return reading;
+    return any;
 }
 
 constexpr femoop::CaseId truss_case(0);

@@ -41,7 +41,7 @@ private:
     std::string in_, out_;
     std::optional<std::string> units_;
     std::optional<std::string> combinations_;
-    std::string actions_;
+    std::optional<std::string> actions_;
     AskedBend bend_;
 };
 
@@ -219,6 +219,8 @@ ExitStatus Convert::run(Console& console)
             tr("two files are needed, IN and OUT; see {command}", {{"command", "cremona convert --help"}}));
     if (outline::is_outline_file(in_)) return outline(console);
     if (is_solid_file(in_) || is_solid_file(out_)) return solids(console);
+    if (combinations_ && !actions_) throw needs_too("--combinations", "--actions", tr);
+    if (actions_ && !combinations_) throw needs_too("--actions", "--combinations", tr);
     const std::string kind = out_ == "-" ? ".json" : kind_of(out_);
     if (kind != ".json" && kind != ".csv" && !is_picture(out_))
         throw UsageError(tr("{file}: cannot write the kind {kind}; choose from: .json, .csv, .svg, .pdf, .png",
@@ -231,7 +233,7 @@ ExitStatus Convert::run(Console& console)
     if (!members.is_sound()) return ExitStatus::BadInput;
     femoop::Model* const model = &members.model;
     if (bend_.is_asked()) bend_.apply(*model, console);
-    if (combinations_) add_design_combinations(*model, {*combinations_, actions_}, console);
+    if (combinations_) add_design_combinations(*model, {*combinations_, *actions_}, console);
     if (units_ && kind != ".json") throw UsageError(tr("--units: only a .json file is written in other units"));
     if (kind == ".json") return to_json(*model, console);
     if (kind == ".csv") return to_csv(*model, console);

@@ -138,6 +138,9 @@ std::string Influence::output(const Model& model, const std::vector<InfluenceLin
     const auto n = static_cast<std::size_t>(whole_number("--stations", stations_, {2, 100000}, console.tr()));
     const femoop::influence::InfluenceLines found = femoop::influence::influence_lines(model, definitions);
     console.report(display_name(file_, console.tr()), found.warnings);
+    if (!is_described_)
+        for (const InfluenceLineDefinition& line : definitions)
+            warn_of_zero_by_support(model, line.effect, display_name(file_, console.tr()), console);
     if (is_described_) {
         std::string words;
         for (std::size_t i = 0; i < found.lines.size(); ++i)

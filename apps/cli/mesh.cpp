@@ -1,5 +1,6 @@
 #include "apps/cli/mesh.h"
 
+#include <optional>
 #include <string>
 #include <utility>
 #include <variant>
@@ -164,9 +165,10 @@ public:
 
 private:
     void require_possible_output(const ui::Catalogue& tr) const;
-    void write(const PlaneInput& input, const ui::Catalogue& tr) const;
+    void write(const PlaneInput& input, const std::string& out, const ui::Catalogue& tr) const;
 
-    std::string file_, out_;
+    std::string file_;
+    std::optional<std::string> out_;
     bool shows_regions_ = false, is_json_ = false;
 };
 
@@ -199,18 +201,18 @@ void MeshCommand::declare(OptionParser& options, const ui::Catalogue& tr)
 
 void MeshCommand::require_possible_output(const ui::Catalogue& tr) const
 {
-    if (out_.empty()) return;
+    if (!out_) return;
     if (shows_regions_) throw UsageError(tr("--regions makes no mesh to be written; take --output away"));
-    const std::string kind = kind_of(out_);
-    if (kind != ".json" && kind != ".vtu" && !is_picture(out_))
-        throw UsageError(
-            tr("--output: found {file}, wanted a name that ends in .json, .vtu, .svg, .pdf or .png", {{"file", out_}}));
+    const std::string kind = kind_of(*out_);
+    if (kind != ".json" && kind != ".vtu" && !is_picture(*out_))
+        throw UsageError(tr("--output: found {file}, wanted a name that ends in .json, .vtu, .svg, .pdf or .png",
+                            {{"file", '"' + *out_ + '"'}}));
 }
 
-void MeshCommand::write(const PlaneInput& input, const ui::Catalogue& tr) const
+void MeshCommand::write(const PlaneInput& input, const std::string& out, const ui::Catalogue& tr) const
 {
-    if (kind_of(out_) == ".vtu") return write_file(out_, femoop::plane::mesh_vtu(input.model()), tr);
-    if (!is_picture(out_)) return write_file(out_, femoop::plane::write_plane_model(input.model()), tr);
+    if (kind_of(out) == ".vtu") return write_file(out, femoop::plane::mesh_vtu(input.model()), tr);
+    if (!is_picture(out)) return write_file(out, femoop::plane::write_plane_model(input.model()), tr);
     const ::plane::PlateInput shown{
         .model = input.drawing()->model(), .drawing = input.drawing(), .mesh = &input.model()};
     ::plane::PlateOptions options;
@@ -219,7 +221,7 @@ void MeshCommand::write(const PlaneInput& input, const ui::Catalogue& tr) const
         options.show = options.show | *::plane::plate_shown(word);
     options.tr = tr;
     write_picture(
-        {.path = out_}, {.color = ::plane::background(options), .title = shown.model.title},
+        {.path = out}, {.color = ::plane::background(options), .title = shown.model.title},
         [&](ui::Painter& painter) { ::plane::draw(painter, shown, options); }, tr);
 }
 
@@ -245,7 +247,7 @@ ExitStatus MeshCommand::run(Console& console)
         console.print(is_json_ ? faces_json(*input.drawing()) : faces_text(*input.drawing(), tr));
         return ExitStatus::Done;
     }
-    if (!out_.empty()) write(input, tr);
+    if (out_) write(input, *out_, tr);
     console.print(is_json_ ? mesh_json(*input.mesh()) : mesh_text(*input.mesh(), tr));
     return ExitStatus::Done;
 }

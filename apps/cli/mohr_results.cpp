@@ -185,7 +185,7 @@ void add_lines(tabular::Table& table, const MohrResult& result, Kind kind, const
     if (const auto* rows = std::get_if<std::vector<List>>(&result.value)) std::ranges::for_each(*rows, add_list);
 }
 
-std::string units_line(const MohrProblem& problem, const ui::Catalogue& tr)
+std::string unit_lines(const MohrProblem& problem, const ui::Catalogue& tr)
 {
     std::string text;
     if (!problem.unit.empty()) text += tr("in {unit}", {{"unit", problem.unit}}) + "\n";
@@ -254,7 +254,7 @@ std::string mohr_table(const std::vector<MohrResult>& results, const MohrProblem
 {
     tabular::Table table({tr("result"), tr("value")});
     for (const MohrResult& result : results) add_lines(table, result, problem.state.kind, tr);
-    std::string text = units_line(problem, tr) + tabular::plain_text(table);
+    std::string text = unit_lines(problem, tr) + tabular::plain_text(table);
     if (!is_possible(problem.state))
         text += tr("no section has these second moments: a principal one is negative") + "\n";
     return text;

@@ -7,6 +7,7 @@
 
 #include "apps/cli/analysis_run.h"
 #include "apps/cli/argument.h"
+#include "apps/cli/asked_units.h"
 #include "apps/drawing/draw.h"
 #include "apps/drawing/results/influence_picture.h"
 #include "apps/drawing/results/influence_words.h"
@@ -16,9 +17,11 @@
 #include "femoop/geometry/member_geometry.h"
 #include "femoop/io/influence/influence_block.h"
 #include "femoop/io/train/train_block.h"
+#include "femoop/methods/influence/effect_name.h"
 #include "femoop/methods/influence/influence_line.h"
 #include "femoop/methods/influence/train/standing_train.h"
 #include "femoop/methods/influence/train/train_analysis.h"
+#include "femoop/methods/influence/usual_path.h"
 
 namespace cli {
 
@@ -130,7 +133,9 @@ public:
         : model_(model), train_(std::move(train)), file_(file), console_(console), analysis_(model)
     {}
 
-    Standing standing(const std::optional<MovingEffect>& asked, const std::optional<std::string>& position)
+    /// \param options  whose units a refusal is written in
+    Standing standing(const std::optional<MovingEffect>& asked, const std::optional<std::string>& position,
+                      const drawing::DrawOptions& options)
     {
         Standing standing{.effect = asked ? *asked : foremost_effect(analysis_, model_, train_)};
         if (standing.effect.quantity == ExpectedQuantity::Extreme)
@@ -142,7 +147,7 @@ public:
                           .train = femoop::influence::moving_train(train_, standing.effect),
                           .placing = is_max ? standing.worst.max : standing.worst.min,
                           .kind = is_max ? ExtremeKind::Max : ExtremeKind::Min};
-        if (position) stand_at(standing.train, search, *position);
+        if (position) stand_at(standing.train, search, *position, options);
         return standing;
     }
 
@@ -186,7 +191,7 @@ private:
     }
 
     void stand_at(drawing::StandingTrain& standing, const femoop::influence::TrainSearch& search,
-                  const std::string& text) const
+                  const std::string& text, const drawing::DrawOptions& options) const
     {
         const ui::Catalogue& tr = console_.tr();
         if (standing.train.axles.empty())
@@ -195,7 +200,8 @@ private:
         const double most = analysis_.path(train_).length() + length_of(standing.train, standing.placing.spacings);
         if (!(position >= 0.0 && position <= most))
             throw UsageError(tr("--at-position: found {found}; wanted 0 to {most}, where some axle is on the path",
-                                {{"found", text}, {"most", ui::number_text(most, {})}}));
+                                {{"found", with_unit(text, femoop::name(model_.units.length))},
+                                 {"most", display_units(model_, options).text(most, ui::Measure::Length)}}));
         std::vector<double> spacings = standing.placing.spacings;
         if (spacings.empty())
             for (const MovingTrain::Spacing& spacing : standing.train.spacings) spacings.push_back(spacing.least);
@@ -220,7 +226,7 @@ ExitStatus draw_line(const Model& model, const InfluenceLineDefinition& definiti
                                             .load = load,
                                             .line = analysis.line(path, load, definition.effect),
                                             .motion = analysis.motion(definition.effect),
-                                            .sentences = {drawing::principle(definition.effect, order.view.tr)}};
+                                            .sentences = {drawing::principle(model, definition.effect, order.view.tr)}};
     console.report(file, analysis.warnings());
     if (!shows_own) order.view.show = drawing::labels;
     order.view.show.insert(Show::Influence);
@@ -241,11 +247,29 @@ std::string line_in_words(const Model& model, const InfluenceLineDefinition& def
     return influence_words(model, options, picture);
 }
 
+void warn_of_zero_by_support(const Model& model, const MovingEffect& effect, const std::string& file,
+                             const Console& console)
+{
+    const ui::Catalogue& tr = console.tr();
+    const std::string component = femoop::influence::component_name(model.analysis, effect);
+    const auto warn = [&](const std::string& sentence) {
+        console.message(file + ": " + tr("warning") + ": " + sentence);
+    };
+    if (femoop::influence::is_unheld_reaction(model, effect))
+        warn(tr("the support of node {node} does not hold {component}, so that this reaction is zero wherever the load "
+                "stands; ask for a component that it holds",
+                {{"node", model[*effect.node].id}, {"component", component}}));
+    if (const auto node = femoop::influence::holding_support(model, effect))
+        warn(tr("the support of node {node} holds {component}, so that this displacement is zero wherever the load "
+                "stands; ask for one that it leaves free",
+                {{"node", model[*node].id}, {"component", component}}));
+}
+
 std::string train_in_words(const Model& model, const femoop::Train& train, const std::optional<MovingEffect>& asked,
                            const drawing::DrawOptions& options, const std::string& file, const Console& console)
 {
     TrainDrawing drawing(model, train, file, console);
-    return drawing.words(drawing.standing(asked, {}), options);
+    return drawing.words(drawing.standing(asked, {}, options), options);
 }
 
 void MovingPicture::declare(OptionParser& options, const ui::Catalogue& tr)
@@ -284,7 +308,8 @@ ExitStatus MovingPicture::draw(const Model& model, const std::string& file, Pict
         std::optional<MovingEffect> asked;
         if (effect_.is_asked()) asked = effect_.sound_effect(model, console.tr());
         TrainDrawing drawing(model, train_named(model, *train_, console.tr()), file, console);
-        return drawing.draw(drawing.standing(asked, position_), std::move(order), shows_own);
+        const Standing standing = drawing.standing(asked, position_, order.view);
+        return drawing.draw(standing, std::move(order), shows_own);
     } catch (const femoop::ModelError& error) {
         return report_unsolved(error, file, console);
     }

@@ -23,6 +23,11 @@ std::string train_in_words(const femoop::Model& model, const femoop::Train& trai
                            const std::optional<femoop::MovingEffect>& asked, const drawing::DrawOptions& options,
                            const std::string& file, const Console& console);
 
+/// On stderr, where the support does not hold the reaction that is asked for, or holds the displacement: the zeros would
+/// be taken for an answer.
+void warn_of_zero_by_support(const femoop::Model& model, const femoop::MovingEffect& effect, const std::string& file,
+                             const Console& console);
+
 /// What options of `render` ask for of loads that move: one influence line, or one train.
 class MovingPicture {
 public:

@@ -46,4 +46,14 @@ void make_folder(const fs::path& folder, const ui::Catalogue& tr)
                {{"folder", folder.string()}}));
 }
 
+void write_tables(const fs::path& folder, const std::vector<femoop::CsvFile>& tables, const Console& console)
+{
+    make_folder(folder, console.tr());
+    for (const femoop::CsvFile& table : tables) {
+        const fs::path path = folder / table.name;
+        write_file(path, table.text, console.tr());
+        console.message(console.tr()("written: {file}", {{"file", path.string()}}));
+    }
+}
+
 } // namespace cli

@@ -2,7 +2,10 @@
 
 #include <filesystem>
 #include <string_view>
+#include <vector>
 
+#include "apps/cli/console.h"
+#include "femoop/io/results/results_csv.h"
 #include "ui/text/catalogue.h"
 
 namespace cli {
@@ -17,5 +20,9 @@ void require_writable(const std::filesystem::path& path, const ui::Catalogue& tr
 
 /// Makes the folder if it is missing. \throws UsageError
 void make_folder(const std::filesystem::path& folder, const ui::Catalogue& tr);
+
+/// Writes the tables into the folder, which is made if it is missing, and says so on stderr. \throws UsageError
+void write_tables(const std::filesystem::path& folder, const std::vector<femoop::CsvFile>& tables,
+                  const Console& console);
 
 } // namespace cli

@@ -4,10 +4,17 @@
 #include <cmath>
 
 #include "apps/cli/argument.h"
+#include "femoop/plane/mesh/mesh_geometry.h"
 
 namespace cli {
 
 namespace fp = femoop::plane;
+
+namespace {
+
+constexpr double longest_cut = 1e6; // times the body: its places have ten digits then
+
+} // namespace
 
 std::vector<double> numbers_of(const std::string& option, const std::string& text, std::size_t n,
                                const ui::Catalogue& tr)
@@ -21,7 +28,7 @@ std::vector<double> numbers_of(const std::string& option, const std::string& tex
     }
     if (numbers.size() == n && comma_list(text).size() == n) return numbers;
     throw UsageError(tr("{option}: found {found}; wanted {n} numbers with commas between them",
-                        {{"option", option}, {"found", text}, {"n", std::to_string(n)}}));
+                        {{"option", option}, {"found", "\"" + text + "\""}, {"n", std::to_string(n)}}));
 }
 
 std::vector<Eigen::Vector2d> places_in(const fp::Locator& locator, const std::vector<std::string>& texts,
@@ -46,6 +53,11 @@ std::vector<fp::Cut> cuts_through(const fp::PlaneModel& mesh, const fp::Locator&
         const fp::Cut cut{{at[0], at[1]}, {at[2], at[3]}};
         if (cut.length() == 0.0)
             throw UsageError(tr("--cut: {cut} ends where it begins; give two places", {{"cut", text}}));
+        if (cut.length() > longest_cut * fp::extent(fp::positions(mesh)))
+            throw UsageError(
+                tr("--cut: {cut} is so long beside the body that rounding would move what it meets; let it "
+                   "end near the body",
+                   {{"cut", text}}));
         if (fp::pieces_along(mesh, locator, cut).empty())
             throw UsageError(tr("--cut: {cut} meets no material; move it", {{"cut", text}}));
         cuts.push_back(cut);

@@ -7,10 +7,12 @@
 #include "apps/cli/plane_input.h"
 #include "apps/cli/plane_modes.h"
 #include "apps/cli/plane_places.h"
+#include "apps/plane/backdrop/view_file.h"
 #include "apps/plane/view/cut_panel.h"
 #include "apps/plane/view/plate_words.h"
 #include "femoop/plane/analysis/natural_modes.h"
 #include "femoop/plane/analysis/plane_analysis.h"
+#include "ui/files/view_file.h"
 
 namespace cli {
 
@@ -24,6 +26,9 @@ namespace fp = femoop::plane;
     for (const std::string& word : comma_list(list)) {
         const auto shown = ::plane::plate_shown(word);
         if (!shown) throw unknown_choice("--show", word, ::plane::all_plate_words(), tr);
+        for (const ::plane::FieldShow& field : shown->fields)
+            if (std::ranges::find(all.fields, field.style, &::plane::FieldShow::style) != all.fields.end())
+                throw UsageError(tr("--show: {word} is the second of its kind; a picture has one", {{"word", word}}));
         all = all | *shown;
     }
     return all;
@@ -97,6 +102,13 @@ void PlaneRender::look(::plane::PlateOptions& options, const Order& order, const
         options.show.fields, [](const ::plane::FieldShow& field) { return field.style == ::plane::FieldStyle::Bands; });
     if (has_bands && options.show.set.contains(::plane::PlateShow::Error))
         throw contradiction("--show error", "--show bands:", tr);
+    if (range_ && options.show.fields.empty() && !options.show.set.contains(::plane::PlateShow::Error))
+        throw needs_too("--range", "--show bands:mises", tr);
+    if (options.deformation_scale && !options.show.set.contains(::plane::PlateShow::Deformed) && !is_modal(tr))
+        throw needs_too("--magnify", "--show deformed", tr);
+    if (read_ && !options.show.needs_results() && places().empty()) throw needs_too("--read", "--show bands:mises", tr);
+    if (step_ && (!places().empty() || !cuts_.empty()))
+        throw contradiction("--step", places().empty() ? "--cut" : "--at", tr);
     if (range_) {
         const std::vector<double> ends = numbers_of("--range", *range_, 2, tr);
         if (!(ends[0] < ends[1]))
@@ -134,6 +146,10 @@ ExitStatus PlaneRender::draw(fp::PlaneReading& reading, const std::string& name,
     if (order.load_case) options.load_case = case_named(reading.model, *order.load_case, tr);
     ::plane::PlateInput shown{.model = reading.model, .drawing = input.drawing()};
     if (input.mesh() != nullptr) shown.mesh = &input.model();
+    const ::plane::ViewReading beside = order.model_file ? ::plane::read_view_of(*order.model_file)
+                                                         : ::plane::ViewReading{};
+    if (order.model_file) console.report(ui::view_path(*order.model_file).string(), beside.faults);
+    if (beside.backdrop) shown.backdrop = &*beside.backdrop;
     if (has_modes) return draw_mode(shown, options, name, order, console);
     const std::unique_ptr<discretize::MeshPlayer> player = player_at_step(input.drawing(), tr);
     shown.player = player.get();
@@ -168,6 +184,8 @@ void PlaneRender::require_modes_alone(const Order& order, const ui::Catalogue& t
     refuse(!places().empty(), "--at");
     refuse(!cuts_.empty(), "--cut");
     refuse(step_.has_value(), "--step");
+    refuse(read_.has_value(), "--read");
+    refuse(range_.has_value(), "--range");
 }
 
 ExitStatus PlaneRender::draw_mode(::plane::PlateInput shown, ::plane::PlateOptions options, const std::string& name,

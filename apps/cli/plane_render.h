@@ -20,7 +20,8 @@ class PlaneRender {
 public:
     struct Order {
         PictureFile file;
-        bool has_file = true; ///< else it is only described
+        bool has_file = true;                    ///< else it is only described
+        std::optional<std::string> model_file{}; ///< beside which its view file stands; none: standard input
         std::optional<std::string> show, load_case;
         ::plane::PlateOptions look; ///< theme, units, language, scale of displacements
     };

@@ -2,15 +2,23 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <initializer_list>
 #include <optional>
+#include <string_view>
+#include <utility>
 
 #include "apps/cli/analysis_run.h"
 #include "apps/cli/argument.h"
+#include "apps/cli/asked_units.h"
+#include "apps/cli/output_file.h"
 #include "apps/cli/plane_cycles.h"
 #include "apps/cli/plane_input.h"
 #include "apps/cli/plane_modes.h"
 #include "apps/cli/plane_places.h"
 #include "apps/plane/discretize/error_cycle.h"
+#include "apps/plane/view/plate_picture.h"
+#include "apps/plane/view/plate_words.h"
+#include "femoop/analysis/stopwatch.h"
 #include "femoop/io/plane/element_trace_output.h"
 #include "femoop/io/plane/modes_output.h"
 #include "femoop/io/plane/plane_output.h"
@@ -64,6 +72,33 @@ fp::ElementId element_named(const std::string& text, const fp::PlaneModel& mesh,
            {{"found", "\"" + text + "\""}, {"first", mesh.elements.front().id}, {"last", mesh.elements.back().id}}));
 }
 
+/// Recovers the stresses of every case once, as any reader of the results does.
+double seconds_to_smooth(const fp::PlaneResults& results, const std::vector<femoop::CaseId>& cases)
+{
+    femoop::Stopwatch watch;
+    const fp::PlaneElement& first = results.model().elements.front();
+    for (const femoop::CaseId id : cases)
+        static_cast<void>(results[id].smoothed_stress(first.points.front(), first.region));
+    return watch.lap();
+}
+
+/// The body once, then what each case does to it: what a picture of all of it would show.
+std::string description(const PlaneSolve::Question& question, const PlaneInput& input, const fp::PlaneResults& results,
+                        const fp::PlaneSelection& selection, const ui::Catalogue& tr)
+{
+    ::plane::PlateOptions options;
+    options.tr = tr;
+    options.numbers.mark = ui::decimal_mark(tr.language());
+    options.unit_choices = question.units.choices(tr);
+    options.probes = selection.probes;
+    options.cuts = selection.cuts;
+    return ::plane::cases_in_words({.model = question.reading.model,
+                                    .drawing = input.drawing(),
+                                    .mesh = input.mesh() != nullptr ? &input.model() : nullptr,
+                                    .results = &results},
+                                   options, selection.cases);
+}
+
 } // namespace
 
 void PlaneSolve::declare(OptionParser& options, const ui::Catalogue& tr)
@@ -90,7 +125,7 @@ void PlaneSolve::declare(OptionParser& options, const ui::Catalogue& tr)
         .option_text("KIND");
     options.add_option("--modes", modes_, tr("with --analysis modal: how many natural modes, 1 to 1000 (default 10)"))
         .option_text("N");
-    options.add_flag("--full", is_full_, tr("of a plane model: write the mesh into the JSON too"));
+    options.add_flag("--full", is_full_, tr("with --json, of a plane model: the mesh too"));
 }
 
 bool PlaneSolve::is_modal(const ui::Catalogue& tr) const
@@ -109,22 +144,32 @@ void PlaneSolve::require_none(const ui::Catalogue& tr) const
 
 std::size_t PlaneSolve::n_cycles(const ui::Catalogue& tr) const
 {
-    if (!places_.empty() || !cuts_.empty() || is_full_)
-        throw print_different_things("--cycles", !places_.empty() ? "--at" : !cuts_.empty() ? "--cut" : "--full", tr);
     constexpr auto most = static_cast<long>(discretize::ErrorCycle::most_cycles);
     return static_cast<std::size_t>(whole_number("--cycles", *cycles_, {1, most}, tr));
 }
 
-void PlaneSolve::require_modes_alone(const Question& question, const ui::Catalogue& tr) const
+/// What would say nothing beside what is printed in place of the results.
+void PlaneSolve::require_one_output(const Question& question, const ui::Catalogue& tr) const
 {
-    const auto refuse = [&](bool is_given, std::string_view option) {
-        if (is_given) throw print_different_things("--analysis modal", option, tr);
+    struct Given {
+        std::string_view option;
+        bool is_given;
     };
-    refuse(question.case_name != "all", "--case");
-    refuse(question.traced_element.has_value(), "--trace");
-    refuse(!places_.empty(), "--at");
-    refuse(!cuts_.empty(), "--cut");
-    refuse(cycles_.has_value(), "--cycles");
+    const Given load_case{"--case", question.case_name != "all"}, at{"--at", !places_.empty()},
+        cut{"--cut", !cuts_.empty()}, full{"--full", is_full_}, time{"--time", question.is_timed},
+        trace{"--trace", question.traced_element.has_value()}, cycles{"--cycles", cycles_.has_value()},
+        csv{"--csv", question.csv_folder.has_value()}, description{"--describe", question.is_described};
+    const auto refuse = [&](std::string_view output, std::initializer_list<Given> others) {
+        for (const Given& other : others)
+            if (other.is_given) throw print_different_things(output, other.option, tr);
+    };
+    if (is_modal(tr)) refuse("--analysis modal", {load_case, trace, at, cut, cycles, description, csv, time});
+    if (trace.is_given) refuse(trace.option, {at, cut, cycles, full, time});
+    if (cycles.is_given) refuse(cycles.option, {at, cut, full, description, csv, time});
+    if (description.is_given) refuse(description.option, {full});
+    if (question.units.are_given() && (is_modal(tr) || trace.is_given || cycles.is_given))
+        throw units_of_file(is_modal(tr) ? "--analysis modal" : trace.is_given ? trace.option : cycles.option, tr);
+    if (is_full_ && !question.is_json) throw needs_too("--full", "--json", tr);
 }
 
 ExitStatus PlaneSolve::print_modes(const Question& question, const PlaneInput& input,
@@ -146,53 +191,95 @@ ExitStatus PlaneSolve::print_modes(const Question& question, const PlaneInput& i
     return ExitStatus::Done;
 }
 
-ExitStatus PlaneSolve::solve(const Question& question, const femoop::AnalysisOptions& options, Console& console) const
+void PlaneSolve::print_trace(const Question& question, const fp::PlaneModel& model, Console& console) const
 {
     const ui::Catalogue& tr = console.tr();
-    auto& [reading, file, case_name, is_json, traced_element] = question;
-    const PlaneInput input(reading);
-    console.report(file, reading.faults);
-    if (!reading.is_sound()) return ExitStatus::BadInput;
+    const fp::ElementTrace trace = fp::trace(model, element_named(*question.traced_element, model, tr));
+    console.print(question.is_json ? fp::trace_json(trace, model.units) : fp::trace_text(trace, model.units, tr));
+}
+
+fp::PlaneSelection PlaneSolve::selection(const Question& question, const PlaneInput& input,
+                                         const ui::Catalogue& tr) const
+{
     const fp::PlaneModel& model = input.model();
-    if (is_modal(tr)) {
-        require_modes_alone(question, tr);
-        return print_modes(question, input, options, console);
-    }
-    if (traced_element) {
-        const fp::ElementTrace trace = fp::trace(model, element_named(*traced_element, model, tr));
-        console.print(is_json ? fp::trace_json(trace, model.units) : fp::trace_text(trace, model.units, tr));
-        return ExitStatus::Done;
-    }
-    if (cycles_) {
-        if (input.mesh() == nullptr)
-            throw UsageError(tr("--cycles: the file holds a mesh; only a drawing of curves can be meshed anew"));
-        return print_cycles({.drawing = *input.drawing(),
-                             .mesh = *input.mesh(),
-                             .file = file,
-                             .cases = cases_named(model, case_name, tr),
-                             .n_cycles = n_cycles(tr),
-                             .is_json = is_json},
-                            options, console);
-    }
     fp::PlaneSelection selection{
-        .cases = cases_named(model, case_name, tr), .probes = {}, .cuts = {}, .is_full = is_full_};
+        .cases = cases_named(model, question.case_name, tr), .probes = {}, .cuts = {}, .is_full = is_full_};
     const fp::Locator locator(model);
     if (input.mesh() != nullptr) {
-        selection.points = points_of(reading.model, *input.mesh(), locator);
+        selection.points = points_of(question.reading.model, *input.mesh(), locator);
         for (const discretize::RegionReport& report : input.mesh()->reports())
             selection.methods.push_back(report.method);
     }
     selection.probes = places_in(locator, places_, tr);
     selection.cuts = cuts_through(model, locator, cuts_, tr);
+    return selection;
+}
+
+std::string PlaneSolve::output(const Question& question, const PlaneInput& input, const fp::PlaneResults& results,
+                               const fp::PlaneSelection& selection, const ui::Catalogue& tr) const
+{
+    const std::string without_case = selection.cases.empty() ? "\n" + tr("The model has no load case.") + "\n" : "";
+    if (question.is_described) {
+        const std::string text = description(question, input, results, selection, tr) + without_case;
+        return question.is_json ? description_json(text) : text;
+    }
+    if (question.is_json) return fp::plane_results_json(results, selection);
+    const fp::PlaneModel& model = results.model();
+    const femoop::ResultUnits units = question.units.of_results(model, tr);
+    std::string text = fp::plane_heading_text(results, tr);
+    if (question.units.are_given())
+        text += units_line({units.length, units.force, units.moment, units.displacement, units.stress}, tr);
+    return text + fp::plane_cases_text(results, selection, units, tr) + without_case;
+}
+
+ExitStatus PlaneSolve::print_results(const Question& question, const PlaneInput& input,
+                                     const femoop::AnalysisOptions& options, PhaseTimes phases, Console& console) const
+{
+    const fp::PlaneSelection asked_for = selection(question, input, console.tr());
     try {
-        const fp::PlaneResults results = fp::analyse(model, options);
-        console.report(file, results.warnings());
-        console.print(is_json ? fp::plane_results_json(results, selection)
-                              : fp::plane_results_text(results, selection, tr));
+        const fp::PlaneResults results = fp::analyse(input.model(), options);
+        console.report(question.file, results.warnings());
+        if (question.is_timed) phases.recover = seconds_to_smooth(results, asked_for.cases);
+        femoop::Stopwatch watch;
+        console.print(output(question, input, results, asked_for, console.tr()));
+        if (question.csv_folder) write_tables(*question.csv_folder, fp::plane_results_csv(results, asked_for), console);
+        if (!question.is_timed) return ExitStatus::Done;
+        console.flush();
+        phases.write = watch.lap();
+        report_time(phases, results.statistics(), console);
     } catch (const femoop::ModelError& error) {
-        return report_unsolved(error, file, console);
+        return report_unsolved(error, question.file, console);
     }
     return ExitStatus::Done;
+}
+
+ExitStatus PlaneSolve::solve(const Question& question, const femoop::AnalysisOptions& options, Console& console) const
+{
+    const ui::Catalogue& tr = console.tr();
+    require_one_output(question, tr);
+    femoop::Stopwatch watch;
+    const PlaneInput input(question.reading);
+    PhaseTimes phases{.read = question.seconds_to_read};
+    if (input.drawing() != nullptr) phases.mesh = watch.lap();
+    console.report(question.file, question.reading.faults);
+    if (!question.reading.is_sound()) return ExitStatus::BadInput;
+    if (is_modal(tr)) return print_modes(question, input, options, console);
+    if (question.traced_element) {
+        print_trace(question, input.model(), console);
+        return ExitStatus::Done;
+    }
+    if (!cycles_) return print_results(question, input, options, phases, console);
+    if (input.mesh() == nullptr)
+        throw UsageError(tr("--cycles: the file holds a mesh; only a drawing of curves can be meshed anew"));
+    if (input.model().n_cases() == 0)
+        throw UsageError(tr("--cycles: the error is that of a load case, and the model has none; add one"));
+    return print_cycles({.drawing = *input.drawing(),
+                         .mesh = *input.mesh(),
+                         .file = question.file,
+                         .cases = cases_named(input.model(), question.case_name, tr),
+                         .n_cycles = n_cycles(tr),
+                         .is_json = question.is_json},
+                        options, console);
 }
 
 } // namespace cli

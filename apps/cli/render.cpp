@@ -15,6 +15,7 @@
 #include "apps/cli/truss_picture.h"
 #include "apps/frame/document/companion/companion_file.h"
 #include "apps/frame/view/kept_view.h"
+#include "ui/files/view_file.h"
 #include "ui/text/language_manner.h"
 
 namespace cli {
@@ -164,7 +165,7 @@ frame::CompanionReading Render::companion(const Console& console, const femoop::
 {
     if (file_ == "-") return {};
     frame::CompanionReading reading = frame::read_companion_of(file_, model);
-    console.report(frame::companion_path(file_).string(), reading.faults);
+    console.report(ui::view_path(file_).string(), reading.faults);
     return reading;
 }
 
@@ -206,6 +207,7 @@ ExitStatus Render::draw_plane(femoop::plane::PlaneReading& reading, Console& con
     if (has_file && out_.empty()) throw UsageError(tr("no output is given; add -o OUT.png, .svg or .pdf"));
     PlaneRender::Order order{.file = picture_file(has_file ? out_ : "words.png", size_, scale_, tr),
                              .has_file = has_file,
+                             .model_file = file_ == "-" ? std::nullopt : std::optional(file_),
                              .show = show_,
                              .load_case = case_};
     order.look.theme = theme_named(theme_, tr);

@@ -1,9 +1,6 @@
 #include "apps/cli/solve.h"
 
-#include <algorithm>
 #include <array>
-#include <cstdio>
-#include <filesystem>
 #include <optional>
 #include <variant>
 #include <vector>
@@ -17,19 +14,19 @@
 #include "apps/cli/asked_units.h"
 #include "apps/cli/model_input.h"
 #include "apps/cli/output_file.h"
+#include "apps/cli/phase_times.h"
 #include "apps/cli/plane_solve.h"
 #include "apps/cli/solver_trace.h"
 #include "femoop/analysis/stopwatch.h"
 #include "femoop/analysis/trace.h"
 #include "femoop/io/derivation/derivation_text.h"
-#include "femoop/io/json/json_writer.h"
 #include "femoop/io/results/results_csv.h"
 #include "femoop/io/results/results_json.h"
 #include "femoop/io/results/results_table.h"
 #include "femoop/io/virtual_work/virtual_work_text.h"
 #include "femoop/methods/derivation/derivation.h"
 #include "femoop/methods/virtual_work/virtual_work.h"
-#include "femoop/model/quantity/number_text.h"
+#include "femoop/plane/model/plane_model.h"
 #include "femoop/result/describe.h"
 
 namespace cli {
@@ -64,11 +61,11 @@ private:
                             const ui::Catalogue& tr) const;
     void require_one_output(const ui::Catalogue& tr) const;
     std::optional<std::string_view> calculation() const;
-    std::optional<std::string_view> of_members_alone() const;
+    std::optional<std::string_view> of_members_alone(const femoop::plane::PlaneModel& model) const;
     void count_in_chosen_units(Model& model, const ui::Catalogue& tr);
     std::string trace(const Model& model, const ui::Catalogue& tr) const;
     ExitStatus solve_plane(femoop::plane::PlaneReading& reading, const femoop::AnalysisOptions& options,
-                           Console& console) const;
+                           double seconds_to_read, Console& console) const;
     CaseId followed_case(const Model& model, const ui::Catalogue& tr) const;
     std::string derivation(const Model& model, const Results& results, const ui::Catalogue& tr) const;
     std::string virtual_work(const Model& model, const Results& results, const ui::Catalogue& tr) const;
@@ -142,8 +139,8 @@ void Solve::declare(OptionParser& options, const ui::Catalogue& tr)
     options.add_flag("--json", is_json_, tr("print JSON with every digit instead of tables"));
     options.add_flag(
         "--latex", is_latex_,
-        tr("with --why or --force-method: print the body of a LaTeX document instead of text, its matrices by the "
-           "package amsmath"));
+        tr("with --why, --virtual-work, --force-method, --free-body or --funicular: print the body of a LaTeX document "
+           "instead of text, its matrices by the package amsmath"));
     options
         .add_option("--stations", stations_,
                     tr("how many evenly spaced places along each member JSON and CSV have (default 21); "
@@ -212,23 +209,13 @@ Selection Solve::selection(const Model& model, const ui::Catalogue& tr) const
     return selection;
 }
 
-/// "m, kN, kN·cm, mm, rad", each once.
-std::string list(const femoop::ResultUnits& units)
-{
-    std::vector<std::string> names;
-    for (const auto* unit : {&units.length, &units.force, &units.moment, &units.displacement, &units.rotation})
-        if (std::ranges::find(names, unit->name) == names.end()) names.push_back(unit->name);
-    std::string text;
-    for (const std::string& name : names) text += (text.empty() ? "" : ", ") + name;
-    return text;
-}
-
 std::string Solve::tables(const Model& model, const Results& results, const Selection& selection,
                           const ui::Catalogue& tr) const
 {
     std::string text = femoop::heading_text(model, results, tr);
     const femoop::ResultUnits units = units_.of_results(model, tr);
-    if (units_.are_given()) text += tr("Units of the tables: {units}", {{"units", list(units)}}) + "\n";
+    if (units_.are_given())
+        text += units_line({units.length, units.force, units.moment, units.displacement, units.rotation}, tr);
     if (selection.cases.empty()) return text + "\n" + tr("The model has no load case.") + "\n";
     if (selection.is_envelope) return text + femoop::envelope_text(model, results, selection.cases, units, tr);
     for (const CaseId id : selection.cases) text += femoop::case_text(model, results, id, units, tr);
@@ -255,8 +242,10 @@ void Solve::require_one_output(const ui::Catalogue& tr) const
                              Output{funicular_.is_asked(), "--funicular", true, false},
                              Output{is_described_, "--describe", true, true}};
     refuse(is_json_ && is_latex_, "--json", "--latex");
-    if (is_latex_ && !asked_number_ && !redundants_.are_asked())
-        throw needs_too("--latex", "--why, --force-method", tr);
+    const bool is_explained = asked_number_ || worked_displacement_ || redundants_.are_asked() || body_.is_asked() ||
+                              funicular_.is_asked();
+    if (is_latex_ && !is_explained)
+        throw needs_too("--latex", "--why, --virtual-work, --force-method, --free-body, --funicular", tr);
     for (std::size_t i = 0; i < outputs.size(); ++i) {
         const auto& [is_given, option, is_of_a_case, has_csv, has_envelope] = outputs[i];
         for (std::size_t j = i + 1; j < outputs.size(); ++j)
@@ -274,10 +263,7 @@ std::string Solve::description(const Model& model, const Results& results, const
                                const ui::Catalogue& tr) const
 {
     const std::string text = femoop::describe(model, results, selection.cases, tr);
-    if (!is_json_) return text;
-    femoop::JsonWriter json;
-    json.begin_object().member("cremona", 1).member("description", text).end();
-    return json.take();
+    return is_json_ ? description_json(text) : text;
 }
 
 std::string Solve::trace(const Model& model, const ui::Catalogue& tr) const
@@ -329,6 +315,7 @@ std::string Solve::virtual_work(const Model& model, const Results& results, cons
             tr("--virtual-work finds displacements: u v w along a member, ux uy uz rx ry rz of a node; for "
                "a force see --why"));
     const auto work = worked_out(model, results, displacement, tr);
+    if (is_latex_) return virtual_work_latex(work, model, tr);
     return is_json_ ? virtual_work_json(work, model) : virtual_work_text(work, model, tr);
 }
 
@@ -338,12 +325,10 @@ std::string Solve::output(const Model& model, const Results& results, const Sele
     if (traced_member_) return trace(model, tr);
     if (asked_number_) return derivation(model, results, tr);
     if (worked_displacement_) return virtual_work(model, results, tr);
-    if (redundants_.are_asked()) {
-        const StepFormat format = is_latex_ ? StepFormat::Latex : is_json_ ? StepFormat::Json : StepFormat::Text;
-        return redundants_.output(model, results, followed_case(model, tr), format, tr);
-    }
-    if (body_.is_asked()) return body_.output(model, results, followed_case(model, tr), is_json_, tr);
-    if (funicular_.is_asked()) return funicular_.output(model, followed_case(model, tr), is_json_, tr);
+    const StepFormat format = is_latex_ ? StepFormat::Latex : is_json_ ? StepFormat::Json : StepFormat::Text;
+    if (redundants_.are_asked()) return redundants_.output(model, results, followed_case(model, tr), format, tr);
+    if (body_.is_asked()) return body_.output(model, results, followed_case(model, tr), format, tr);
+    if (funicular_.is_asked()) return funicular_.output(model, followed_case(model, tr), format, tr);
     if (is_described_) return description(model, results, selection, tr);
     if (!is_json_) return tables(model, results, selection, tr);
     return selection.is_envelope ? femoop::envelope_json(model, results, selection.cases, selection.n_stations)
@@ -353,15 +338,10 @@ std::string Solve::output(const Model& model, const Results& results, const Sele
 void Solve::write_csv(const Model& model, const Results& results, const Selection& selection,
                       const Console& console) const
 {
-    make_folder(*csv_folder_, console.tr());
-    const auto files = selection.is_envelope
-                           ? femoop::envelope_csv(model, results, selection.cases)
-                           : femoop::results_csv(model, results, selection.cases, selection.n_stations);
-    for (const femoop::CsvFile& file : files) {
-        const std::filesystem::path path = std::filesystem::path(*csv_folder_) / file.name;
-        write_file(path, file.text, console.tr());
-        console.message(console.tr()("written: {file}", {{"file", path.string()}}));
-    }
+    write_tables(*csv_folder_,
+                 selection.is_envelope ? femoop::envelope_csv(model, results, selection.cases)
+                                       : femoop::results_csv(model, results, selection.cases, selection.n_stations),
+                 console);
 }
 
 /// Values every curve at its stations once, as any reader of the results does.
@@ -376,78 +356,36 @@ double seconds_to_recover(const Model& model, const Results& results, const Sele
     return watch.lap();
 }
 
-struct Phases {
-    double read = 0.0, recover = 0.0, write = 0.0;
-};
-
-void report_time(const Phases& phases, const femoop::AnalysisStatistics& statistics, bool is_refined,
-                 const Console& console)
-{
-    const ui::Catalogue& tr = console.tr();
-    const auto seconds = [&](const std::string& what, double duration) {
-        std::array<char, 32> number{};
-        static_cast<void>(std::snprintf(number.data(), number.size(), "%12.6f s  ", duration));
-        console.message(femoop::localized(number.data(), tr) + what);
-    };
-    const auto power = [&](const std::string& what, double value) {
-        std::array<char, 32> number{};
-        static_cast<void>(std::snprintf(number.data(), number.size(), "%14.1e  ", value));
-        console.message(femoop::localized(number.data(), tr) + what);
-    };
-    const auto size = [&](const std::string& what, std::size_t n) {
-        const std::string number = std::to_string(n);
-        console.message(std::string(number.size() < 14 ? 14 - number.size() : 0, ' ') + number + "  " + what);
-    };
-    seconds(tr("read"), phases.read);
-    seconds(tr("assemble"), statistics.assemble);
-    seconds(tr("order"), statistics.order);
-    seconds(tr("factor"), statistics.factor);
-    seconds(tr("solve"), statistics.solve);
-    seconds(tr("recover"), phases.recover);
-    seconds(tr("write"), phases.write);
-    size(tr("dofs"), statistics.dofs);
-    size(tr("nonzeros of K (lower triangle)"), statistics.nonzeros);
-    size(tr("nonzeros of its factor"), statistics.factor_nonzeros);
-    if (statistics.factor_operations > 0.0) {
-        power(tr("multiplications of the factorization, predicted"), statistics.factor_operations);
-        power(tr("bytes of memory of the factorization, predicted"), statistics.factor_bytes);
-    }
-    console.message(std::string(14 - std::min<std::size_t>(statistics.solver.size(), 14), ' ') + statistics.solver +
-                    "  " + tr("solver"));
-    if (!is_refined) return;
-    size(tr("corrections of the displacements"), static_cast<std::size_t>(statistics.refinements));
-    power(tr("backward error: the part of any number of K and F by which the displacements are off"),
-          statistics.backward_error);
-}
-
 /// What plane models are not asked for.
-std::optional<std::string_view> Solve::of_members_alone() const
+std::optional<std::string_view> Solve::of_members_alone(const femoop::plane::PlaneModel& model) const
 {
-    if (const auto option = calculation(); option && !traced_member_) return option;
-    if (csv_folder_) return "--csv";
-    if (is_timed_) return "--time";
+    if (const auto option = calculation(); option && !traced_member_ && !is_described_) return option;
     if (is_refined_) return "--refine";
     if (stations_ != std::to_string(femoop::usual_n_stations)) return "--stations";
-    if (units_.are_given()) return "--unit";
     if (solver_trace_.are_given()) return "--trace-solver";
-    if (case_ == "envelope") return "--case envelope";
+    if (case_ == "envelope" && !model.find_case("envelope")) return "--case envelope";
     return std::nullopt;
 }
 
 ExitStatus Solve::solve_plane(femoop::plane::PlaneReading& reading, const femoop::AnalysisOptions& options,
-                              Console& console) const
+                              double seconds_to_read, Console& console) const
 {
     const ui::Catalogue& tr = console.tr();
-    if (const auto option = of_members_alone())
+    if (const auto option = of_members_alone(reading.model))
         throw UsageError(
             tr("{option} is not built yet for plane models; they are solved with --analysis, --case, --at, "
-               "--cut, --cycles, --full, --trace, --json and --solver",
+               "--cut, --cycles, --full, --trace, --describe, --unit, --time, --json, --csv and --solver",
                {{"option", *option}}));
     return plane_.solve({.reading = reading,
                          .file = display_name(file_, tr),
                          .case_name = case_,
                          .is_json = is_json_,
-                         .traced_element = traced_member_},
+                         .traced_element = traced_member_,
+                         .units = units_,
+                         .csv_folder = csv_folder_,
+                         .is_described = is_described_,
+                         .is_timed = is_timed_,
+                         .seconds_to_read = seconds_to_read},
                         options, console);
 }
 
@@ -486,10 +424,11 @@ ExitStatus Solve::run(Console& console)
     funicular_.require_sensible(tr);
     solver_trace_.require_trace(tr);
     const femoop::AnalysisOptions options{.solver = solver_named(solver_, tr), .is_refined = is_refined_};
-    Phases phases;
+    PhaseTimes phases{.has_refinement = is_refined_};
     femoop::Stopwatch watch;
     femoop::AnyReading reading = examine_any(file_, tr);
-    if (auto* plane = std::get_if<femoop::plane::PlaneReading>(&reading)) return solve_plane(*plane, options, console);
+    if (auto* plane = std::get_if<femoop::plane::PlaneReading>(&reading))
+        return solve_plane(*plane, options, watch.lap(), console);
     plane_.require_none(tr);
     auto& members = std::get<femoop::ModelReading>(reading);
     console.report(display_name(file_, tr), members.faults);
@@ -518,7 +457,7 @@ ExitStatus Solve::run(Console& console)
     if (is_timed_) {
         console.flush();
         phases.write = watch.lap();
-        report_time(phases, statistics, is_refined_, console);
+        report_time(phases, statistics, console);
     }
     return ExitStatus::Done;
 }

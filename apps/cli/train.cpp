@@ -178,12 +178,16 @@ void require_searchable(const Question& question, const Model& model, const ui::
     const auto add = [&](const femoop::Train& train) {
         size += static_cast<double>(question.extremes.size()) * femoop::influence::search_size(model, train);
         if (!(size > femoop::influence::most_search_size)) return;
+        const std::string members = std::to_string(femoop::influence::members_of(model, train.path).size());
+        if (train.spacing_ranges.empty())
+            throw UsageError(tr(
+                "{train}: with {axles} axles and {members} members on its path the worst sections would be looked for "
+                "too long. Ask for one section by --member, --at and --component, or leave axles out",
+                {{"train", train.id}, {"axles", std::to_string(train.axles.size())}, {"members", members}}));
         throw UsageError(tr(
             "{train}: {count} spacings vary; with {members} members on its path the worst sections would be looked for "
             "too long. Ask for one section by --member, --at and --component, or let fewer spacings vary",
-            {{"train", train.id},
-             {"count", std::to_string(train.spacing_ranges.size())},
-             {"members", std::to_string(femoop::influence::members_of(model, train.path).size())}}));
+            {{"train", train.id}, {"count", std::to_string(train.spacing_ranges.size())}, {"members", members}}));
     };
     for (const femoop::Train* train : question.trains) add(*train);
     for (const MovingEnvelope* envelope : question.envelopes)
@@ -227,6 +231,9 @@ void Train::answer(const Model& model, Console& console) const
     TrainAnalysis analysis(model);
     const std::vector<TrainResults> all = results(question, analysis);
     console.report(display_name(file_, tr), analysis.warnings());
+    if (asked_.is_asked()) // of all reactions those that are held are among them
+        for (const MovingEffect& effect : question.effects)
+            warn_of_zero_by_support(model, effect, display_name(file_, tr), console);
     console.print(is_json_ ? femoop::influence::trains_json(model, all)
                            : femoop::influence::trains_text(model, all, units_.of_results(model, tr), tr));
 }

@@ -11,13 +11,13 @@
 #include "apps/cli/argument.h"
 #include "apps/cli/model_input.h"
 #include "apps/cli/plane_input.h"
-#include "apps/frame/document/companion/companion_file.h"
 #include "femoop/io/json/json_writer.h"
 #include "femoop/io/plane/plane_verify.h"
 #include "femoop/io/verify.h"
 #include "femoop/model/quantity/number_text.h"
 #include "femoop/plane/analysis/natural_modes.h"
 #include "femoop/plane/analysis/plane_analysis.h"
+#include "ui/files/view_file.h"
 
 namespace cli {
 
@@ -204,7 +204,7 @@ ExitStatus Verify::run(Console& console)
     ExitStatus status = ExitStatus::Done;
     bool is_any_checked = false;
     for (const std::string& file : files_) {
-        if (frame::model_of_companion(file)) {
+        if (ui::model_of_view(file)) {
             console.message(file + ": " + console.tr()("skipped: {reason}", {{"reason", console.tr()("a view file")}}));
             is_any_checked = true;
             continue;

@@ -85,8 +85,9 @@ public:
         const double reach = 0.45 * fit_.scale * std::max(figure_.height(), figure_.width());
         const femoop::PrincipalAxes principal = principal_axes(properties);
         if (std::abs(properties.Iyz) > 1e-9 * properties.Iz) {
-            axis(principal.angle, reach, "1", Role::Warning);
-            axis(principal.angle + 0.5 * pi, reach, "2", Role::Warning);
+            slanting_ = {Axis{principal.angle, reach}, Axis{principal.angle + 0.5 * pi, reach}};
+            axis(slanting_[0].angle, reach, "1", Role::Warning);
+            axis(slanting_[1].angle, reach, "2", Role::Warning);
         }
         painter_.set_layer(ui::Layer::Symbols);
         painter_.disc(fit_.centroid, px(3.5), color(Role::LocalAxes));
@@ -116,15 +117,18 @@ public:
         text({x + px(6), 0.5 * (top.y + under.y)}, value(tf), Anchor::Left);
     }
 
-    /// At the first of these heights where the value beside it lies on no part of the figure.
+    /// At the first of these heights where the value beside it lies on no part of the figure and on no mark of its axes.
     void draw_web(double from, double to, std::initializer_list<double> heights)
     {
         const std::string words = value(to - from);
         const ui::TextExtent extent = painter_.measure(words, style_of(Role::Dimension));
         const ui::Size size{extent.width, extent.height()};
         const auto corner = [&](double y) { return fit_(y, to) + Point{px(18), -0.5 * size.height}; };
-        const auto* const clear = std::ranges::find_if(
-            heights, [&](double y) { return is_clear(ui::box_at(corner(y), size).grown(px(4))); });
+        const auto* const clear = std::ranges::find_if(heights, [&](double y) {
+            const Point tail = fit_(y, from) - Point{px(14), 0};
+            const ui::Box words_at = ui::box_at(corner(y), size).grown(px(4));
+            return is_clear(words_at) && is_off_axes(words_at) && is_off_axes({tail, fit_(y, from)});
+        });
         const double y = clear != heights.end() ? *clear : *heights.begin();
         const Point left = fit_(y, from), right = fit_(y, to);
         arrow(left - Point{px(14), 0}, left);
@@ -158,6 +162,15 @@ private:
             if (is_beside && at.x < a.x + (at.y - a.y) * (b.x - a.x) / (b.y - a.y)) is_inside = !is_inside;
         }
         return !is_inside;
+    }
+    /// Neither the centroid nor a principal axis that slants lies there.
+    bool is_off_axes(const ui::Box& box) const
+    {
+        if (box.grown(px(3.5)).contains(fit_.centroid)) return false;
+        return std::ranges::none_of(slanting_, [&](const Axis& one) {
+            const Point end = one.reach * Point{std::cos(one.angle), -std::sin(one.angle)};
+            return passes(fit_.centroid - end, fit_.centroid + end, box);
+        });
     }
     /// Where the line lies within the box, from one share of its length to another.
     static bool passes(Point a, Point b, const ui::Box& box)
@@ -218,6 +231,10 @@ private:
     const SectionOutline& figure_;
     const Fit& fit_;
     const SectionLook& look_;
+    struct Axis {
+        double angle = 0.0, reach = 0.0;
+    };
+    std::vector<Axis> slanting_; ///< principal axes of a section without symmetry
 };
 
 /// Thicknesses of what is built of plates, while it stands upright.
@@ -280,7 +297,7 @@ void draw_plates(SectionSheet& sheet, const Plates& plates, const SectionOutline
     const double to = plates.web_from + plates.web;
     if (is_round) return sheet.draw_web(plates.web_from, to, {0.0});
     const auto at = [&](double share) { return figure.bottom + share * figure.height(); };
-    sheet.draw_web(plates.web_from, to, {at(0.28), at(0.72), at(0.85)}); // clear of the axes
+    sheet.draw_web(plates.web_from, to, {at(0.28), at(0.72), at(0.6), at(0.85)}); // clear of the axes
 }
 
 } // namespace
@@ -295,7 +312,11 @@ void draw_section(ui::Painter& painter, const femoop::Section& section, const fe
     painter.set_layer(ui::Layer::Background);
     painter.rectangle(sheet, look.theme.background());
     const double beside = section.turned ? 124 : 108; // a broad figure leaves its dimensions no other room
-    const Fit fit(*figure, {sheet.min + k * Point{96, 40}, sheet.max - k * Point{beside, 48}});
+    ui::TextStyle style = look.theme.text(Role::Dimension, Anchor::Right);
+    style.size = k * ui::TypeSizes{}.normal;
+    const std::string height = look.units.text(figure->height(), ui::Measure::SectionLength);
+    const double left = std::max(k * 96, painter.measure(height, style).width + k * 42); // none of it is cut off
+    const Fit fit(*figure, {sheet.min + Point{left, k * 40}, sheet.max - k * Point{beside, 48}});
     draw_area(painter, *figure, fit, look.theme);
     SectionSheet picture(painter, *figure, fit, look);
     const femoop::SectionProperties properties = section_properties(section, file);

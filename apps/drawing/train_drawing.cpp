@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "apps/drawing/sketch/scene.h"
@@ -64,6 +65,7 @@ public:
             x = next;
         }
         draw_forces();
+        write(distances_, Role::Dimension, Anchor::Top);
         draw_direction();
     }
 
@@ -112,29 +114,50 @@ private:
         if (force != 0.0) arrow(force > 0.0 ? top : foot, force > 0.0 ? foot : top, stroke);
     }
 
-    /// Of an axle; of several with one force that are too near for a number each "4 × 80" over their middle.
-    void draw_forces()
+    /// What is written over an axle or below a distance.
+    struct Note {
+        Point at;
+        std::string words;
+    };
+
+    /// From right to left; of several alike that are too near for one each "4 × 80" over their middle. Where there is no
+    /// room beside the one before it is left out.
+    void write(const std::vector<Note>& notes, Role role, Anchor anchor)
     {
-        for (std::size_t i = 0; i < places_.size();) {
+        double free_to = painter_.size().width, height = 0.0; // of the one before
+        for (std::size_t i = 0; i < notes.size();) {
+            const Note& first = notes[i];
             std::size_t last = i;
-            const std::string one = force_text(i);
-            while (last + 1 < places_.size() && force_text(last + 1) == one && touches(one, last)) ++last;
-            const std::string number = last > i ? std::to_string(last - i + 1) + " × " + one : one;
-            const double middle = 0.5 * (places_[i] + places_[last]);
-            text({middle, top_of(i) - px(2)}, number, Role::Load, Anchor::Bottom);
+            while (last + 1 < notes.size() && notes[last + 1].words == first.words &&
+                   touches(notes[last], notes[last + 1]))
+                ++last;
+            const std::string words = last > i ? std::to_string(last - i + 1) + " × " + first.words : first.words;
+            const double middle = 0.5 * (first.at.x + notes[last].at.x);
+            const double half = 0.5 * width_of(words);
+            const bool is_beside = std::abs(first.at.y - height) < look_.theme.type().small;
+            if (!is_beside || middle + half <= free_to) {
+                text({middle, first.at.y}, words, role, anchor);
+                free_to = middle - half - px(4);
+                height = first.at.y;
+            }
             i = last + 1;
         }
     }
-    std::string force_text(std::size_t i) const
-    {
-        return with_minus(look_.units.number(train_.axles[i].value(), Measure::Force));
-    }
-    /// The numbers of an axle and of the next one.
-    bool touches(const std::string& number, std::size_t i) const
+    double width_of(const std::string& words) const
     {
         ui::TextStyle style = look_.theme.text(Role::Load, Anchor::Bottom);
         style.size = look_.theme.type().small;
-        return std::abs(places_[i] - places_[i + 1]) < painter_.measure(number, style).width + px(4);
+        return painter_.measure(words, style).width;
+    }
+    bool touches(const Note& a, const Note& b) const { return std::abs(a.at.x - b.at.x) < width_of(a.words) + px(4); }
+
+    void draw_forces()
+    {
+        std::vector<Note> notes;
+        for (std::size_t i = 0; i < places_.size(); ++i)
+            notes.push_back({{places_[i], top_of(i) - px(2)},
+                             with_minus(look_.units.number(train_.axles[i].value(), Measure::Force))});
+        write(notes, Role::Load, Anchor::Bottom);
     }
     double top_of(std::size_t i) const
     {
@@ -152,14 +175,14 @@ private:
             painter_.line({end, y - px(4)}, {end, y + px(4)}, stroke);
             painter_.line({end - px(3), y + px(3)}, {end + px(3), y - px(3)}, stroke);
         }
-        std::string length = look_.units.number(gap.least, Measure::Length);
         if (gap.varies()) {
-            length += " … " + look_.units.number(gap.most, Measure::Length);
             stroke.dash = {4.0, 3.0};
             painter_.line({farthest, y}, {to, y}, stroke);
             painter_.line({farthest, ground_ - 2.0 * wheel()}, {farthest, y + px(4)}, stroke);
         }
-        text({0.5 * (from + to), y + px(4)}, length, Role::Dimension, Anchor::Top);
+        std::string length = look_.units.number(gap.least, Measure::Length);
+        if (gap.varies()) length += " … " + look_.units.number(gap.most, Measure::Length);
+        distances_.push_back({{0.5 * (from + to), y + px(4)}, std::move(length)});
     }
 
     /// Over the whole length, or before and behind what it leaves free beside the axles.
@@ -206,8 +229,9 @@ private:
     const Train& train_;
     const TrainLook& look_;
     std::vector<Gap> gaps_;
-    std::vector<double> places_; ///< of the axles that are drawn
-    double free_ = 0.0;          ///< length beside the outer axles that the uniform load leaves out
+    std::vector<double> places_;  ///< of the axles that are drawn
+    std::vector<Note> distances_; ///< between them
+    double free_ = 0.0;           ///< length beside the outer axles that the uniform load leaves out
     double length_ = 0.0, largest_ = 0.0, scale_ = 0.0, ground_ = 0.0;
 };
 

@@ -17,7 +17,7 @@ STANDARD = re.compile(r"[a-z_0-9]+$")  # <vector>, <cmath>: no slash and no ".h"
 EIGEN = re.compile(r"Eigen/")
 JSON = re.compile(r"nlohmann/")
 SPARSE = re.compile(r"(suitesparse/)?(cholmod|SuiteSparse_config|cblas|metis)")
-FONTS_AND_CAIRO = re.compile(r"cairo|ft2build|freetype/|fontconfig/|png\.h$")
+FONTS_AND_IMAGES = re.compile(r"cairo|ft2build|freetype/|fontconfig/|png\.h$|turbojpeg\.h$")
 WINDOW = re.compile(r"(imgui|imstb_|GLFW/|GL/|EGL/|GLES)")
 OPTIONS = re.compile(r"CLI/")
 SYSTEM = re.compile(r"(dlfcn|fcntl|spawn|unistd|windows)\.h$|sys/")
@@ -61,10 +61,11 @@ ALLOWED = {
     "femoop/io": ["femoop/", EIGEN, JSON, SYSTEM],
     **{f"femoop/{folder}": [f"femoop/{folder}/", *below, EIGEN] for folder, below in FEMOOP.items()},
     "femoop/solver": [NUMBERS, ALGEBRA, EIGEN, SPARSE, SYSTEM, BROWSER],
-    "ui": ["ui/", "femoop/tabular/", "femoop/files/", WINDOW, FONTS_AND_CAIRO, SYSTEM],
+    "ui": ["ui/", "femoop/tabular/", "femoop/files/", WINDOW, FONTS_AND_IMAGES, SYSTEM],
     "ui/context/web": ["ui/", WINDOW, BROWSER],
     "ui/app": ["ui/", "femoop/files/", WINDOW, OPTIONS],
-    "ui/paint": ["ui/paint/", "femoop/files/", FONTS_AND_CAIRO],
+    "ui/paint": ["ui/paint/", "femoop/files/", FONTS_AND_IMAGES],
+    "ui/paint/web": ["ui/paint/", BROWSER],
     "ui/canvas": ["ui/canvas/", "ui/paint/"],
     "ui/history": UI_BASE,
     "ui/command": UI_BASE,
@@ -80,7 +81,8 @@ DRAWING = "apps/drawing/"
 DRAWING_ALLOWED = [DRAWING, "femoop/", *UI_BASE, "ui/paint/", "ui/canvas/", EIGEN]
 DRAWING_VALUES = re.compile(r"apps/drawing/(\w+)\.h$")  # what a picture shows: sets, parts, dimension lines
 APP_ALLOWED = ["topology/", "femoop/", "ui/", DRAWING, EIGEN, SYSTEM]
-APP_DOCUMENT_ALLOWED = ["topology/", "femoop/", *UI_BASE, DRAWING_VALUES, EIGEN]  # tests drive it without a screen
+VIEW_FILE = "ui/files/view_file.h"  # where what belongs to a picture stands
+APP_DOCUMENT_ALLOWED = ["topology/", "femoop/", *UI_BASE, VIEW_FILE, DRAWING_VALUES, EIGEN]  # tests drive it without a screen
 APP_VIEW_ALLOWED = [*APP_DOCUMENT_ALLOWED, DRAWING, "ui/paint/", "ui/canvas/"]  # draws through the Painter only
 CLI_ALLOWED = [*APP_ALLOWED, "apps/", OPTIONS, JSON]
 BORROWED = {
@@ -89,7 +91,7 @@ BORROWED = {
     "plane": ["apps/mohr/view/"],  # Mohr's circle is drawn in one way only
 }
 # What is wrong with a structure is said in one way in every picture too.
-VIEW_BORROWED = {"cross": ["apps/frame/document/fault/"], "plane": ["apps/plane/discretize/", "apps/mohr/view/"]}
+VIEW_BORROWED = {"cross": ["apps/frame/document/fault/"], "plane": ["apps/plane/backdrop/", "apps/plane/discretize/", "apps/mohr/view/"]}
 APP_WINDOW_PART = re.compile(r"window/|panels?[/_.]|main\.cpp$")
 
 
@@ -103,9 +105,11 @@ def rule(path):
             return CLI_ALLOWED
         inside = path.removeprefix(f"apps/{app}/")
         if inside.startswith("document"):
-            return [*APP_DOCUMENT_ALLOWED, f"apps/{app}/document", f"apps/{app}/discretize", f"apps/{app}/outline"]
+            return [*APP_DOCUMENT_ALLOWED, *(f"apps/{app}/{part}" for part in ("document", "backdrop", "discretize", "outline"))]
         if inside.startswith("outline"):  # reads files of other programs
             return ["topology/", "femoop/", EIGEN, XML, f"apps/{app}/outline"]
+        if inside.startswith("backdrop"):  # images of photographs, and where they are kept
+            return ["topology/", "femoop/", *UI_BASE, "ui/files/", "ui/paint/image.h", "ui/paint/photo_file.h", f"apps/{app}/backdrop"]
         if inside.startswith("view"):
             own = [f"apps/{app}/document", f"apps/{app}/predict", f"apps/{app}/view"]
             return [*APP_VIEW_ALLOWED, *own, *VIEW_BORROWED.get(app, [])]

@@ -91,6 +91,15 @@ TEST_CASE("In a small window on the projector the words on an empty sheet go on 
                  {600, 500}) == "");
 }
 
+TEST_CASE("In a wide window on the projector the structure has the room over a table, and the legend steps aside")
+{
+    CHECK(
+        played(
+            "command file.open examples/portal.json\nkey F5\nwait 0.2\nexpect drawn \"Portal frame with fixed bases\"\n"
+            "key F4\nwait 0.2\nexpect not drawn \"Portal frame with fixed bases\"\nexpect drawn \"58.52\"\n",
+            {1600, 950}) == "");
+}
+
 TEST_CASE("Every frame of a scenario can be kept for a film")
 {
     const Folder folder;

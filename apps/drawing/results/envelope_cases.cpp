@@ -24,7 +24,7 @@ std::vector<femoop::CaseId> envelope_cases(const femoop::Model& model, const Dra
 
 std::string governed(const std::string& number, const std::string& case_name)
 {
-    constexpr std::size_t longest_name = 16; // letters
+    constexpr std::size_t longest_name = 28; // letters: a combination of a code with three actions
     return number + " (" + ui::shortened(case_name, longest_name) + ")";
 }
 

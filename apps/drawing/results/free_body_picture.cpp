@@ -1,8 +1,10 @@
 #include "apps/drawing/results/free_body_picture.h"
 
 #include "apps/drawing/loads/forces.h"
+#include "apps/drawing/structure/members.h"
 #include "femoop/result/components.h"
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 
@@ -43,8 +45,8 @@ public:
     {
         for (const Piece& piece : picture_.lifted.body.pieces) draw_piece(piece);
         const ui::LayerScope layer(scene_.sketch.painter(), ui::Layer::Symbols);
-        for (const femoop::NodeId node : picture_.lifted.body.nodes) draw_node(node);
         for (const Force& force : picture_.lifted.forces) draw_force(force);
+        for (const femoop::NodeId node : picture_.lifted.body.nodes) draw_node(node);
         if (picture_.ritter) draw_lines_to(picture_.lifted.ritter_points[*picture_.ritter]);
         for (const RitterPoint& point : picture_.lifted.ritter_points) draw_ritter_point(point);
         draw_moment_point();
@@ -60,7 +62,11 @@ private:
     void draw_node(femoop::NodeId node)
     {
         const ui::Point place = at(scene_.shape[node]);
-        scene_.sketch.disc(place, scene_.sketch.px(4.0), scene_.sketch.theme().fill(ui::Role::Node));
+        for (const femoop::MemberId member : scene_.shape.members_at[node.index])
+            for (const std::size_t end : {0U, 1U})
+                if (scene_.model[member].nodes.at(end) == node && is_end_drawn(member, end))
+                    draw_end_joint(scene_, member, end, picture_.aside);
+        draw_node_joint(scene_, node, picture_.aside);
         scene_.sketch.caption({.text = scene_.model[node].id,
                                .role = ui::Role::Label,
                                .target = place,
@@ -86,7 +92,7 @@ private:
         const Vector3d direction = value < 0.0 ? Vector3d(-axis) : axis;
         const ArrowAt touches = touching_end(force, direction);
         drawing::draw_force(
-            scene_, {.at = force.at + picture_.aside,
+            scene_, {.at = force.at + beside_member(force, direction) + picture_.aside,
                      .direction = direction,
                      .length = scene_.sketch.px(38.0),
                      .touches = touches,
@@ -94,7 +100,28 @@ private:
                      .text = named(component, scene_.text(std::abs(value), ui::Measure::Force)) +
                              (component == MemberComponent::N ? sense(value) : ""),
                      .role = role_of(force.kind),
-                     .text_side = side_of_slanting(touches == ArrowAt::Head ? Vector3d(-direction) : direction)});
+                     .text_side = text_side(force, touches == ArrowAt::Head ? Vector3d(-direction) : direction)});
+    }
+
+    /// How far off its place a load along a member is drawn that leaves it no other side.
+    Vector3d beside_member(const Force& force, const Vector3d& direction) const
+    {
+        constexpr double apart = 9.0; // [px]
+        const bool has_room = force.kind == ForceKind::SectionForces || !is_taken(force.at, direction) ||
+                              !is_taken(force.at, -direction);
+        if (has_room) return Vector3d::Zero();
+        return scene_.sketch.px(apart) / scene_.projection.scale() *
+               scene_.projection.toward_eye().cross(direction).normalized();
+    }
+
+    /// Of an arrow across a stub beyond its section, so that it stands off the members beside.
+    std::optional<ui::Point> text_side(const Force& force, const Vector3d& away) const
+    {
+        const auto slanting = side_of_slanting(away);
+        if (slanting || force.kind != ForceKind::SectionForces || has_piece(*force.member)) return slanting;
+        const ui::Point across = scene_.projection.direction(away), out = scene_.projection.direction(outward(force));
+        if (std::abs(dot(across, out)) > 0.5) return std::nullopt;
+        return across + out;
     }
 
     /// Beyond the end of an arrow that slants its value would stand far off: above or below it.
@@ -121,21 +148,44 @@ private:
     /// unless it has an axial force alone.
     void draw_stub(Force& section)
     {
-        const double near = 1e-6 * scene_.shape.size;
-        const auto is_here = [&](const Vector3d& place) { return (place - section.at).norm() < near; };
-        const Body& body = picture_.lifted.body;
-        const bool is_at_node = std::ranges::any_of(body.nodes,
-                                                    [&](femoop::NodeId node) { return is_here(scene_.shape[node]); });
-        const bool has_piece = std::ranges::any_of(body.pieces,
-                                                   [&](const Piece& piece) { return piece.member == *section.member; });
-        const femoop::SectionForces& s = section.section;
-        const bool is_bar = std::hypot(s.Vy, s.Vz) <= negligible * largest_ &&
-                            std::hypot(s.T, s.My, s.Mz) <= negligible * largest_ * scene_.shape.size;
-        if (!is_at_node || has_piece || is_bar) return;
+        if (!has_stub(section)) return;
         const Vector3d face = section.at + scene_.sketch.px(84.0) / scene_.projection.scale() * outward(section);
         scene_.sketch.line(at(section.at), at(face), scene_.sketch.stroke(ui::Role::Member));
         section.at = face;
     }
+
+    bool has_stub(const Force& section) const
+    {
+        const Body& body = picture_.lifted.body;
+        const bool is_at_node = std::ranges::any_of(
+            body.nodes, [&](femoop::NodeId node) { return is_near(scene_.shape[node], section.at); });
+        const femoop::SectionForces& s = section.section;
+        const bool is_bar = std::hypot(s.Vy, s.Vz) <= negligible * largest_ &&
+                            std::hypot(s.T, s.My, s.Mz) <= negligible * largest_ * scene_.shape.size;
+        return is_at_node && !has_piece(*section.member) && !is_bar;
+    }
+    bool has_piece(femoop::MemberId member) const
+    {
+        return std::ranges::any_of(picture_.lifted.body.pieces,
+                                   [&](const Piece& piece) { return piece.member == member; });
+    }
+
+    /// Is a part of the member drawn there, a piece of it or a stub?
+    bool is_end_drawn(femoop::MemberId member, std::size_t end) const
+    {
+        const MemberShape& shape = scene_.shape[member];
+        const Vector3d& place = end == 0 ? shape.start : shape.end;
+        const bool is_in_body = std::ranges::any_of(picture_.lifted.body.pieces, [&](const Piece& piece) {
+            return piece.member == member && is_near(shape.at(end == 0 ? piece.from : piece.to), place);
+        });
+        return is_in_body || std::ranges::any_of(picture_.lifted.forces, [&](const Force& force) {
+                   return force.kind == ForceKind::SectionForces && force.member == member &&
+                          is_near(force.at, place) && has_stub(force);
+               });
+    }
+
+    double near() const { return 1e-6 * scene_.shape.size; }
+    bool is_near(const Vector3d& a, const Vector3d& b) const { return (a - b).norm() < near(); }
 
     Vector3d outward(const Force& section) const
     {
@@ -147,7 +197,7 @@ private:
     {
         constexpr double alike = 0.9;
         return std::ranges::any_of(picture_.lifted.forces, [&](const Force& other) {
-            return other.kind == ForceKind::SectionForces && (other.at - place).norm() < 1e-6 * scene_.shape.size &&
+            return other.kind == ForceKind::SectionForces && is_near(other.at, place) &&
                    outward(other).dot(way) > alike;
         });
     }
@@ -158,8 +208,24 @@ private:
     {
         if (force.kind == ForceKind::SectionForces)
             return direction.dot(outward(force)) < -0.5 ? ArrowAt::Head : ArrowAt::Tail;
-        const bool goes_beyond = has_cut_toward(force.at, -direction) && !has_cut_toward(force.at, direction);
+        const bool goes_beyond = is_taken(force.at, -direction) && !is_taken(force.at, direction);
         return goes_beyond ? ArrowAt::Tail : ArrowAt::Head;
+    }
+
+    /// Does a part of the body, or a section's force, go this way from that place?
+    bool is_taken(const Vector3d& place, const Vector3d& way) const
+    {
+        return has_cut_toward(place, way) || std::ranges::any_of(picture_.lifted.body.pieces, [&](const Piece& piece) {
+                   return goes_toward(piece, place, way);
+               });
+    }
+    bool goes_toward(const Piece& piece, const Vector3d& place, const Vector3d& way) const
+    {
+        constexpr double alike = 0.9;
+        const MemberShape& member = scene_.shape[piece.member];
+        const double x = member.x().dot(place - member.start), along = member.x().dot(way);
+        return is_near(member.at(x), place) && ((along > alike && x > piece.from - near() && x < piece.to - near()) ||
+                                                (along < -alike && x < piece.to + near() && x > piece.from + near()));
     }
 
     /// The arrow has the sign; of an axial force the letter says it too, as along the bars of a truss.

@@ -5,8 +5,10 @@
 #include "femoop/load/place_along.h"
 #include "femoop/methods/influence/effect_name.h"
 #include "femoop/methods/influence/load_components.h"
+#include "femoop/methods/influence/usual_path.h"
 #include "femoop/result/components.h"
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -95,6 +97,23 @@ private:
     double begin_, end_;
     std::vector<const LinePiece*> pieces_; ///< \pre at least one
 };
+
+constexpr std::array shares_of_piece{0.0, 0.25, 0.5, 0.75, 1.0}; // where a motion is looked at
+
+/// The farthest that a place of the structure moves while the line is drawn by it.
+double largest_motion(const InfluencePicture& picture)
+{
+    double largest = 0.0;
+    for (const femoop::influence::MemberMotion& motion : picture.motion)
+        for (const MotionPiece& piece : motion)
+            for (const double share : shares_of_piece) {
+                const auto along = [&](LocalAxis axis) {
+                    return piece.along[femoop::index(axis)](share * piece.length());
+                };
+                largest = std::max(largest, std::hypot(along(LocalAxis::x), along(LocalAxis::y), along(LocalAxis::z)));
+            }
+    return largest;
+}
 
 /// Draws one line and what stands on it.
 class InfluenceDrawing {
@@ -202,7 +221,7 @@ private:
 
     void draw_moved() const
     {
-        if (picture_.motion.empty()) return;
+        if (picture_.motion.empty() || !scale_.shows_motion) return;
         const double opened = 0.5 * (1.0 + scene_.state.phase); // the release opens and closes, never the other way
         const double factor = scale_.pixels_per_unit / scene_.projection.scale() * opened;
         ui::Stroke stroke = sketch().thin(ui::Role::Deformed);
@@ -237,7 +256,7 @@ private:
     {
         constexpr double near = 1.5; // [px]
         return std::ranges::all_of(motion, [&](const MotionPiece& piece) {
-            return std::ranges::all_of(std::array{0.0, 0.25, 0.5, 0.75, 1.0}, [&](double share) {
+            return std::ranges::all_of(shares_of_piece, [&](double share) {
                 const double t = share * piece.length();
                 return ui::distance(moved(member, piece, t, factor), moved(member, piece, t, 0.0)) < near;
             });
@@ -286,7 +305,12 @@ InfluenceScale influence_scale(const Scene& scene, const InfluencePicture& pictu
     InfluenceScale scale{.largest = picture.line.ordinates.largest()};
     if (!(scale.largest > 0.0)) return scale;
     constexpr double share = 0.2;
-    scale.pixels_per_unit = ordinate_height(scene, share, panel) * scene.options.diagram_factor / scale.largest;
+    constexpr double most_motion = 2.0;   // ordinate heights: a frame that sways would leave the sheet
+    constexpr double most_of_line = 10.0; // and what moves farther would leave the line flat
+    const double moved = largest_motion(picture);
+    scale.shows_motion = moved <= most_of_line * scale.largest;
+    const double shown = scale.shows_motion ? std::max(scale.largest, moved / most_motion) : scale.largest;
+    scale.pixels_per_unit = ordinate_height(scene, share, panel) * scene.options.diagram_factor / shown;
     return scale;
 }
 
@@ -396,7 +420,24 @@ std::string_view released_by(const MovingEffect& effect)
 
 } // namespace
 
-std::string principle(const MovingEffect& effect, const ui::Catalogue& tr) { return tr(released_by(effect)); }
+std::string principle(const femoop::Model& model, const MovingEffect& effect, const ui::Catalogue& tr)
+{
+    return zero_by_support(model, effect, tr).value_or(tr(released_by(effect)));
+}
+
+std::optional<std::string> zero_by_support(const femoop::Model& model, const MovingEffect& effect,
+                                           const ui::Catalogue& tr)
+{
+    const std::string component = femoop::influence::component_name(model.analysis, effect);
+    if (femoop::influence::is_unheld_reaction(model, effect))
+        return tr(
+            "The support of node {node} does not hold {component}: this reaction is zero wherever the load stands.",
+            {{"node", model[*effect.node].id}, {"component", component}});
+    if (const auto node = femoop::influence::holding_support(model, effect))
+        return tr("The support of node {node} holds {component}: this displacement is zero wherever the load stands.",
+                  {{"node", model[*node].id}, {"component", component}});
+    return std::nullopt;
+}
 
 ui::Role role_of(const MovingEffect& effect)
 {

@@ -29,10 +29,11 @@ struct InfluencePicture {
     std::vector<std::string> sentences{}; ///< for the foot of the sheet, the first one in bold
 };
 
-/// A line at a height that suits the panel.
+/// A line at a height that suits the panel, and keeps the motion behind it on the sheet.
 struct InfluenceScale {
     double largest = 0.0;         ///< |ordinate|
     double pixels_per_unit = 0.0; ///< of the ordinates
+    bool shows_motion = true;     ///< false where the structure moves so much farther that the line would be flat
 };
 InfluenceScale influence_scale(const Scene& scene, const InfluencePicture& picture, ui::Size panel);
 
@@ -66,8 +67,13 @@ std::string areas_text(const ui::DisplayUnits& units, const InfluencePicture& pi
 /// M(BC, 38.57 ft), fy(A)
 std::string effect_text(const femoop::Model& model, const ui::DisplayUnits& units, const femoop::MovingEffect& effect);
 
-/// What moves, and by how much, so that the path moves by the line: a sentence for the foot of the sheet.
-std::string principle(const femoop::MovingEffect& effect, const ui::Catalogue& tr);
+/// What moves, and by how much, so that the path moves by the line: a sentence for the foot of the sheet. Where the
+/// support makes it zero, that it does.
+std::string principle(const femoop::Model& model, const femoop::MovingEffect& effect, const ui::Catalogue& tr);
+/// Why a support makes an effect zero wherever the load stands: it does not hold this reaction, or it holds this
+/// displacement. Nothing where none does.
+std::optional<std::string> zero_by_support(const femoop::Model& model, const femoop::MovingEffect& effect,
+                                           const ui::Catalogue& tr);
 
 ui::Role role_of(const femoop::MovingEffect& effect);
 /// The diagram or result that the effect is read from in a case.

@@ -37,7 +37,9 @@ public:
 
     std::vector<std::string> line() const
     {
+        const femoop::MovingEffect& effect = picture_.line.effect;
         const auto& ordinates = picture_.line.ordinates;
+        if (const auto why = zero_by_support(model_, effect, tr())) return {why->substr(0, why->rfind('.'))};
         if (!(ordinates.largest() > 0.0)) return {tr()("zero everywhere")};
         const double rounding = written_as_zero * ordinates.largest();
         std::vector<std::string> lines;
@@ -50,12 +52,16 @@ public:
 
     std::vector<std::string> loads(const StandingTrain& standing) const
     {
+        constexpr std::size_t most_told = 12;
         std::vector<std::string> lines;
         for (const auto& force : picture_.forces)
             lines.push_back(tr()("{force} at s = {place}, ordinate {ordinate}",
                                  {{"force", with_minus(units_.text(force.force, ui::Measure::Force))},
                                   {"place", length(force.s)},
                                   {"ordinate", ordinate_text(units_, unit_, force.ordinate)}}));
+        if (lines.size() > most_told)
+            lines = {lines.front(), tr()("{count} more between them", {{"count", std::to_string(lines.size() - 2)}}),
+                     lines.back()};
         for (const femoop::influence::Stretch& on : standing.placing.uniform)
             lines.push_back(
                 tr()("{load} on s = {from} to {to}",

@@ -107,7 +107,7 @@ std::vector<std::string> trace_sentences(const femoop::Model& model, const DrawO
                     {"ordinate", ordinate_text(units, ordinate_unit(units, picture), load.ordinate)}})};
     if (picture.traced)
         sentences.push_back(options.tr("Move the load along the path: it draws the line, place by place."));
-    else sentences.push_back(principle(picture.line.effect, options.tr));
+    else sentences.push_back(principle(model, picture.line.effect, options.tr));
     return sentences;
 }
 

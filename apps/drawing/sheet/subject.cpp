@@ -220,7 +220,8 @@ private:
             if (part > 1)
                 heads_.back().note += " · " + scene_.options.tr("before: to 1/{count} of this scale",
                                                                 {{"count", std::to_string(part)}});
-            if (item == Show::M && has_overlay()) draw_overlay_beside(solved, drawn.front());
+            const bool is_of_moments = item == Show::M && input_.influence == nullptr;
+            if (is_of_moments && has_overlay()) draw_overlay_beside(solved, drawn.front());
         }
         if (scene_.shows(Show::Thrust)) heads_.push_back(thrust_head(scene_, draw_thrust(scene_, solved)));
         if (!scene_.shows(Show::Deformed)) return;
@@ -913,8 +914,7 @@ std::vector<Subject::FootText> Subject::wrapped_foot(const std::vector<FootText>
     std::vector<FootText> lines;
     for (const FootText& one : sentences)
         for (const std::string& line : ui::wrapped_lines(fonts, one.text, foot_style(one), sheet.width - 32.0))
-            lines.push_back(
-                {.text = line, .role = one.role, .weight = lines.empty() ? one.weight : ui::Weight::Regular});
+            lines.push_back({.text = line, .role = one.role, .weight = one.weight});
     if (!input_.reasons.empty()) cut_short(lines, 1.4 * theme_.type().normal, sheet.height);
     return lines;
 }

@@ -13,6 +13,7 @@ namespace {
 constexpr double same_place = 14.0;      // [px] within which one string stands for two
 constexpr double crowded_reach = 20.0;   // [px]: farther off nobody could tell which of many parts is meant
 constexpr double near_reach = 14.0;      // [px]: without a leader
+constexpr double long_label = 13.0;      // of its height: with a name behind its number
 constexpr std::size_t most_letters = 60; // of a caption: longer names would push the structure off the sheet
 
 /// Middle of a box whose border lies `gap` from the target, seen along `toward`.
@@ -21,7 +22,10 @@ ui::Point center_beside(ui::Point target, ui::Point toward, double gap, ui::Size
     const ui::Point d = ui::direction(toward);
     // The box touches the target's gap with its nearest side or corner.
     const double half = std::abs(d.x) * 0.5 * size.width + std::abs(d.y) * 0.5 * size.height;
-    return target + (gap + half) * d;
+    const ui::Point center = target + (gap + half) * d;
+    if (size.width < long_label * size.height || std::abs(d.y) < 0.5) return center;
+    // A long one would float far above what it speaks of: it slides along there instead.
+    return target + ui::Point{0.5 * size.width * d.x, std::copysign(gap + 0.5 * size.height, d.y)};
 }
 
 ui::Point turned(ui::Point d, double angle)

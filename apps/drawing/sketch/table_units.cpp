@@ -12,7 +12,8 @@ femoop::ResultUnits table_units(const ui::DisplayUnits& units)
             .displacement = unit(ui::Measure::Displacement),
             .rotation = unit(ui::Measure::Rotation),
             .force = unit(ui::Measure::Force),
-            .moment = unit(ui::Measure::Moment)};
+            .moment = unit(ui::Measure::Moment),
+            .stress = unit(ui::Measure::Stress)};
 }
 
 } // namespace drawing

@@ -128,36 +128,41 @@ void draw_end(const Scene& scene, End end)
     for (const femoop::Spring& spring : end.joint.springs) draw_end_spring(scene, end, spring);
 }
 
-void draw_ends(const Scene& scene, femoop::MemberId id)
+} // namespace
+
+void draw_end_joint(const Scene& scene, femoop::MemberId id, std::size_t end, const Eigen::Vector3d& aside)
 {
     const femoop::Member& member = scene.model[id];
     const MemberShape& shape = scene.shape[id];
-    const bool is_pinned = member.bar && !femoop::is_truss(scene.model.analysis);
-    const double gap = scene.sketch.px(4.0);
-    const auto gap_at = [&](femoop::NodeId node) {
-        return scene.model[node].hinge ? gap + scene.sketch.px(hinge_radius) : gap;
-    };
-    const auto draw_at = [&](const femoop::MemberEnd& joint, femoop::NodeId node, const SymbolFrame& frame) {
-        draw_end(scene, {joint, frame, gap_at(node), is_pinned && !scene.model[node].hinge});
-    };
-    draw_at(member.start, member.nodes[0], scene.projection.frame(shape.start, shape.x(), shape.y()));
-    draw_at(member.end, member.nodes[1], scene.projection.frame(shape.end, -shape.x(), shape.y()));
+    const bool is_start = end == 0, is_hinge = scene.model[member.nodes.at(end)].hinge;
+    const bool is_pinned = member.bar && !femoop::is_truss(scene.model.analysis) && !is_hinge;
+    const double gap = scene.sketch.px(is_hinge ? 4.0 + hinge_radius : 4.0);
+    const Eigen::Vector3d at = (is_start ? shape.start : shape.end) + aside,
+                          along = is_start ? shape.x() : Eigen::Vector3d(-shape.x());
+    draw_end(scene,
+             {is_start ? member.start : member.end, scene.projection.frame(at, along, shape.y()), gap, is_pinned});
 }
 
-} // namespace
+void draw_node_joint(const Scene& scene, femoop::NodeId node, const Eigen::Vector3d& aside)
+{
+    const ui::Point place = scene.projection(scene.shape[node] + aside);
+    const bool is_truss = femoop::is_truss(scene.model.analysis);
+    if (is_truss || scene.model[node].hinge) draw_ring(scene, place, scene.sketch.px(is_truss ? 3.6 : hinge_radius));
+    else scene.sketch.disc(place, scene.sketch.px(3.0), scene.sketch.theme().fill(ui::Role::Node));
+}
 
 void draw_joints(const Scene& scene)
 {
     const ui::LayerScope layer(scene.sketch.painter(), ui::Layer::Symbols);
-    const bool is_truss = femoop::is_truss(scene.model.analysis);
-    for (std::size_t i = 0; i < scene.model.members.size(); ++i) draw_ends(scene, femoop::MemberId{i});
-    for (std::size_t i = 0; i < scene.model.nodes.size(); ++i) {
-        const femoop::NodeId node{i};
-        if (is_truss || scene.model[node].hinge)
-            draw_ring(scene, scene.place(node), scene.sketch.px(is_truss ? 3.6 : hinge_radius));
-        else if (!scene.detail.is_reduced() || scene.shape.members_at[i].empty()) // under slim members none is seen
-            scene.sketch.disc(scene.place(node), scene.sketch.px(3.0), scene.sketch.theme().fill(ui::Role::Node));
-    }
+    const Eigen::Vector3d here = Eigen::Vector3d::Zero();
+    for (std::size_t i = 0; i < scene.model.members.size(); ++i)
+        for (const std::size_t end : {0U, 1U}) draw_end_joint(scene, femoop::MemberId{i}, end, here);
+    const auto is_seen = [&](femoop::NodeId node) { // under slim members no dot is
+        return femoop::is_truss(scene.model.analysis) || scene.model[node].hinge || !scene.detail.is_reduced() ||
+               scene.shape.members_at[node.index].empty();
+    };
+    for (std::size_t i = 0; i < scene.model.nodes.size(); ++i)
+        if (is_seen(femoop::NodeId{i})) draw_node_joint(scene, femoop::NodeId{i}, here);
 }
 
 } // namespace drawing

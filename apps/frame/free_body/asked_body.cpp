@@ -6,6 +6,7 @@
 #include <iterator>
 #include <utility>
 
+#include "apps/drawing/sketch/counted_units.h"
 #include "femoop/geometry/plane_vectors.h"
 #include "femoop/io/free_body/free_body_text.h"
 
@@ -19,7 +20,8 @@ using namespace femoop::free_body;
 using femoop::cross_product;
 
 // Of the structure's size, what is left free between it and a body.
-constexpr double share_aside = 0.35, share_beside_cut = 0.22;
+constexpr double share_aside = 0.35, share_beside_cut = 0.22,
+                 share_of_stubs = 0.6; ///< which a node has all around it
 
 /// Where a line crosses members, and the nodes of these on its left.
 struct Crossed {
@@ -75,6 +77,16 @@ std::optional<std::size_t> at_place(const std::vector<RitterPoint>& points, cons
     const auto found = std::ranges::find(points, place, &RitterPoint::at);
     if (found == points.end()) return std::nullopt;
     return static_cast<std::size_t>(found - points.begin());
+}
+
+/// Its equations, and the force of the bar whose Ritter point moments are taken about.
+std::vector<std::string> sentences(const FreeBody& body, const Vector3d& about, std::optional<std::size_t> ritter,
+                                   const femoop::Model& model, const ui::Catalogue& tr)
+{
+    std::vector<std::string> lines = equation_lines(body, model, about, tr);
+    if (ritter)
+        std::ranges::move(ritter_lines(body, model, body.ritter_points[*ritter], tr), std::back_inserter(lines));
+    return lines;
 }
 
 } // namespace
@@ -155,16 +167,18 @@ Body AskedBody::body(const femoop::Model& model) const
 Vector3d AskedBody::aside(const femoop::Model& model, const Body& body) const
 {
     const femoop::Discretisation structure = discretise(model);
-    const double size = (line_ ? share_beside_cut : share_aside) * structure.size();
+    const double share = line_ ? share_beside_cut : node_.empty() ? share_aside : share_of_stubs;
     Eigen::AlignedBox3d box;
     for (const Vector3d& position : structure.positions) box.extend(position);
-    return way_out(box, box_around(structure, body), femoop::is_plane(model.analysis) ? 1 : 2, size);
+    return way_out(box, box_around(structure, body), femoop::is_plane(model.analysis) ? 1 : 2,
+                   share * structure.size());
 }
 
 const drawing::FreeBodyPicture* AskedBody::picture(const femoop::Model& model, const femoop::Results& results,
                                                    std::uint64_t generation, const drawing::DrawOptions& options) const
 {
-    const Subject subject{generation, options.load_case, options.tr.language()};
+    const drawing::CountedUnits units = drawing::counted_units(model, options);
+    const Subject subject{generation, options.load_case, options.tr.language(), units.units};
     if (subject_ == subject) return last();
     subject_ = subject;
     picture_.reset();
@@ -172,11 +186,9 @@ const drawing::FreeBodyPicture* AskedBody::picture(const femoop::Model& model, c
     if (body.is_empty() || options.load_case.index >= results.n_cases()) return nullptr;
     FreeBody lifted = lift_out(model, results, options.load_case, body);
     const Vector3d about = about_.value_or(usual_moment_point(lifted, model));
-    std::vector<std::string> equations = equation_lines(lifted, model, about, options.tr);
     const auto ritter = at_place(lifted.ritter_points, about);
-    if (ritter)
-        std::ranges::move(ritter_lines(lifted, model, lifted.ritter_points[*ritter], options.tr),
-                          std::back_inserter(equations));
+    std::vector<std::string> equations = sentences(scaled(lifted, units.length, units.force), units.length * about,
+                                                   ritter, counted_in(units, model), options.tr);
     picture_ = drawing::FreeBodyPicture{.lifted = std::move(lifted),
                                         .aside = aside(model, body),
                                         .about = about,

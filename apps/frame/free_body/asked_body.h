@@ -62,6 +62,7 @@ private:
         std::uint64_t generation;
         femoop::CaseId load_case;
         ui::Language language;
+        femoop::Units units; ///< of its equations
 
         friend bool operator==(const Subject&, const Subject&) = default;
     };

@@ -5,6 +5,7 @@
 #include <utility>
 #include <variant>
 
+#include "apps/drawing/sketch/counted_units.h"
 #include "femoop/io/funicular/funicular_text.h"
 
 namespace frame {
@@ -96,7 +97,8 @@ Funicular AskedFunicular::funicular() const
 const drawing::FunicularPicture* AskedFunicular::picture(const femoop::Model& model, std::uint64_t generation,
                                                          const drawing::DrawOptions& options) const
 {
-    const Subject subject{generation, options.load_case, options.tr.language()};
+    const Subject subject{generation, options.load_case, options.tr.language(),
+                          drawing::counted_units(model, options).units};
     if (subject_ == subject && !is_stale_) return last();
     if (subject_ != subject) find(model, options);
     subject_ = subject;
@@ -122,10 +124,26 @@ void AskedFunicular::draw(const femoop::Model& model, const drawing::DrawOptions
     const Funicular& shown = picture_->funicular;
     if (reading_ && *reading_ >= shown.span.from() && *reading_ <= shown.span.to()) picture_->reading = reading_;
     picture_->in_reach = in_reach_;
-    picture_->sentences = funicular_lines(shown, basis_->chain, model, options.tr);
-    picture_->sentences.push_back(picture_->reading
-                                      ? reading_line(shown, basis_->chain, *reading_, model, options.tr)
-                                      : options.tr("Point at a place of the span: M0 and M are read there."));
+    picture_->sentences = sentences(model, options);
+}
+
+// In the units of the picture, from the same structure counted in these.
+std::vector<std::string> AskedFunicular::sentences(const femoop::Model& model,
+                                                   const drawing::DrawOptions& options) const
+{
+    const drawing::CountedUnits units = drawing::counted_units(model, options);
+    const femoop::Model counted = counted_in(units, model);
+    const auto loaded = loaded_chain(counted, members(model), options.load_case);
+    const auto* const basis = std::get_if<LoadedChain>(&loaded);
+    if (basis == nullptr) return {};
+    const Funicular& drawn = picture_->funicular;
+    const ClosingLine line{units.length * drawn.closing_line.left, units.length * drawn.closing_line.right};
+    const Funicular shown{basis->span, line, units.force * drawn.H};
+    std::vector<std::string> lines = funicular_lines(shown, basis->chain, counted, options.tr);
+    lines.push_back(picture_->reading
+                        ? reading_line(shown, basis->chain, units.length * *picture_->reading, counted, options.tr)
+                        : options.tr("Point at a place of the span: M0 and M are read there."));
+    return lines;
 }
 
 } // namespace frame

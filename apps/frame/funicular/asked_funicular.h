@@ -48,6 +48,7 @@ private:
     std::vector<femoop::MemberId> members(const femoop::Model& model) const;
     void find(const femoop::Model& model, const drawing::DrawOptions& options) const;
     void draw(const femoop::Model& model, const drawing::DrawOptions& options) const;
+    std::vector<std::string> sentences(const femoop::Model& model, const drawing::DrawOptions& options) const;
     femoop::funicular::Funicular funicular() const;
 
     bool is_on_ = false;
@@ -62,6 +63,7 @@ private:
         std::uint64_t generation;
         femoop::CaseId load_case;
         ui::Language language;
+        femoop::Units units; ///< of its sentences
 
         friend bool operator==(const Subject&, const Subject&) = default;
     };

@@ -28,9 +28,21 @@ using femoop::influence::Stretch;
 
 namespace {
 
+ExpectedQuantity effect_quantity(MemberComponent component)
+{
+    return femoop::is_displacement(component) ? ExpectedQuantity::Displacement : ExpectedQuantity::SectionForce;
+}
+
+/// What a line can be of at a section; loads come onto the joints of a bar of a truss alone.
+std::vector<MemberComponent> components_at_section(const Model& model)
+{
+    if (is_truss(model.analysis)) return {MemberComponent::N};
+    return femoop::member_components(model.analysis);
+}
+
 bool has(const Model& model, MemberComponent component)
 {
-    const std::vector<MemberComponent> all = femoop::section_force_components(model.analysis);
+    const std::vector<MemberComponent> all = components_at_section(model);
     return std::ranges::find(all, component) != all.end();
 }
 
@@ -48,9 +60,11 @@ Dof upright(const Model& model)
 
 void AskedLine::ask(const Model& model, const drawing::Cut& cut)
 {
-    const bool goes_on = !femoop::is_truss(model.analysis) && has(model, last_component_); // of a bar it is its force
-    const MemberComponent component = goes_on ? last_component_ : foremost_component(model);
-    asked_ = NamedEffect(model, {.member = cut.member, .component = component, .at = femoop::Quantity(cut.x)});
+    const MemberComponent component = has(model, last_component_) ? last_component_ : foremost_component(model);
+    asked_ = NamedEffect(model, {.quantity = effect_quantity(component),
+                                 .member = cut.member,
+                                 .component = component,
+                                 .at = femoop::Quantity(cut.x)});
     begin_trace();
 }
 
@@ -80,7 +94,7 @@ void AskedLine::choose(const MovingEffect& effect)
     asked.quantity = effect.quantity;
     asked.component = effect.component;
     asked.dof = effect.dof;
-    if (effect.component && effect.quantity == ExpectedQuantity::SectionForce) last_component_ = *effect.component;
+    if (effect.component) last_component_ = *effect.component;
 }
 
 std::optional<MovingEffect> AskedLine::effect(const Model& model) const
@@ -93,21 +107,19 @@ std::vector<MovingEffect> AskedLine::choices(const Model& model) const
     const std::optional<MovingEffect> now = effect(model);
     std::vector<MovingEffect> choices;
     if (!now) return choices;
-    const auto add = [&](ExpectedQuantity quantity, std::optional<MemberComponent> component, std::optional<Dof> dof) {
-        MovingEffect& one = choices.emplace_back(*now);
-        one.quantity = quantity;
-        one.component = component;
-        one.dof = dof;
-    };
     if (now->member) {
-        for (const MemberComponent component : femoop::section_force_components(model.analysis))
-            if (!is_truss(model.analysis) || component == MemberComponent::N) // loads come onto its joints alone
-                add(ExpectedQuantity::SectionForce, component, std::nullopt);
+        for (const MemberComponent component : components_at_section(model)) {
+            MovingEffect& one = choices.emplace_back(*now);
+            one.quantity = effect_quantity(component);
+            one.component = component;
+        }
         return choices;
     }
     choices = femoop::influence::reactions_at(model, *now->node);
-    if (!choices.empty()) return choices;
-    for (const Dof dof : femoop::dof_list(model.analysis)) add(ExpectedQuantity::Displacement, std::nullopt, dof);
+    for (const Dof dof : femoop::dof_list(model.analysis)) {
+        const MovingEffect moved{.quantity = ExpectedQuantity::Displacement, .node = now->node, .dof = dof};
+        if (!femoop::influence::holding_support(model, moved) || moved == now) choices.push_back(moved);
+    }
     return choices;
 }
 
@@ -433,7 +445,7 @@ std::vector<std::string> AskedLine::sentences(const drawing::DrawOptions& option
         if (train_.beside) said.push_back(sum_with_permanent(options));
         return said;
     }
-    std::vector<std::string> sentences{drawing::principle(found_.picture->line.effect, options.tr)};
+    std::vector<std::string> sentences{drawing::principle(*found_.model, found_.picture->line.effect, options.tr)};
     for (const femoop::Fault& fault : found_.faults) sentences.push_back(sentence(fault, options.tr));
     return sentences;
 }

@@ -56,7 +56,7 @@ public:
     bool is_on(const femoop::Model& model) const { return effect(model).has_value(); }
     void clear();
 
-    /// Of a section: of the component that was asked for last, else of the bending moment, in a truss of N.
+    /// Of a section: of the force or displacement that was asked for last, else of the bending moment, in a truss of N.
     void ask(const femoop::Model& model, const drawing::Cut& cut);
     /// Of a support its foremost reaction, upright where it can be; of a node without one its displacement down.
     void ask(const femoop::Model& model, femoop::NodeId node);
@@ -67,7 +67,7 @@ public:
 
     /// What is asked for; nothing where its part is gone.
     std::optional<femoop::MovingEffect> effect(const femoop::Model& model) const;
-    /// Everything that can be asked for at the same place.
+    /// Everything that can be asked for at the same place: forces, then displacements that no support holds.
     std::vector<femoop::MovingEffect> choices(const femoop::Model& model) const;
 
     /// Keeps the line on the sheet, above those that are asked for next. \pre one is asked for

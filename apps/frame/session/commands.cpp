@@ -14,6 +14,7 @@
 #include "apps/frame/session/predict_commands.h"
 #include "apps/frame/session/property_commands.h"
 #include "apps/frame/session/set_commands.h"
+#include "apps/frame/session/shown_method.h"
 #include "apps/frame/session/solver_commands.h"
 #include "apps/frame/session/table_commands.h"
 #include "apps/frame/session/tabs.h"
@@ -103,6 +104,7 @@ void add_show_commands(CommandTable& table)
                 Session& session = workspace.session;
                 ShowSet& show = session.hidden && is_hideable(item) ? *session.hidden : session.view.show;
                 is_on ? show.insert(item) : show.erase(item);
+                if (item == Show::Counting && is_on) close_other_methods(workspace, ShownMethod::Counting);
                 if (item == Show::Deformed) session.shows_deformed_to_animate = false; // it is asked for by itself
             });
 }

@@ -5,6 +5,7 @@
 #include <functional>
 #include <vector>
 
+#include "apps/drawing/structure/members.h"
 #include "apps/frame/session/train_commands.h"
 #include "femoop/geometry/member_geometry.h"
 #include "femoop/load/place_along.h"
@@ -64,6 +65,8 @@ bool has_train_number(const Workspace& workspace)
 
 void open_player(Workspace& workspace)
 {
+    auto& notice = workspace.session.notice; // such as that no number is pointed at
+    if (notice && notice->seconds_left) notice.reset();
     const BottomView& now = workspace.bottom;
     const bool is_derivation = now.shows(BottomContent::Derivation);
     std::optional<BottomContent> under = is_derivation ? now.under : std::nullopt;
@@ -129,8 +132,10 @@ Reason why_no_force_method(const Workspace& workspace)
 Reason why_not_release_force(const Workspace& workspace)
 {
     if (auto reason = why_no_force_method(workspace)) return reason;
-    if (meant_number(workspace)) return std::nullopt;
-    return translatable("point at a support, or at a section of a diagram first");
+    const auto meant = meant_number(workspace);
+    if (!meant) return translatable("point at a support, or at a section of a diagram first");
+    if (is_force(*meant)) return std::nullopt;
+    return translatable("a displacement is no force; point at a support, or at a section of a diagram");
 }
 
 constexpr double same_section = 0.025; ///< of the member's length: sections that are nearer are one to the hand
@@ -147,10 +152,17 @@ bool is_same_force(const femoop::Model& model, const femoop::MovingEffect& a, co
     return !a.at || !b.at || std::abs(place_along(model, a) - place_along(model, b)) <= same_section;
 }
 
+/// A bar is cut at its first end wherever it is pointed at: within, its parts could turn.
+femoop::MovingEffect where_it_is_cut(const femoop::Model& model, femoop::MovingEffect force)
+{
+    if (force.member && drawing::is_bar(model, *force.member)) force.at = femoop::Position(femoop::Quantity(0.0));
+    return force;
+}
+
 /// Redundants are released one by one; one that is released already is held again.
 void release_or_hold(Workspace& workspace)
 {
-    const femoop::MovingEffect force = *meant_number(workspace);
+    const femoop::MovingEffect force = where_it_is_cut(workspace.session.model(), *meant_number(workspace));
     workspace.asked_number = NamedEffect(workspace.session.model(), force);
     std::vector<femoop::MovingEffect> redundants;
     if (const auto* const method = workspace.derivation.force_method(); method && shows_derivation(workspace))

@@ -82,6 +82,15 @@ ui::Message sentences(const std::vector<femoop::Fault>& faults, const ui::Catalo
     return {text};
 }
 
+/// Which forces it is that were released, then how the structure moves: a support that was taken away is not to be added.
+ui::Message sentences(const femoop::MechanismError& error, const ui::Catalogue& tr)
+{
+    std::string text = sentences(error.causes(), tr).sentence;
+    for (const femoop::Mechanism& mechanism : error.mechanisms())
+        text += (text.empty() ? "" : "; ") + femoop::without_remedy(femoop::message(mechanism.fault, tr));
+    return {text};
+}
+
 femoop::force_method::ForceMethod solved(const Session& session, std::span<const MovingEffect> redundants)
 {
     const femoop::Model model = solved_model(session.model(), session.solution());
@@ -100,7 +109,7 @@ std::optional<RefusedRelease> refused_release(const Session& session, std::span<
         solved(session, redundants);
         return std::nullopt;
     } catch (const femoop::MechanismError& error) {
-        return RefusedRelease{.reason = sentences(error.faults(), session.tr()),
+        return RefusedRelease{.reason = sentences(error, session.tr()),
                               .primary = femoop::force_method::primary_structure(session.model(), redundants).model,
                               .motions = error.mechanisms(),
                               .session = session.number(),
@@ -184,6 +193,8 @@ void DerivationShow::follow(const Session& session)
     try {
         if (redundants_) derive_force_method(session);
         else derive_number(session);
+    } catch (const femoop::MechanismError& error) {
+        why_none_ = sentences(error, session.tr());
     } catch (const femoop::ModelError& error) { // what can move once something is taken out
         why_none_ = sentences(error.faults(), session.tr());
     }

@@ -13,6 +13,7 @@
 #include "apps/frame/session/in_plane.h"
 #include "apps/frame/session/influence_commands.h"
 #include "apps/frame/session/predict_commands.h"
+#include "apps/frame/session/shown_method.h"
 #include "apps/frame/session/virtual_work_commands.h"
 #include "femoop/edit/place.h"
 #include "ui/workspace/standard_commands.h"
@@ -241,8 +242,8 @@ constexpr std::array snap_switches{
 
 void choose_tool(Workspace& workspace, ToolKind tool)
 {
-    const bool is_of_results = tool == ToolKind::Influence || tool == ToolKind::FreeBody || tool == ToolKind::Funicular;
-    if (is_of_results) workspace.session.virtual_work.clear();
+    if (tool == ToolKind::Influence) close_other_methods(workspace, ShownMethod::InfluenceLine);
+    if (tool == ToolKind::FreeBody) close_other_methods(workspace, ShownMethod::FreeBody);
     workspace.session.forget_notice();
     if (tool == ToolKind::Predict) begin_to_predict(workspace);
     else if (tool == ToolKind::Funicular) begin_funicular(workspace);

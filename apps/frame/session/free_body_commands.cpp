@@ -3,6 +3,7 @@
 #include <variant>
 
 #include "apps/frame/document/selected_members.h"
+#include "apps/frame/session/shown_method.h"
 
 namespace frame {
 
@@ -48,6 +49,7 @@ Reason why_not_lift(const Workspace& workspace)
 void lift_selected(Workspace& workspace)
 {
     Session& session = workspace.session;
+    close_other_methods(workspace, ShownMethod::FreeBody);
     if (const auto node = selected_node(session)) session.free_body.lift(session.model(), *node);
     else session.free_body.lift(session.model(), selected_members(session.selection));
     session.selection.clear();
@@ -61,6 +63,13 @@ Reason why_no_free_body(const Workspace& workspace)
 {
     if (workspace.session.view.is_envelope) return translatable("an envelope is of several cases; choose one");
     return workspace.session.why_no_results();
+}
+
+const drawing::FreeBodyPicture* lifted_body(const Session& session)
+{
+    const femoop::Results* const results = session.shown_results();
+    if (results == nullptr || session.view.is_envelope) return nullptr;
+    return session.free_body.picture(session.model(), *results, session.generation(), session.view);
 }
 
 void add_free_body_commands(CommandTable& table)

@@ -1,6 +1,7 @@
 #include "apps/frame/session/funicular_commands.h"
 
 #include "apps/frame/document/selected_members.h"
+#include "apps/frame/session/shown_method.h"
 
 namespace frame {
 
@@ -45,8 +46,7 @@ Reason why_no_funicular(const Workspace& workspace)
 void begin_funicular(Workspace& workspace)
 {
     Session& session = workspace.session;
-    session.influence.clear();
-    session.free_body.clear();
+    close_other_methods(workspace, ShownMethod::Funicular);
     session.funicular.ask(session.model(), selected_members(session.selection));
     session.selection.clear();
     session.pin.reset();

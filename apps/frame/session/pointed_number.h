@@ -6,6 +6,7 @@
 #include "femoop/model/expected.h"
 #include "femoop/model/ids.h"
 #include "femoop/model/moving_load.h"
+#include "femoop/result/components.h"
 
 namespace frame {
 
@@ -24,5 +25,12 @@ struct PointedNumber {
     std::optional<femoop::ExtremeKind> extreme{}; ///< of an envelope; nothing: that of the greater magnitude
     std::optional<LoadOnLine> under{};            ///< of an influence line: under this load it is the effect's value
 };
+
+/// A section force or a reaction, which could be released.
+inline bool is_force(const femoop::MovingEffect& effect)
+{
+    if (effect.component) return !femoop::is_displacement(*effect.component);
+    return effect.quantity != femoop::ExpectedQuantity::Displacement;
+}
 
 } // namespace frame

@@ -13,6 +13,7 @@
 #include "apps/frame/document/fault/place.h"
 #include "apps/frame/document/fault/sentence.h"
 #include "apps/frame/document/number.h"
+#include "apps/frame/session/free_body_commands.h"
 #include "apps/frame/session/transform.h"
 #include "apps/frame/session/truss_commands.h"
 #include "femoop/files/whole_file.h"
@@ -26,6 +27,7 @@
 #include "femoop/model/check/check.h"
 #include "femoop/result/describe.h"
 #include "femoop/result/structure_words.h"
+#include "ui/files/view_file.h"
 #include "ui/text/catalogue.h"
 #include "ui/text/language_manner.h"
 #include "ui/text/shortened.h"
@@ -291,7 +293,7 @@ std::optional<Notice> Session::read(const std::filesystem::path& path, Purpose p
     CompanionReading beside = read_companion_of(path, reading.model);
     restart({.model = std::move(reading.model), .companion = std::move(beside.companion)});
     if (!beside.faults.empty()) // the model is open all the same; what has faults is not written over: see `write_file`
-        notice = {ui::lasting(of_file(translatable("{file} was not understood in full"), companion_path(path))),
+        notice = {ui::lasting(of_file(translatable("{file} was not understood in full"), ui::view_path(path))),
                   std::move(beside.faults)};
     return std::nullopt;
 }
@@ -309,7 +311,7 @@ namespace {
 bool is_companion_sound(const std::filesystem::path& model_file)
 {
     std::error_code unknown;
-    if (!std::filesystem::exists(companion_path(model_file), unknown)) return true;
+    if (!std::filesystem::exists(ui::view_path(model_file), unknown)) return true;
     return read_companion_of(model_file, femoop::examine_model_file(model_file).model).faults.empty();
 }
 
@@ -327,7 +329,7 @@ Notice not_saved(const std::filesystem::path& path, const std::filesystem::path&
 
 Session::Written Session::write_file(const std::filesystem::path& path)
 {
-    if (model_of_companion(path)) {
+    if (ui::model_of_view(path)) {
         const auto sentence = translatable("{file} is the name of a view file; choose another for the model");
         return {false, {ui::lasting(of_file(sentence, path))}};
     }
@@ -337,7 +339,7 @@ Session::Written Session::write_file(const std::filesystem::path& path)
     } catch (const femoop::ModelError& error) {
         return {false, not_saved(path, error.faults())};
     }
-    const std::filesystem::path beside = companion_path(path), aside = free_old_path(beside);
+    const std::filesystem::path beside = ui::view_path(path), aside = ui::free_old_path(beside);
     std::error_code error;
     if (!was_sound) std::filesystem::rename(beside, aside, error); // before another takes its place
     if (error) return {false, not_saved(beside, aside, error)};
@@ -436,9 +438,7 @@ std::string counting_text(const Session& session)
 /// Of the free body, where one is lifted out.
 std::string free_body_text(const Session& session)
 {
-    const femoop::Results* const results = session.shown_results();
-    if (results == nullptr || session.view.is_envelope) return {};
-    const auto* const body = session.free_body.picture(session.model(), *results, session.generation(), session.view);
+    const auto* const body = lifted_body(session);
     if (body == nullptr) return {};
     return "\n" + femoop::free_body::free_body_text(body->lifted, session.model(), body->about, session.tr());
 }

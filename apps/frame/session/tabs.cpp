@@ -5,8 +5,8 @@
 #include <system_error>
 #include <utility>
 
-#include "apps/frame/document/companion/companion_file.h"
 #include "apps/frame/session/edit_commands.h"
+#include "ui/files/view_file.h"
 
 namespace frame {
 
@@ -143,7 +143,7 @@ namespace {
 std::filesystem::path model_meant(const std::filesystem::path& path)
 {
     std::error_code unknown;
-    const auto model = model_of_companion(path);
+    const auto model = ui::model_of_view(path);
     return model && std::filesystem::exists(*model, unknown) ? *model : path;
 }
 

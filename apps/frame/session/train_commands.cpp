@@ -11,6 +11,7 @@
 #include "apps/frame/document/naming.h"
 #include "apps/frame/document/selected_members.h"
 #include "apps/frame/session/influence_commands.h"
+#include "apps/frame/session/shown_method.h"
 #include "apps/frame/tools/snap.h"
 #include "femoop/edit/moving_load_change.h"
 #include "femoop/methods/influence/load_path.h"
@@ -100,7 +101,7 @@ Reason needs_train_envelope(const Workspace& workspace)
 void show_train_envelope(Workspace& workspace, bool is_on)
 {
     Session& session = workspace.session;
-    session.influence.clear();
+    close_other_methods(workspace, ShownMethod::TrainEnvelope);
     session.view.is_envelope = is_on;
     session.train_envelope.turn(is_on);
 }

@@ -1,9 +1,11 @@
 #include "apps/frame/session/transform.h"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <string_view>
 #include <utility>
+#include <variant>
 #include <vector>
 
 #include "apps/frame/document/drawing.h"
@@ -103,6 +105,15 @@ double usual_rise(const femoop::Model& model, const std::vector<Part>& parts)
     return 1.0;
 }
 
+double least_rise_of(const femoop::Model& model, const std::vector<Part>& parts)
+{
+    double least = 0.0;
+    for (const Part& part : parts)
+        if (const auto* const member = std::get_if<femoop::MemberId>(&part))
+            least = std::max(least, least_bend_rise(model, *member));
+    return least;
+}
+
 } // namespace
 
 Transform transform_of(Transform::Kind kind, const femoop::Model& model, const Selection& selection)
@@ -110,6 +121,7 @@ Transform transform_of(Transform::Kind kind, const femoop::Model& model, const S
     Transform transform{.kind = kind};
     transform.parts.assign(selection.parts().begin(), selection.parts().end());
     transform.bend.rise = usual_rise(model, transform.parts);
+    transform.least_rise = least_rise_of(model, transform.parts);
     const std::vector<femoop::NodeId> nodes = nodes_of(model, selection.parts());
     if (nodes.empty()) return transform;
     Vector3d least = femoop::position_of(model, nodes.front()), most = least;

@@ -27,6 +27,7 @@ struct Transform {
     int times = 1;               ///< Copy; 1 to 100
     bool keeps_original = false; ///< Mirror, Rotate: what is turned is a copy
     femoop::Bend bend{};         ///< Bend: of each member
+    double least_rise = 0.0;     ///< Bend: a smaller one leaves a member straight
     std::vector<Part> parts{};   ///< that are transformed
     bool begins = true;          ///< its first number gets the keyboard where it is shown next
 

@@ -2,6 +2,8 @@
 
 #include <string_view>
 
+#include "apps/frame/session/shown_method.h"
+
 namespace frame {
 
 using ui::Key;
@@ -42,9 +44,7 @@ void look_at(Workspace& workspace, TrussMethod method, bool is_on)
     Session& session = workspace.session;
     session.draw_state.camera.reset(); // it has half the sheet
     if (!is_on) return session.truss.close();
-    session.influence.clear();
-    session.virtual_work.clear();
-    if (workspace.tool_controller.kind() == ToolKind::VirtualWork) workspace.tool_controller.select(ToolKind::Select);
+    close_other_methods(workspace, ShownMethod::Truss);
     session.truss.show(method);
 }
 

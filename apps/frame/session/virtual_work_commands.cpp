@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <variant>
 
+#include "apps/frame/session/shown_method.h"
 #include "femoop/geometry/member_geometry.h"
 
 namespace frame {
@@ -51,10 +52,7 @@ Reason why_no_virtual_work(const Workspace& workspace)
 void begin_virtual_work(Workspace& workspace)
 {
     Session& session = workspace.session;
-    session.influence.clear();
-    session.free_body.clear();
-    session.funicular.clear();
-    session.truss.close();
+    close_other_methods(workspace, ShownMethod::VirtualWork);
     ask_for_selected(session);
     if (session.notice && session.notice->seconds_left) session.notice.reset(); // such as that none is shown
     session.selection.clear();

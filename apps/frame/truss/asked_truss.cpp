@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "apps/drawing/sketch/counted_units.h"
 #include "femoop/io/truss/truss_sentence.h"
 
 namespace frame {
@@ -33,13 +34,16 @@ const drawing::TrussPicture* AskedTruss::picture(const femoop::Model& model, con
         found_ = {};
         return nullptr;
     }
+    const femoop::Units units = drawing::counted_units(model, options).units;
     const bool is_here = found_.generation == generation && found_.method == method_ &&
-                         found_.load_case == options.load_case && found_.language == options.tr.language();
+                         found_.load_case == options.load_case && found_.language == options.tr.language() &&
+                         found_.units == units;
     if (!is_here) {
         found_ = {.generation = generation,
                   .method = method_,
                   .load_case = options.load_case,
-                  .language = options.tr.language()};
+                  .language = options.tr.language(),
+                  .units = units};
         find(model, *results, options);
     }
     if (!found_.picture) return nullptr;
@@ -57,6 +61,13 @@ void AskedTruss::find(const femoop::Model& model, const femoop::Results& results
     const femoop::truss::Truss truss = femoop::truss::truss_of(model, results, options.load_case);
     if (const auto refusal = why_not(*method_, truss)) found_.why_none = sentence(*refusal, model, options.tr);
     else found_.picture = drawing::truss_picture(*method_, model, truss, options.tr);
+    const drawing::CountedUnits units = drawing::counted_units(model, options);
+    if (!found_.picture || units.units == model.units) return;
+    const drawing::TrussPicture counted = drawing::truss_picture(*method_, counted_in(units, model),
+                                                                 scaled(truss, units.length, units.force), options.tr);
+    const std::size_t n_stages = std::min(counted.stages.size(), found_.picture->stages.size());
+    for (std::size_t i = 0; i < n_stages; ++i) found_.picture->stages[i].lines = counted.stages[i].lines;
+    found_.picture->bar_sentences = counted.bar_sentences;
 }
 
 } // namespace frame

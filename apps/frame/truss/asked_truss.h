@@ -45,6 +45,7 @@ private:
         std::optional<Method> method;
         femoop::CaseId load_case;
         std::optional<ui::Language> language;
+        femoop::Units units; ///< of its sentences
         std::optional<drawing::TrussPicture> picture;
         std::string why_none;
     };

@@ -19,6 +19,7 @@
 #include "apps/frame/window/transform_bar.h"
 #include "femoop/io/derivation/derivation_text.h"
 #include "femoop/methods/influence/effect_name.h"
+#include "ui/files/ending.h"
 #include "ui/files/link.h"
 #include "ui/widgets/panel.h"
 
@@ -281,10 +282,15 @@ void Application::show_own_dialogs()
     tables_.show_dialog(workspace());
 }
 
+const femoop::derivation::Derivation* Application::shown_derivation() const
+{
+    return workspace().bottom.shows(BottomContent::Derivation) ? workspace().derivation.derivation() : nullptr;
+}
+
 std::string Application::words() const
 {
-    const femoop::derivation::Derivation* const derivation = workspace().derivation.derivation();
-    if (!workspace().bottom.shows(BottomContent::Derivation) || derivation == nullptr) return description(session());
+    const femoop::derivation::Derivation* const derivation = shown_derivation();
+    if (derivation == nullptr) return description(session());
     return description(session()) + "\n" +
            femoop::derivation::derivation_text(*derivation, workspace().derivation.model(session()), session().tr());
 }
@@ -297,7 +303,11 @@ void Application::show_beside_words()
 
 std::optional<ui::Message> Application::write(const std::filesystem::path& path)
 {
-    return export_to(path, session(), fonts(), picture(), workspace().export_scale);
+    WindowContent content{.picture = picture(), .png_scale = workspace().export_scale};
+    const femoop::derivation::Derivation* const derivation = shown_derivation();
+    if (derivation != nullptr && ui::has_ending(path, ".tex"))
+        content.derivation = derivation_latex(*derivation, workspace().derivation.model(session()), session().tr());
+    return export_to(path, session(), fonts(), content);
 }
 
 std::string_view Application::written() const

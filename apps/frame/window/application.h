@@ -58,6 +58,7 @@ private:
     using DerivationWriter = std::string(const femoop::derivation::Derivation&, const femoop::Model&,
                                          const femoop::Translator&);
     void copy_derivation(DerivationWriter* writer);
+    const femoop::derivation::Derivation* shown_derivation() const; ///< null where none is
     void fit() override { canvas_.fit(workspace().session); }
     void zoom(double factor) override { canvas_.zoom(workspace().session, factor); }
 

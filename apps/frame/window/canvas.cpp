@@ -3,6 +3,7 @@
 #include <imgui.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <functional>
 #include <optional>
@@ -14,6 +15,7 @@
 #include "apps/drawing/reading.h"
 #include "apps/drawing/results/envelope_band.h"
 #include "apps/drawing/truss/beside_truss.h"
+#include "apps/frame/session/free_body_commands.h"
 #include "apps/frame/session/funicular_commands.h"
 #include "apps/frame/session/load_commands.h"
 #include "apps/frame/session/snapping.h"
@@ -75,13 +77,6 @@ DrawOptions with_influence(DrawOptions options, const Session& session, bool has
     options.layout = drawing::Layout::LoadsOnFirst;
     options.show.insert(drawing::show_of(*session.influence.effect(session.model()), session.model().analysis));
     return options;
-}
-
-const FreeBodyPicture* lifted_body(const Session& session)
-{
-    const femoop::Results* const results = session.shown_results();
-    if (results == nullptr || session.view.is_envelope) return nullptr;
-    return session.free_body.picture(session.model(), *results, session.generation(), session.view);
 }
 
 // A free body stands alone before the structure, with all that acts on it.
@@ -177,12 +172,14 @@ DrawOptions looked_at(const Workspace& workspace)
 
 bool is_sketched(const Session& session) { return session.hidden || !session.prediction.is_empty(); }
 
-// Judged where the line is seen.
+// Judged where the whole line is seen.
 GuessPicture guess_of_line(const Session& session, const InfluencePicture& line)
 {
-    const bool is_judged = !session.hidden && !session.prediction.is_stale(session.model(), line.line.effect);
+    const GuessedLine shown{.is_stale = session.prediction.is_stale(session.model(), line.line.effect),
+                            .is_traced = !session.hidden && line.traced};
+    const bool is_judged = !session.hidden && !shown.is_traced && !shown.is_stale;
     auto assessment = is_judged ? assess(session.prediction, line.line, line.path) : std::nullopt;
-    return GuessPicture(session.prediction, std::move(assessment), line.line.effect);
+    return GuessPicture(session.prediction, std::move(assessment), shown);
 }
 
 // Judged where the moments of one case are seen, or the influence line.
@@ -220,7 +217,7 @@ DrawInput input_of(const Workspace& workspace, const DrawOptions& options, const
         return {.model = has_train ? session.influence.loaded() : session.model(),
                 .results = is_traced ? &session.influence.results() : nullptr,
                 .dimensions = session.document().companion.dimensions,
-                .overlay = guess && !has_train ? &*guess : nullptr,
+                .overlay = guess ? &*guess : nullptr,
                 .influence = line,
                 .kept_lines = std::move(kept)};
     }
@@ -285,6 +282,14 @@ Region region_in(const ui::PlaneCamera& camera, ui::Size panel)
     return {.centre = {centre.x, centre.y}, .height = panel.height / camera.scale()};
 }
 
+/// No stroke of it could miss its place as the picture moves.
+bool only_asks(ToolKind tool)
+{
+    constexpr std::array asking{ToolKind::Select, ToolKind::Influence, ToolKind::FreeBody, ToolKind::Funicular,
+                                ToolKind::VirtualWork};
+    return std::ranges::find(asking, tool) != asking.end();
+}
+
 } // namespace
 
 void Canvas::fit(Session& session)
@@ -324,7 +329,7 @@ Canvas::FittedFor Canvas::wanted_fit(const Session& session, const DrawOptions& 
 // Below the legend a low sheet, as over a table on the projector, would leave the structure no room.
 DrawOptions Canvas::seen_options(const Workspace& workspace) const
 {
-    constexpr double least_lines = 18.0;
+    constexpr double least_lines = 24.0;
     DrawOptions options = looked_at(workspace);
     const double n_lines = whole_sheet().height / ui::Theme(options.theme).type().normal;
     if (n_lines < least_lines) options.show = options.show - ShowSet{Show::Legend};
@@ -377,12 +382,11 @@ void Canvas::hold_still(Session& session, const Subject::Plan& before)
 }
 
 // Drawing must not move the picture under the hand; it moves where a node would be lost, and with no tool in the hand
-// where other marks would be. A line that is carried on may have a node beside the legend.
+// that draws where other marks would be. A line that is carried on may have a node beside the legend.
 bool Canvas::is_all_in_sight(const Workspace& workspace) const
 {
     if (plan_.panels.empty()) return false;
-    const bool is_at_rest = workspace.tool_controller.kind() == ToolKind::Select && !shown_mechanism(workspace) &&
-                            lent_ <= 0.0;
+    const bool is_at_rest = only_asks(workspace.tool_controller.kind()) && !shown_mechanism(workspace) && lent_ <= 0.0;
     if (is_at_rest && was_whole_ && !drawn_.is_whole) return false;
     const Tool& tool = workspace.tool_controller.tool();
     const bool is_carried_on = tool.from() || tool.from_in_space();

@@ -76,7 +76,8 @@ void ContextMenu::show(Workspace& workspace, const CommandTable& commands)
         return;
     }
     if (workspace.menu_number) {
-        frame::show(workspace, commands, why);
+        const bool is_released = is_force(workspace.menu_number->effect);
+        frame::show(workspace, commands, is_released ? Ids(why) : Ids(why).first(1));
         ImGui::Separator();
     }
     const Selection selection = workspace.session.selection; // a command may change it

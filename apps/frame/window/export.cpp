@@ -5,6 +5,7 @@
 
 #include "apps/drawing/results/envelope_cases.h"
 #include "apps/frame/report/report.h"
+#include "apps/frame/session/shown_method.h"
 #include "femoop/files/whole_file.h"
 #include "femoop/io/results/results_csv.h"
 #include "ui/context/write_picture.h"
@@ -25,7 +26,7 @@ public:
         : path_(path), session_(session), fonts_(fonts)
     {}
 
-    std::optional<ui::Message> write(const ui::Picture& picture, double png_scale)
+    std::optional<ui::Message> write(const WindowContent& content)
     {
         if (const auto reason = ui::why_not_ending(path_, export_endings())) return reason;
         const auto is_a = [this](std::string_view ending) { return ui::has_ending(path_, ending); };
@@ -33,12 +34,13 @@ public:
         else if (is_a(".html")) return text(ui::report_html(report(), fonts_));
         else if (is_a(".txt")) return text(description(session_));
         else if (is_a(".csv")) return results();
-        else return write_picture(path_, picture, fonts_, look(png_scale));
+        else if (is_a(".tex")) return latex(content.derivation);
+        else return write_picture(path_, content.picture, fonts_, picture_look(content.png_scale));
         return std::nullopt;
     }
 
 private:
-    ui::PictureLook look(double png_scale) const
+    ui::PictureLook picture_look(double png_scale) const
     {
         return {.background = ui::Theme(session_.view.theme).background(),
                 .title = session_.model().title,
@@ -78,6 +80,15 @@ private:
         return text(envelope.csv());
     }
 
+    std::optional<ui::Message> latex(const std::string& derivation) const
+    {
+        const std::string shown = derivation.empty() ? shown_method_latex(session_) : derivation;
+        if (!shown.empty()) return text(shown);
+        return ui::Message(ui::translatable(
+            "a .tex file has what is worked out by hand, and nothing is; show a free body, a funicular, "
+            "virtual work or a truss by hand, or explain a number (W)"));
+    }
+
     std::optional<ui::Message> text(const std::string& content) const
     {
         const std::error_code error = files::write_whole_file(path_, content);
@@ -92,13 +103,16 @@ private:
 
 } // namespace
 
-std::vector<std::string> export_endings() { return {".png", ".svg", ".pdf", ".report.pdf", ".html", ".csv", ".txt"}; }
+std::vector<std::string> export_endings()
+{
+    return {".png", ".svg", ".pdf", ".report.pdf", ".html", ".csv", ".txt", ".tex"};
+}
 
 std::optional<ui::Message> export_to(const std::filesystem::path& path, const Session& session, const ui::Fonts& fonts,
-                                     const ui::Picture& picture, double png_scale)
+                                     const WindowContent& content)
 {
     try {
-        return Exporter(path, session, fonts).write(picture, png_scale);
+        return Exporter(path, session, fonts).write(content);
     } catch (const std::exception& error) {
         return ui::not_written(path, error);
     }

@@ -24,15 +24,18 @@ public:
 
 private:
     friend class ResultColumns;
-    explicit ResultRow(std::vector<float>* widths) : widths_(widths) {}
-    bool begin_cell(const std::string& text); ///< whether it is drawn now
+    explicit ResultRow(std::vector<float>* widths, bool is_stacked) : widths_(widths), is_stacked_(is_stacked) {}
+    bool begin_cell(const std::string& text);                                 ///< whether it is drawn now
+    bool first_cell(const std::string& text, const char* id, bool is_chosen); ///< whether it is clicked
 
     std::vector<float>* widths_; ///< of the columns, to be made broad enough; null: the cells are drawn
+    bool is_stacked_;            ///< the first cell stands above the others
     std::size_t column_ = 0;
 };
 
-/// A table of results in a panel at the side: it is as high as its rows need, up to a dozen; where it is too wide it is
-/// scrolled, never cut. `row(cells, i)` fills the cells of the rows that are in sight.
+/// A table of results in a panel at the side: it is as high as its rows need, up to a dozen; where it is too wide each
+/// first cell stands above the others of its row, and where that is too wide, too, it is scrolled, never cut.
+/// `row(cells, i)` fills the cells of the rows that are in sight.
 void result_list(const char* id, const std::vector<std::string>& headings, std::size_t n_rows,
                  const std::function<void(ResultRow&, std::size_t)>& row);
 

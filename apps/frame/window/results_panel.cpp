@@ -212,7 +212,9 @@ void show_differences(const ShownCase& shown)
     const std::vector<std::string> headings{tr("Part"), tr("now"), tr("kept"), "Δ"};
     result_list("differences", headings, all.size(),
                 [&](ResultRow& row, std::size_t i) { difference_row(row, shown, all[i]); });
-    ImGui::TextDisabled("%s", tr("Of a section force where it differs most").c_str());
+    ImGui::PushStyleColor(ImGuiCol_Text, ImGui::GetStyleColorVec4(ImGuiCol_TextDisabled));
+    ui::wrapped_text(tr("Of a section force where it differs most"));
+    ImGui::PopStyleColor();
 }
 
 } // namespace

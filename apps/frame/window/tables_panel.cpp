@@ -344,7 +344,7 @@ bool TablesPanel::handle_key(Workspace& workspace, const ui::Chord& chord)
     }
     if (grid_.is_editing()) return false;
     const bool is_about_number = chord == ui::Chord{Key::W, {}} || chord == ui::Chord{Key::W, ui::shift};
-    if (is_about_number && is_result(kind_) && workspace.pointed_number) return false; // it is asked after, or released
+    if (is_about_number && is_result(kind_)) return false; // asked after, released, or refused with the reason
     if (chord == ui::Chord{Key::C, ui::ctrl}) copy(workspace);
     else if (chord == ui::Chord{Key::V, ui::ctrl}) paste(workspace);
     else if (chord == ui::Chord{Key::Delete, {}} && can_grow(kind_) && grid_.has_whole_rows(table_))

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -112,14 +113,28 @@ void list_trains(Workspace& workspace, const CommandTable& commands)
     }
 }
 
+constexpr float least_train_width = 5.0F; ///< [em] of the list of trains
+
+/// Of round buttons with these names, one beside the other.
+float buttons_width(std::span<const std::string> names)
+{
+    float width = 0.0F;
+    for (const std::string& name : names)
+        width += ImGui::GetFrameHeight() + ImGui::GetStyle().ItemInnerSpacing.x + ImGui::CalcTextSize(name.c_str()).x +
+                 ImGui::GetStyle().ItemSpacing.x;
+    return width;
+}
+
 // Which train stands on the line, and whether its largest or its least value is sought.
 void train_settings(Workspace& workspace, const CommandTable& commands)
 {
     Session& session = workspace.session;
     const ui::Catalogue& tr = session.view.tr;
     const std::string& name = session.influence.train().name;
-    constexpr float least = 5.0F, most = 11.0F;                 // [em]
-    const float em = ImGui::GetFontSize(), of_ways = 9.0F * em; // the two buttons behind it
+    constexpr float least = least_train_width, most = 11.0F; // [em]
+    const drawing::StandingTrain* const standing = session.influence.standing();
+    const bool has_ways = standing != nullptr && !session.influence.is_traced();
+    const float em = ImGui::GetFontSize(), of_ways = has_ways ? 9.0F * em : 0.0F; // the two buttons behind it
     ImGui::SetNextItemWidth(std::clamp(ImGui::GetContentRegionAvail().x - of_ways, least * em, most * em));
     const std::string shown = !name.empty() ? name : tr(session.influence.is_traced() ? unit_load : no_train);
     if (ImGui::BeginCombo("###train", shown.c_str(), ImGuiComboFlags_HeightLargest)) {
@@ -127,8 +142,9 @@ void train_settings(Workspace& workspace, const CommandTable& commands)
         ImGui::EndCombo();
     }
     ImGui::SameLine();
-    const drawing::StandingTrain* const standing = session.influence.standing();
-    if (standing == nullptr || session.influence.is_traced()) return;
+    const std::array ways{tr("max"), tr("min")}; // on the projector they stand in the panel at the left alone
+    const bool have_room = buttons_width(ways) <= ImGui::GetContentRegionAvail().x;
+    if (!has_ways || !have_room) return;
     const femoop::ExtremeKind kind = standing->kind;
     const auto way = [&](std::string_view label, femoop::ExtremeKind sought) {
         const std::string button = tr(label) + "###" + std::string(label);
@@ -139,15 +155,21 @@ void train_settings(Workspace& workspace, const CommandTable& commands)
     way(translatable("min"), femoop::ExtremeKind::Min);
 }
 
-// Which quantity the influence line is of; while there is none the hint says how to ask for one.
+// Which quantity the influence line is of, where there is room for it: the panel at the left has it, too. While there is
+// none the hint says how to ask for one.
 void influence_settings(Workspace& workspace, const CommandTable& commands)
 {
     AskedLine& line = workspace.session.influence;
     const femoop::Model& model = workspace.session.model();
     const std::optional<femoop::MovingEffect> now = line.effect(model);
-    for (const femoop::MovingEffect& choice : line.choices(model)) {
-        const std::string name = femoop::influence::component_name(model.analysis, choice);
-        if (ImGui::RadioButton(name.c_str(), choice == now)) line.choose(choice);
+    const std::vector<femoop::MovingEffect> choices = line.choices(model);
+    std::vector<std::string> names;
+    for (const femoop::MovingEffect& choice : choices)
+        names.push_back(femoop::influence::component_name(model.analysis, choice));
+    const float of_trains = least_train_width * ImGui::GetFontSize();
+    const bool have_room = buttons_width(names) + of_trains <= ImGui::GetContentRegionAvail().x;
+    for (std::size_t i = 0; have_room && i < choices.size(); ++i) {
+        if (ImGui::RadioButton(names[i].c_str(), choices[i] == now)) line.choose(choices[i]);
         ImGui::SameLine();
     }
     if (now) train_settings(workspace, commands);

@@ -57,8 +57,9 @@ private:
         transform_.bend.curve = static_cast<femoop::BendCurve>(curve);
         ImGui::SameLine();
         femoop::Quantity rise(transform_.bend.rise);
-        number(tr_("rise"), "rise", Measure::Length, rise,
-               [](double value) { return value == 0.0 ? std::optional(ui::Message(femoop::no_rise)) : std::nullopt; });
+        number(tr_("rise"), "rise", Measure::Length, rise, [least = transform_.least_rise](double value) {
+            return std::abs(value) < least ? std::optional(ui::Message(femoop::no_rise)) : std::nullopt;
+        });
         transform_.bend.rise = rise;
         int parts = static_cast<int>(transform_.bend.n_parts);
         count(tr_("parts"), "parts", parts,

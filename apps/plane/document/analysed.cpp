@@ -3,7 +3,6 @@
 #include <utility>
 
 #include "femoop/model/fault/errors_among.h"
-#include "femoop/plane/analysis/plane_analysis.h"
 
 namespace plane {
 
@@ -18,16 +17,17 @@ Analysed::Analysed(std::shared_ptr<const Solution> solution, const std::function
         mesh_.reset();
         return;
     }
-    if (mesh_->model().n_cases() > 0) solve();
+    femoop::plane::PlaneAnalysis analysis;
+    solve(analysis);
 }
 
-Analysed::Analysed(std::shared_ptr<const Solution> solution, const discretize::FollowingMesh& mesh)
+Analysed::Analysed(std::shared_ptr<const Solution> solution, Following& following)
     : solution_(std::move(solution)), is_following_(true)
 {
-    auto moved = mesh.in(*solution_->drawing());
+    auto moved = following.mesh.in(*solution_->drawing());
     if (moved) mesh_.emplace(*solution_->drawing(), std::move(*moved));
     if (mesh_ && !mesh_->is_sound()) mesh_.reset();
-    if (mesh_ && mesh_->model().n_cases() > 0) solve();
+    if (mesh_) solve(following.analysis);
 }
 
 void Analysed::refuse(std::vector<femoop::Fault> faults)
@@ -51,10 +51,12 @@ bool has_effect(const femoop::plane::PlaneCase& result)
 
 } // namespace
 
-void Analysed::solve()
+/// What there is to be solved: a drawing without load cases has a mesh alone.
+void Analysed::solve(femoop::plane::PlaneAnalysis& analysis)
 {
+    if (mesh_->model().n_cases() == 0) return;
     try {
-        results_ = femoop::plane::analyse(mesh_->model());
+        results_ = analysis.solve_sound(mesh_->model());
         for (std::size_t i = 0; i < results_->n_cases(); ++i) cases_.push_back((*results_)[femoop::CaseId(i)]);
         for (const femoop::plane::PlaneCase& one : cases_) is_loaded_.push_back(has_effect(one));
     } catch (const femoop::MechanismError& error) {

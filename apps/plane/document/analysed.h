@@ -3,15 +3,29 @@
 #include <functional>
 #include <memory>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "apps/plane/discretize/following_mesh.h"
 #include "apps/plane/discretize/meshed_drawing.h"
 #include "apps/plane/document/solution.h"
 #include "femoop/analysis/mechanism.h"
+#include "femoop/plane/analysis/plane_analysis.h"
 #include "femoop/plane/analysis/plane_results.h"
 
 namespace plane {
+
+/// What goes along while a drawing is dragged: a mesh whose elements stay, so that its equations are ordered once.
+struct Following {
+    /// \pre the solution has a drawing, and the mesh is its
+    Following(std::shared_ptr<const Solution> of, const discretize::RegionMesh& of_drawing)
+        : solution(std::move(of)), mesh(*solution->drawing(), of_drawing)
+    {}
+
+    std::shared_ptr<const Solution> solution;
+    discretize::FollowingMesh mesh;
+    femoop::plane::PlaneAnalysis analysis{};
+};
 
 /// The mesh of a sound drawing, and what its loads do to it: a pure function of the drawing, found where it is asked
 /// for.
@@ -22,7 +36,7 @@ public:
     Analysed(std::shared_ptr<const Solution> solution, const std::function<bool()>& is_cancelled,
              const std::shared_ptr<const topology::SizeField>& sizes = {});
     /// With the mesh of another drawing that goes along as far as this one; without a mesh where it cannot.
-    Analysed(std::shared_ptr<const Solution> solution, const discretize::FollowingMesh& mesh);
+    Analysed(std::shared_ptr<const Solution> solution, Following& following);
 
     const std::shared_ptr<const Solution>& solution() const { return solution_; } ///< that it is of
     const PlaneModel* mesh() const { return mesh_ ? &mesh_->model() : nullptr; }
@@ -40,7 +54,7 @@ public:
     bool was_cancelled() const { return was_cancelled_; }
 
 private:
-    void solve();
+    void solve(femoop::plane::PlaneAnalysis& analysis);
     void refuse(std::vector<femoop::Fault> faults);
 
     std::shared_ptr<const Solution> solution_;

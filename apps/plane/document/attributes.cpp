@@ -290,12 +290,11 @@ void change_settlement(Document& document, std::size_t load_case, CurveId curve,
 std::optional<Quantity> force_on(const PlaneModel& model, std::size_t load_case, NodeId point, Dof dof)
 {
     if (load_case >= model.load_cases.size()) return std::nullopt;
-    for (const auto& load : model.load_cases[load_case].points) {
-        if (load.node != point) continue;
-        const auto there = std::ranges::find(load.components, dof, &femoop::Component::dof);
-        if (there != load.components.end()) return there->value;
-    }
-    return std::nullopt;
+    std::optional<Quantity> sum;
+    for (const auto& load : model.load_cases[load_case].points)
+        for (const femoop::Component& part : load.components)
+            if (load.node == point && part.dof == dof) sum = sum ? Quantity(*sum + part.value) : part.value;
+    return sum;
 }
 
 void set_force(Document& document, std::size_t load_case, NodeId point, Dof dof, const std::optional<Quantity>& force)

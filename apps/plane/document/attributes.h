@@ -63,7 +63,7 @@ void change_settlement(Document& document, std::size_t load_case, NodeId point, 
 void change_settlement(Document& document, std::size_t load_case, CurveId curve, femoop::Dof dof,
                        const FieldEdit& edit);
 
-/// The force on a point in a direction; nothing takes it away.
+/// The force on a point in a direction, the sum where a file has several; nothing takes it away.
 std::optional<femoop::Quantity> force_on(const PlaneModel& model, std::size_t load_case, NodeId point, femoop::Dof dof);
 void set_force(Document& document, std::size_t load_case, NodeId point, femoop::Dof dof,
                const std::optional<femoop::Quantity>& force);

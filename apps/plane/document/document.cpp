@@ -12,6 +12,13 @@ Document new_document()
     return document;
 }
 
+double usual_width(const PlaneModel& model)
+{
+    constexpr double of_a_part = 0.25, of_a_wall = 25.0; // [m], where a file counts in mm or cm, and where in m
+    const double metres = femoop::metres(model.units.length);
+    return metres < 0.02 ? of_a_part / metres : of_a_wall;
+}
+
 std::size_t memory_footprint(const Document& document)
 {
     const PlaneModel& model = document.model;

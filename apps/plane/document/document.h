@@ -2,8 +2,10 @@
 
 #include <cstddef>
 #include <memory>
+#include <optional>
 #include <string>
 
+#include "apps/plane/backdrop/backdrop.h"
 #include "apps/plane/discretize/error_cycle.h"
 #include "femoop/plane/model/plane_model.h"
 
@@ -11,10 +13,11 @@ namespace plane {
 
 using femoop::plane::PlaneModel;
 
-/// A plane model that is drawn, which is saved, and how its mesh was refined, which is not.
+/// A plane model that is drawn, which is saved, and how its mesh was refined, which is not; and the image behind it.
 struct Document {
     PlaneModel model;
     std::shared_ptr<const discretize::ErrorCycle> cycle{}; ///< of this model; null: its mesh is as the model says
+    std::optional<Backdrop> backdrop{};
 
     /// That its mesh is made by in place of its own; null: none.
     std::shared_ptr<const topology::SizeField> sizes() const { return cycle ? cycle->sizes() : nullptr; }
@@ -24,6 +27,9 @@ struct Document {
 
 /// An empty drawing of a plate in N and mm.
 Document new_document();
+
+/// How wide a sheet without a drawing is, in the model's unit of length.
+double usual_width(const PlaneModel& model);
 
 /// About how much memory it takes [bytes]: a history is bounded by it.
 std::size_t memory_footprint(const Document& document);

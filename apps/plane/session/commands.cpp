@@ -8,6 +8,7 @@
 #include "apps/plane/document/attributes.h"
 #include "apps/plane/document/gallery/gallery.h"
 #include "apps/plane/outline/outline.h"
+#include "apps/plane/session/backdrop_commands.h"
 #include "apps/plane/session/drawing_commands.h"
 #include "apps/plane/session/mesher_commands.h"
 #include "apps/plane/session/part_commands.h"
@@ -65,6 +66,7 @@ constexpr std::array looks{
     LookEntry{&Look::values, "view.show.values", translatable("Values"), {{Key::V, ui::shift}}},
     LookEntry{&Look::names, "view.show.names", translatable("Names"), {{Key::N, ui::shift}}},
     LookEntry{&Look::legend, "view.show.legend", translatable("Legend"), {{Key::T, ui::shift}}},
+    LookEntry{&Look::backdrop, "view.show.background", translatable("Image behind the drawing"), {{Key::I, ui::shift}}},
 };
 
 constexpr std::array results{
@@ -72,7 +74,9 @@ constexpr std::array results{
     LookEntry{&Look::deformed, "results.deformed", translatable("Deformed shape"), {{Key::D, {}}}},
     LookEntry{&Look::principal, "results.principal", translatable("Principal stresses"), {{Key::K, {}}}},
     LookEntry{&Look::trajectories, "results.trajectories", translatable("Stress trajectories"), {{Key::Y, {}}}},
+    LookEntry{&Look::vectors, "results.vectors", translatable("Displacements as arrows"), {{Key::Y, ui::shift}}},
     LookEntry{&Look::error, "results.error", translatable("Estimated error"), {{Key::W, {}}}},
+    LookEntry{&Look::lines, "results.lines", translatable("Lines in place of bands"), {{Key::K, ui::shift}}},
     LookEntry{&Look::element_values,
               "results.element_values",
               translatable("Element values with jumps"),
@@ -86,10 +90,19 @@ constexpr std::array field_entries{
     FieldEntry{std::nullopt, "results.no_field", translatable("No bands")},
     FieldEntry{PlaneComponent::sx, "results.sx", "σx"},
     FieldEntry{PlaneComponent::sy, "results.sy", "σy"},
+    FieldEntry{PlaneComponent::sz, "results.sz", "σz"},
     FieldEntry{PlaneComponent::txy, "results.txy", "τxy"},
     FieldEntry{PlaneComponent::s1, "results.s1", "σ1"},
     FieldEntry{PlaneComponent::s2, "results.s2", "σ2"},
+    FieldEntry{PlaneComponent::tmax, "results.tmax", "τmax"},
     FieldEntry{PlaneComponent::Mises, "results.mises", "von Mises", {{Key::I, {}}}},
+    FieldEntry{PlaneComponent::Tresca, "results.tresca", "Tresca"},
+    FieldEntry{PlaneComponent::ex, "results.ex", "εx"},
+    FieldEntry{PlaneComponent::ey, "results.ey", "εy"},
+    FieldEntry{PlaneComponent::ez, "results.ez", "εz"},
+    FieldEntry{PlaneComponent::gxy, "results.gxy", "γxy"},
+    FieldEntry{PlaneComponent::ux, "results.ux", "ux"},
+    FieldEntry{PlaneComponent::uy, "results.uy", "uy"},
 };
 
 struct ElementEntry {
@@ -299,25 +312,45 @@ void add_insert(CommandTable& table)
     table.with_argument("file.insert", [](Workspace& workspace, const ui::Argument& path) {
         return ui::standard::notice_unless(workspace.insert_outline(path.text), workspace);
     });
+    menu.step({"file.background", translatable("Image behind the drawing (PNG, JPEG)…")},
+              [](Workspace& workspace) { workspace.asks_for_backdrop = true; });
+    table.with_argument("file.background", [](Workspace& workspace, const ui::Argument& path) {
+        return ui::standard::notice_unless(workspace.insert_backdrop(path.text), workspace);
+    });
 }
 
 } // namespace
 
+Workspace::Workspace(Session first) : DocumentWorkspace(std::move(first))
+{
+    if (session.document().backdrop && !session.path()) hand.select(ToolKind::Align);
+}
+
 void Workspace::open(const std::filesystem::path& path)
 {
     if (outline::is_outline_file(path)) insert_outline(path);
+    else if (is_image_file(path)) insert_backdrop(path);
     else DocumentWorkspace::open(path);
 }
 
 bool Workspace::open_at_once(const std::filesystem::path& path)
 {
-    return outline::is_outline_file(path) ? insert_outline(path) : DocumentWorkspace::open_at_once(path);
+    if (outline::is_outline_file(path)) return insert_outline(path);
+    return is_image_file(path) ? insert_backdrop(path) : DocumentWorkspace::open_at_once(path);
 }
 
 bool Workspace::insert_outline(const std::filesystem::path& path)
 {
     if (!session.insert_outline(path)) return false;
     asked.push_back(ui::Request::Fit);
+    return true;
+}
+
+bool Workspace::insert_backdrop(const std::filesystem::path& path)
+{
+    if (!session.insert_backdrop(path)) return false;
+    asked.push_back(ui::Request::Fit);
+    hand.select(ToolKind::Align);
     return true;
 }
 
@@ -334,6 +367,16 @@ void Workspace::draw(const std::optional<CurveDraft>& drawn)
     change({translatable("Draw a curve"), [draft = *drawn](Document& document) { draw_curve(document, draft); }});
 }
 
+void Workspace::align(const std::optional<Alignment>& told)
+{
+    if (!told) return;
+    change({translatable("Place the image by two points"), [alignment = *told](Document& document) {
+                if (document.backdrop) document.backdrop = aligned(*document.backdrop, alignment);
+            }});
+    hand.select(ToolKind::Select);
+    asked.push_back(ui::Request::Fit);
+}
+
 std::span<const FieldEntry> fields() { return field_entries; }
 std::span<const TableEntry> tables() { return table_entries; }
 std::span<const TopicEntry> topics() { return topic_entries; }
@@ -347,6 +390,7 @@ CommandTable command_table()
     ui::standard::add_undo_and_redo(table);
     add_edit_commands(table);
     add_drawing_commands(table);
+    add_backdrop_commands(table);
     add_part_commands(table);
     add_results(table);
     add_modes(table);

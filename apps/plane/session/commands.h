@@ -22,7 +22,8 @@ enum class TableKind : std::uint8_t { Points, Curves, Regions, Materials, Cases,
 
 /// A session, the hand that works in it, and the panels around its picture.
 struct Workspace : ui::DocumentWorkspace<Workspace, Session> {
-    using DocumentWorkspace::DocumentWorkspace;
+    /// An image without a drawing and a file is yet to be placed.
+    explicit Workspace(Session first);
 
     /// The curves of a DXF or SVG file join the drawing, which loses nothing by it; another file is opened in its place.
     void open(const std::filesystem::path& path);
@@ -36,10 +37,14 @@ struct Workspace : ui::DocumentWorkspace<Workspace, Session> {
     std::optional<ui::Message> change(const Change& change);
     /// Draws what the hand has ended.
     void draw(const std::optional<CurveDraft>& drawn);
+    /// The backdrop comes where the hand has told.
+    void align(const std::optional<Alignment>& told);
+    bool insert_backdrop(const std::filesystem::path& path); ///< likewise, and its scale is asked for
 
     Hand hand;
-    bool asks_for_outline = false; ///< the window takes it, and asks for a file to insert
-    bool asks_for_units = false;   ///< likewise, and shows the units quantity by quantity or hides them
+    bool asks_for_outline = false;  ///< the window takes it, and asks for a file to insert
+    bool asks_for_backdrop = false; ///< likewise, for an image
+    bool asks_for_units = false;    ///< likewise, and shows the units quantity by quantity or hides them
     Topic topic = Topic::Properties;
     std::optional<TableKind> table{}; ///< that is shown; none while the tables are closed
 };

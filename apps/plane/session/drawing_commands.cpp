@@ -7,6 +7,7 @@
 
 #include "apps/plane/document/erase.h"
 #include "apps/plane/document/regions.h"
+#include "apps/plane/session/backdrop_commands.h"
 #include "ui/workspace/standard_commands.h"
 
 namespace plane {
@@ -34,6 +35,10 @@ constexpr std::array tool_entries{
     ToolEntry{ToolKind::Erase, "tool.erase", translatable("Erase"), {{Key::X, {}}}},
     ToolEntry{ToolKind::Probe, "tool.probe", translatable("Probe the stresses at a place"), {{Key::Q, {}}}},
     ToolEntry{ToolKind::Cut, "tool.cut", translatable("Cut through the body"), {{Key::U, {}}}},
+    ToolEntry{ToolKind::Align,
+              "tool.background",
+              translatable("Place the image behind the drawing by two points"),
+              {{Key::P, ui::shift}}},
 };
 
 Reason needs_selection(const Workspace& workspace)
@@ -135,12 +140,18 @@ void add_edit_commands(CommandTable& table)
 void add_drawing_commands(CommandTable& table)
 {
     Menu menu(table, translatable("Draw"));
-    menu.choices(
-        tool_entries, [](const Workspace& workspace) { return workspace.hand.tool(); },
-        [](Workspace& workspace, ToolKind tool) { workspace.hand.select(tool); });
+    for (const ToolEntry& entry : tool_entries)
+        menu.choice(
+            entry, [](const Workspace& workspace) { return workspace.hand.tool(); },
+            [](Workspace& workspace, ToolKind tool) { workspace.hand.select(tool); },
+            entry.value == ToolKind::Align ? Menu::WhyNot(why_no_backdrop) : Menu::WhyNot());
     menu.step(
         {"draw.finish", translatable("End the curve"), {{Key::Enter, {}}}},
-        [](Workspace& workspace) { workspace.draw(workspace.hand.finish()); }, why_not_finish);
+        [](Workspace& workspace) {
+            if (workspace.hand.align_tool()) workspace.align(workspace.hand.finish_aligning());
+            else workspace.draw(workspace.hand.finish());
+        },
+        why_not_finish);
     menu.step({"draw.close_gap", translatable("Close the gap"), {{Key::J, {}}}}, join_ends, why_no_gap);
     menu.step(
         {"draw.leave_gap", translatable("Leave the gap open")},
@@ -207,6 +218,7 @@ void type_place(Workspace& workspace, const FlatPoint& place)
 {
     Hand& hand = workspace.hand;
     if (hand.reads()) return read_at(workspace, place);
+    if (hand.align_tool()) return workspace.align(hand.align_as_typed(place, workspace.session.units()));
     if (hand.curve_tool()) {
         Aim aim = hand.aim();
         aim.snap = {place, SnapKind::Free};

@@ -7,8 +7,8 @@ namespace plane {
 bool needs_results(const Look& look)
 {
     if (look.modes) return false;
-    return look.deformed || look.principal || look.trajectories || look.error || look.reactions || look.field ||
-           !look.readings.are_none();
+    return look.deformed || look.principal || look.trajectories || look.vectors || look.error || look.reactions ||
+           look.field || !look.readings.are_none();
 }
 
 bool needs_mesh(const Look& look) { return look.mesh || look.modes || needs_results(look); }
@@ -31,9 +31,11 @@ PlateOptions options_of(const Look& look, std::size_t load_case)
     show(has_results && look.deformed, PlateShow::Deformed);
     show(has_results && look.principal, PlateShow::Principal);
     show(has_results && look.trajectories, PlateShow::Trajectories);
+    show(has_results && look.vectors, PlateShow::Vectors);
     show(has_results && look.error, PlateShow::Error);
     show(has_results && look.reactions, PlateShow::Reactions);
-    if (has_results && look.field) options.show.fields = {{*look.field, FieldStyle::Bands}};
+    if (has_results && look.field)
+        options.show.fields = {{*look.field, look.lines ? FieldStyle::Contours : FieldStyle::Bands}};
     for (const FlatPoint& at : look.readings.probes) options.probes.emplace_back(at.x, at.y);
     for (const auto& [start, end] : look.readings.cuts) options.cuts.push_back({{start.x, start.y}, {end.x, end.y}});
     if (look.circle) options.circle = look.readings.told_probe();

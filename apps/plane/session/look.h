@@ -24,10 +24,13 @@ struct Look {
     bool values = true;
     bool names = false;
     bool legend = true;
+    bool backdrop = true; ///< the image behind the drawing
     bool mesh = false;
     bool deformed = false;
     bool principal = false; ///< crosses of principal stresses
     bool trajectories = false;
+    bool vectors = false;                                 ///< displacements as arrows
+    bool lines = false;                                   ///< of equal value, in place of bands
     bool reactions = false;                               ///< of each support, as resultants
     bool error = false;                                   ///< of each element, estimated
     std::optional<femoop::plane::PlaneComponent> field{}; ///< that bands show

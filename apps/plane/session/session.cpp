@@ -1,15 +1,19 @@
 #include "apps/plane/session/session.h"
 
 #include <algorithm>
+#include <array>
 #include <chrono>
 #include <cmath>
 #include <cstdint>
+#include <future>
 #include <numbers>
 #include <utility>
 
 #include "apps/drawing/quantity_typed.h"
+#include "apps/plane/backdrop/view_file.h"
 #include "apps/plane/document/fault_words.h"
 #include "apps/plane/document/insertion.h"
+#include "apps/plane/document/points.h"
 #include "apps/plane/document/regions.h"
 #include "apps/plane/outline/outline.h"
 #include "apps/plane/view/error_curve.h"
@@ -19,6 +23,8 @@
 #include "femoop/io/plane/plane_file.h"
 #include "femoop/plane/check/plane_check.h"
 #include "topology/text/line_error.h"
+#include "ui/files/in_background.h"
+#include "ui/files/view_file.h"
 
 namespace plane {
 
@@ -44,6 +50,21 @@ bool are_drawn_alike(const PlaneModel& a, const PlaneModel& b)
 }
 
 bool is_error(const Fault& fault) { return severity(fault.kind) == femoop::Severity::Error; }
+
+/// The rectangle about the drawing; of one without a width and a height that of an empty sheet.
+std::array<FlatPoint, 2> room_of(const PlaneModel& model)
+{
+    const double width = usual_width(model);
+    std::array<FlatPoint, 2> room{FlatPoint{0.0, 0.0}, FlatPoint{width, 0.6 * width}};
+    if (model.points.empty()) return room;
+    FlatPoint low = place_of(model, NodeId(0)), high = low;
+    for (std::size_t i = 1; i < model.points.size(); ++i) {
+        const FlatPoint at = place_of(model, NodeId(i));
+        low = {std::min(low.x, at.x), std::min(low.y, at.y)};
+        high = {std::max(high.x, at.x), std::max(high.y, at.y)};
+    }
+    return low.x < high.x && low.y < high.y ? std::array{low, high} : room;
+}
 
 /// A file that was understood, whose drawing may have errors: they are shown, to be mended.
 bool is_understood(const femoop::plane::PlaneReading& reading)
@@ -81,7 +102,7 @@ std::optional<Message> Session::change(const Change& change)
     const bool has_faces = before->drawing() != nullptr && !are_drawn_alike(before->model(), next.model);
     if (has_faces) follow_faces(next, *before->drawing());
     if (next.model != from.model) next.cycle.reset(); // which is of the model as it was
-    auto would_be = std::make_shared<const Solution>(next);
+    auto would_be = next.model == before->model() ? before : std::make_shared<const Solution>(next);
     if (would_be->refused().size() > before->refused().size()) {
         const Fault& fault = would_be->refused().back();
         return Message(sentence(fault, next.model, tr()));
@@ -181,17 +202,58 @@ std::optional<ui::Notice> Session::read(const std::filesystem::path& path)
     if (file.hindrance) return ui::lasting(ui::not_opened(path, file.hindrance));
     femoop::plane::PlaneReading reading = femoop::plane::examine_plane_model(file.text);
     if (!is_understood(reading)) {
-        std::vector<Message> sentences;
-        for (const Fault& fault : reading.faults)
-            if (is_error(fault))
-                sentences.emplace_back(femoop::message(fault, [this](std::string_view text) { return tr()(text); }));
-        return ui::lasting(ui::not_opened(path, sentences));
+        std::erase_if(reading.faults, [](const Fault& fault) { return !is_error(fault); });
+        return ui::lasting(ui::not_opened(path, sentences_of(reading.faults)));
     }
     if (!reading.model.is_drawn)
         return ui::lasting(ui::not_opened(
             path, Message(translatable("it holds a mesh of elements; this app opens drawings of curves"))));
-    restart({.model = std::move(reading.model)});
+    ViewReading beside = read_view_of(path);
+    restart({.model = std::move(reading.model), .backdrop = std::move(beside.backdrop)});
+    if (!beside.faults.empty()) // the drawing is open all the same; what has faults is not written over
+        notice = ui::lasting(ui::not_opened(ui::view_path(path), sentences_of(beside.faults)));
     return std::nullopt;
+}
+
+std::vector<Message> Session::sentences_of(const std::vector<Fault>& faults) const
+{
+    std::vector<Message> sentences;
+    for (const Fault& fault : faults)
+        sentences.emplace_back(femoop::message(fault, [this](std::string_view text) { return tr()(text); }));
+    return sentences;
+}
+
+Session::Written Session::write_file(const std::filesystem::path& path)
+{
+    if (ui::model_of_view(path))
+        return {false, ui::lasting({translatable("{file} is the name of a view file; choose another for the model"),
+                                    {{"file", path.filename().string()}}})};
+    Written written = EditedDocument::write_file(path);
+    if (!written.is_whole) return written;
+    const SavedView beside = save_view_of(path, document().backdrop);
+    const std::filesystem::path view = ui::view_path(path);
+    if (beside.hindrance) return {false, ui::lasting(ui::not_saved(view, beside.hindrance))};
+    if (beside.put_aside)
+        written.notice = ui::lasting(
+            {translatable("{file} was not understood; it is kept as {old}"),
+             {{"file", view.filename().string()}, {"old", beside.put_aside->filename().string()}}});
+    return written;
+}
+
+/// A draft has a view file of its own beside it.
+ui::UnsavedDocument Session::unsaved() const
+{
+    ui::UnsavedDocument unsaved = EditedDocument::unsaved();
+    const std::optional<Backdrop>& backdrop = document().backdrop;
+    constexpr std::uint64_t odd = 0x9E3779B97F4A7C15; // 2^64 over the golden ratio
+    if (backdrop) unsaved.state ^= odd * std::hash<std::string>()(view_text(*backdrop, {}));
+    unsaved.copy = [backdrop, copy = unsaved.copy] {
+        return [backdrop, write = copy()](const std::filesystem::path& draft) {
+            const std::error_code hindrance = write_view_of(draft, backdrop);
+            return hindrance ? hindrance : write(draft);
+        };
+    };
+    return unsaved;
 }
 
 namespace {
@@ -211,27 +273,42 @@ Message notice_of(const outline::Outline& outline, const femoop::Units& units, s
 
 } // namespace
 
+template <class Reason> bool Session::refuse(const std::filesystem::path& path, const Reason& reason)
+{
+    notice = ui::lasting(ui::not_opened(path, reason));
+    return false;
+}
+
 bool Session::insert_outline(const std::filesystem::path& path)
 {
-    const auto refuse = [&](const auto& reason) {
-        notice = ui::lasting(ui::not_opened(path, reason));
-        return false;
-    };
     const files::WholeFile file = files::read_whole_file(path, most_bytes);
-    if (file.hindrance) return refuse(file.hindrance);
+    if (file.hindrance) return refuse(path, file.hindrance);
     try {
         const outline::Outline outline = outline::read_outline(path, file.text);
         const PlaneModel drawing = outline::drawing_of(outline, model().units);
-        if (drawing.curves.empty()) return refuse(Message(translatable("there is no curve in it")));
+        if (drawing.curves.empty()) return refuse(path, Message(translatable("there is no curve in it")));
         const auto insert = [&](Document& document) { insert_drawing(document, drawing); };
         const std::string name = path.filename().string();
         if (const auto reason = change({{translatable("Insert {file}"), {{"file", name}}}, insert}))
-            return refuse(*reason);
+            return refuse(path, *reason);
         notify(notice_of(outline, model().units, drawing.curves.size(), tr()));
     } catch (const topology::LineError& fault) {
-        return refuse(Message(fault.sentence([this](std::string_view text) { return tr()(text); })));
+        return refuse(path, Message(fault.sentence([this](std::string_view text) { return tr()(text); })));
     }
     return true;
+}
+
+bool Session::insert_backdrop(const std::filesystem::path& path)
+{
+    const ImageReading reading = read_image(path);
+    if (reading.fault) return refuse(path, sentences_of({*reading.fault}));
+    std::error_code unknown;
+    const auto [low, high] = room_of(model());
+    const Backdrop backdrop = backdrop_within(reading.photo,
+                                              std::filesystem::absolute(path, unknown).lexically_normal(), low, high);
+    look.backdrop = true;
+    return !change({{translatable("Insert {file}"), {{"file", path.filename().string()}}},
+                    [backdrop](Document& document) { document.backdrop = backdrop; }});
 }
 
 std::string Session::file_text() const { return femoop::plane::write_plane_model(model()); }
@@ -250,10 +327,12 @@ ui::DisplayUnits Session::units() const { return display_units(model(), options(
 
 PlateInput Session::input() const
 {
-    PlateInput input{.model = solution_->model(), .drawing = drawing()};
+    const Analysed* const found = analysed();
+    const Solution& solution = found != nullptr ? *found->solution() : *solution_;
+    PlateInput input{.model = solution.model(), .drawing = solution.drawing()};
+    if (look.backdrop && document().backdrop) input.backdrop = &*document().backdrop;
     input.player = player();
     if (input.player != nullptr) return input;
-    const Analysed* const found = analysed();
     if (found == nullptr || found->mesh() == nullptr) return input;
     input.mesh = found->mesh();
     input.modes = modes();
@@ -289,7 +368,7 @@ std::optional<Message> Session::keep_results()
 
 const Analysed* Session::analysed() const
 {
-    const bool is_of_now = analysed_ && analysed_->solution() == solution_ &&
+    const bool is_of_now = analysed_ && (analysed_->solution() == solution_ || ahead_.valid()) &&
                            (!analysed_->is_following() || history_.is_dragging());
     return is_of_now && needs_mesh(look) ? analysed_.get() : nullptr;
 }
@@ -324,25 +403,33 @@ void Session::find_modes()
 
 void Session::find_mesh_and_results()
 {
-    if (!needs_mesh(look) || !solution_->is_sound() || drawing() == nullptr || analysed() != nullptr) return;
     const bool is_dragging = history_.is_dragging();
-    if (!is_dragging) {
-        dragged_.reset();
-        following_.reset();
-        follow_seconds_ = 0.0;
-    }
+    if (!is_dragging) stop_following();
+    if (!needs_mesh(look) || !solution_->is_sound() || drawing() == nullptr) ahead_ = {};
+    else if (!is_dragging || follows_slower_than(patience.behind_a_hand) || !follow_with_mesh()) find_anew();
+}
+
+/// While a hand drags, only where they came fast enough to follow it.
+void Session::find_anew()
+{
+    ahead_ = {};
+    if (analysed() != nullptr || (history_.is_dragging() && last_seconds_ > patience.of_a_hand)) return;
     const auto seconds = [start = Clock::now()] { return seconds_since(start); };
-    if (is_dragging && follow_seconds_ <= patience.of_a_hand && follow_with_mesh()) {
-        follow_seconds_ = seconds();
-        return;
-    }
-    if (is_dragging && last_seconds_ > patience.of_a_hand) return;
     analysed_ = std::make_shared<const Analysed>(
         solution_, [&] { return seconds() > patience.at_most; }, document().sizes());
     last_seconds_ = seconds();
 }
 
-/// Elements that were turned inside out have the drawing meshed again, from where the hand is now.
+void Session::stop_following()
+{
+    ahead_ = {};
+    dragged_.reset();
+    following_.reset();
+    follow_seconds_.reset();
+}
+
+/// Takes what was begun in a frame before, and begins what this frame's drawing asks for. Elements that were turned
+/// inside out have the drawing meshed again, from where the hand is now.
 bool Session::follow_with_mesh()
 {
     if (analysed_ && !analysed_->is_following() && analysed_ != dragged_) {
@@ -350,12 +437,22 @@ bool Session::follow_with_mesh()
         following_.reset();
     }
     if (!dragged_ || dragged_->mesh() == nullptr) return false;
-    if (!following_)
-        following_ = std::make_shared<const discretize::FollowingMesh>(*dragged_->solution()->drawing(),
-                                                                       dragged_->meshed().mesh());
-    auto found = std::make_shared<const Analysed>(solution_, *following_);
-    if (found->mesh() == nullptr) return false;
-    analysed_ = std::move(found);
+    if (ahead_.valid()) {
+        if (follows_slower_than(patience.of_a_hand) && !ui::is_ready(ahead_)) return true;
+        const Ahead found = std::exchange(ahead_, {}).get();
+        if (found.analysed->mesh() == nullptr) return false;
+        analysed_ = found.analysed;
+        follow_seconds_ = std::min(found.seconds, follow_seconds_.value_or(found.seconds));
+    }
+    if (analysed_->solution() == solution_) return true;
+    if (!following_) following_ = std::make_shared<Following>(dragged_->solution(), dragged_->meshed().mesh());
+    const auto analyse = [this_solution = solution_, following = following_, shown = load_case] {
+        const Clock::time_point start = Clock::now();
+        auto analysed = std::make_shared<const Analysed>(this_solution, *following);
+        if (const femoop::plane::PlaneCase* result = analysed->result(shown)) result->recover();
+        return Ahead{std::move(analysed), seconds_since(start)};
+    };
+    ahead_ = std::async(ui::in_background(), analyse);
     return true;
 }
 

@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <filesystem>
+#include <future>
 #include <memory>
 #include <optional>
 #include <string>
@@ -24,8 +25,9 @@ namespace plane {
 
 /// How long results are waited for [s].
 struct Patience {
-    double of_a_hand = 0.05; ///< what takes longer does not follow one that drags
-    double at_most = 20.0;   ///< then it is given up
+    double of_a_hand = 0.05;    ///< what takes longer is not waited for while one drags
+    double behind_a_hand = 0.5; ///< what takes longer does not follow one
+    double at_most = 20.0;      ///< then it is given up
 };
 
 /// What is open and how it is looked at: the app without its window. The document changes through `change` alone; its
@@ -50,12 +52,16 @@ public:
     /// The curves of a DXF or SVG file join the drawing, as a step that can be taken back; a notice tells what of the file
     /// is left out. False, with a notice, where it cannot be read or has no curves; then nothing changes.
     bool insert_outline(const std::filesystem::path& path);
+    /// The PNG or JPEG image of a file lies behind the drawing, in place of the one that was there, as a step that can be
+    /// taken back. False, with a notice, where it cannot be read; then nothing changes.
+    bool insert_backdrop(const std::filesystem::path& path);
     void show_example(Document document); ///< as a document without a file
 
     std::string name() const override; ///< without a file the model's title
+    ui::UnsavedDocument unsaved() const override;
     ui::DisplayUnits units() const;
     const ui::Catalogue& tr() const override { return look.tr; }
-    PlateInput input() const;
+    PlateInput input() const; ///< of one drawing, that of `analysed` where there is one
     PlateOptions options() const { return options_of(look, load_case); }
 
     // ---- mesh and results
@@ -63,7 +69,8 @@ public:
     /// Finds the mesh and the results where they are shown and the drawing has changed. While a hand drags, only where
     /// they came fast enough to follow it.
     void analyse_what_is_shown();
-    /// Of the drawing as it is now; null where they are not shown, or not found.
+    /// Of the drawing as it is now; while a mesh goes along with a hand, as it was some frames before. Null where they are
+    /// not shown, or not found.
     const Analysed* analysed() const;
     /// Why what is shown has no mesh or no results; nothing where it has, or none is wanted.
     std::optional<ui::Message> why_no_results() const;
@@ -141,7 +148,14 @@ private:
     std::string file_text() const override;
     std::string about(const ui::Catalogue& tr) const override;
     void follow(const Document& before) override;
-    bool is_same(const Document& a, const Document& b) const override { return a.model == b.model; }
+    Written write_file(const std::filesystem::path& path) override;
+    bool is_same(const Document& a, const Document& b) const override
+    {
+        return a.model == b.model && a.backdrop == b.backdrop;
+    }
+    /// A notice tells that the file was not opened, and why. \returns false
+    template <class Reason> bool refuse(const std::filesystem::path& path, const Reason& reason);
+    std::vector<ui::Message> sentences_of(const std::vector<femoop::Fault>& faults) const;
     void refine_further(double seconds);
     std::optional<ui::Message> refine_once(); ///< \returns why the cycle ends here
     void solve_again();
@@ -149,9 +163,12 @@ private:
     void accept(std::shared_ptr<const Solution> solution); ///< of the document
     void keep_selection(const PlaneModel& before);
     void restart(Document document);
+    void find_mesh_and_results();
+    void find_anew();
     /// Does the mesh of before go along with the hand?
     bool follow_with_mesh();
-    void find_mesh_and_results();
+    bool follows_slower_than(double seconds) const { return follow_seconds_ && *follow_seconds_ > seconds; }
+    void stop_following();
     void find_modes();
     /// The solution of the document that a change starts from.
     const Solution& settled() const { return history_.is_dragging() && settled_ ? *settled_ : *solution_; }
@@ -160,12 +177,18 @@ private:
     std::shared_ptr<const Analysed> analysed_;
     std::shared_ptr<const Analysed> kept_;    ///< to be compared with
     std::shared_ptr<const Analysed> dragged_; ///< of before the drag that is under way
-    std::shared_ptr<const discretize::FollowingMesh> following_;
+    std::shared_ptr<Following> following_;    ///< along with dragged_
+    /// What another thread makes while frames are drawn; the one that finds it ready takes it.
+    struct Ahead {
+        std::shared_ptr<const Analysed> analysed;
+        double seconds = 0.0; ///< that it took
+    };
+    std::shared_future<Ahead> ahead_;
     std::shared_ptr<const Vibration> vibration_;
-    double swing_ = 0.0;          ///< since it began, at the largest displacement [s]
-    double last_seconds_ = 0.0;   ///< that an analysis took
-    double modes_seconds_ = 0.0;  ///< that finding the modes took
-    double follow_seconds_ = 0.0; ///< that the last one of this drag took, with the mesh that went along
+    double swing_ = 0.0;                   ///< since it began, at the largest displacement [s]
+    double last_seconds_ = 0.0;            ///< that an analysis took
+    double modes_seconds_ = 0.0;           ///< that finding the modes took
+    std::optional<double> follow_seconds_; ///< that the fastest one of this drag took, with the mesh that went along
     struct Refinement {
         std::size_t n_left = 0; ///< meshes
         double waited = 0.0;    ///< since the last one was made [s]

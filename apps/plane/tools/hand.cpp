@@ -21,7 +21,8 @@ std::optional<CurveToolKind> curve_of(ToolKind tool)
     case ToolKind::Point:
     case ToolKind::Erase:
     case ToolKind::Probe:
-    case ToolKind::Cut: break;
+    case ToolKind::Cut:
+    case ToolKind::Align: break;
     }
     return std::nullopt;
 }
@@ -31,8 +32,15 @@ void Hand::select(ToolKind tool)
     tool_ = tool;
     typed_.clear();
     curve_tool_.reset();
+    align_tool_.reset();
     cut_start_.reset();
+    if (tool == ToolKind::Align) align_tool_.emplace();
     if (const auto curve = curve_of(tool)) curve_tool_.emplace(*curve);
+}
+
+bool Hand::has_begun() const
+{
+    return cut_start_ || (curve_tool_ && curve_tool_->has_begun()) || (align_tool_ && align_tool_->has_begun());
 }
 
 std::optional<CurveDraft> Hand::click(const Aim& aim)
@@ -52,6 +60,13 @@ std::optional<std::array<FlatPoint, 2>> Hand::cut_to(const FlatPoint& place)
     return std::array{start, place};
 }
 
+std::optional<Alignment> Hand::align_as_typed(const FlatPoint& place, const ui::DisplayUnits& shown)
+{
+    const bool counts_from_first = typed_.find_first_of("@<") != std::string::npos ||
+                                   drawing::is_one_number(typed_, true, shown);
+    return counts_from_first && !align_tool_->picks() ? align_tool_->add_second(place) : align_tool_->add(place);
+}
+
 bool Hand::escape()
 {
     if (!typed_.empty()) {
@@ -60,6 +75,7 @@ bool Hand::escape()
     }
     if (std::exchange(cut_start_, std::nullopt)) return true;
     if (curve_tool_ && curve_tool_->escape()) return true;
+    if (align_tool_ && align_tool_->escape()) return true;
     if (tool_ == ToolKind::Select) return false;
     select(ToolKind::Select);
     return true;
@@ -91,6 +107,10 @@ std::optional<FlatPoint> Hand::typed_place(const femoop::Units& file, const ui::
     drawing::DrawingHand hand{
         .from = std::nullopt, .pointer = {aim_.snap.place.x, aim_.snap.place.y}, .file = file, .shown = shown};
     if (const auto from = curve_tool_ ? curve_tool_->from() : cut_start_) hand.from = {from->x, from->y};
+    if (align_tool_ && !align_tool_->picks()) { // how far apart two places are needs no pointer
+        hand.from = {align_tool_->from().x, align_tool_->from().y};
+        hand.pointer = {align_tool_->towards().x, align_tool_->towards().y};
+    }
     const auto place = drawing::place_typed(typed_, hand);
     if (!place || !place->allFinite()) return std::nullopt;
     return FlatPoint{place->x(), place->y()};

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "apps/plane/tools/align_tool.h"
 #include "apps/plane/tools/curve_tool.h"
 #include "apps/plane/tools/readings.h"
 #include "apps/plane/tools/snap.h"
@@ -28,7 +29,8 @@ enum class ToolKind : std::uint8_t {
     Point,
     Erase,
     Probe,
-    Cut
+    Cut,
+    Align ///< places the backdrop
 };
 
 /// The curve that a tool draws; nothing for others.
@@ -51,9 +53,10 @@ public:
     void select(ToolKind tool); ///< anew if it is the same: what was begun is given up
     bool reads() const { return tool_ == ToolKind::Probe || tool_ == ToolKind::Cut; }
     /// A click sets a place.
-    bool draws() const { return curve_tool_.has_value() || tool_ == ToolKind::Point || reads(); }
+    bool draws() const { return curve_tool_ || align_tool_ || tool_ == ToolKind::Point || reads(); }
     const std::optional<CurveTool>& curve_tool() const { return curve_tool_; }
-    bool has_begun() const { return cut_start_ || (curve_tool_ && curve_tool_->has_begun()); }
+    const std::optional<AlignTool>& align_tool() const { return align_tool_; }
+    bool has_begun() const;
     /// Where the cut begins that is being drawn.
     const std::optional<FlatPoint>& cut_start() const { return cut_start_; }
     /// The next place of a cut: both ends once they are two. \pre holds the tool of cuts
@@ -61,6 +64,13 @@ public:
 
     /// A click at the place that is meant: the curve that it ends. \pre draws a curve
     std::optional<CurveDraft> click(const Aim& aim);
+    /// The next place is one of the backdrop, which nothing of the drawing draws to itself.
+    bool picks_in_backdrop() const { return align_tool_ && align_tool_->picks(); }
+    /// The next place of the backdrop, or of where it belongs. \pre holds the tool that places it
+    std::optional<Alignment> align(const FlatPoint& place) { return align_tool_->add(place); }
+    std::optional<Alignment> finish_aligning() { return align_tool_ ? align_tool_->finish() : std::nullopt; }
+    /// The same of a place that is typed: one that counts from the first place is where the second belongs.
+    std::optional<Alignment> align_as_typed(const FlatPoint& place, const ui::DisplayUnits& shown);
     std::optional<CurveDraft> finish() { return curve_tool_ ? curve_tool_->finish() : std::nullopt; }
     /// Gives up what is typed, else what is begun, else the tool. \returns false where there was none of these
     bool escape();
@@ -82,6 +92,7 @@ public:
 private:
     ToolKind tool_ = ToolKind::Select;
     std::optional<CurveTool> curve_tool_;
+    std::optional<AlignTool> align_tool_;
     std::optional<FlatPoint> cut_start_;
     std::string typed_;
     Aim aim_;

@@ -1,5 +1,6 @@
 #include "apps/plane/view/case_shares.h"
 
+#include <algorithm>
 #include <string_view>
 
 #include "femoop/load/case_terms.h"
@@ -16,6 +17,19 @@ std::vector<CaseShare> shares_of(const femoop::plane::PlaneModel& model, femoop:
     for (const auto& [load_case, factor] : cases[shown.index].terms)
         shares.push_back({model.load_cases[load_case], factor});
     return shares;
+}
+
+std::vector<PointForce> point_forces(const femoop::plane::PlaneModel& model, femoop::CaseId shown)
+{
+    std::vector<PointForce> all;
+    for (const auto& [load_case, factor] : shares_of(model, shown))
+        for (const femoop::NodeLoad& load : load_case.points) {
+            auto sum = std::ranges::find(all, load.node, &PointForce::point);
+            if (sum == all.end()) sum = all.insert(all.end(), {.point = load.node});
+            for (const femoop::Component& part : load.components)
+                sum->force[part.dof == femoop::Dof::ux ? 0 : 1] += factor * part.value;
+        }
+    return all;
 }
 
 } // namespace plane

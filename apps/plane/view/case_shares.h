@@ -1,5 +1,6 @@
 #pragma once
 
+#include <Eigen/Core>
 #include <vector>
 
 #include "femoop/plane/model/plane_model.h"
@@ -13,5 +14,12 @@ struct CaseShare {
 };
 /// None of a case that the model lacks.
 std::vector<CaseShare> shares_of(const femoop::plane::PlaneModel& model, femoop::CaseId shown);
+
+/// All that the case puts on a point: a file may give it several forces, a combination brings those of its cases.
+struct PointForce {
+    femoop::NodeId point;
+    Eigen::Vector2d force = Eigen::Vector2d::Zero();
+};
+std::vector<PointForce> point_forces(const femoop::plane::PlaneModel& model, femoop::CaseId shown);
 
 } // namespace plane

@@ -42,12 +42,10 @@ std::string elements_text(const fp::PlaneModel& mesh)
 
 MeshFigures figures_of(const fp::PlaneResults& results, const fp::PlaneCase& result)
 {
-    MeshFigures figures{.elements = elements_text(results.model()),
-                        .n_unknowns = results.statistics().dofs,
-                        .error = result.error_estimate()};
-    for (std::size_t i = 0; i < results.model().points.size(); ++i)
-        figures.displacement = std::max(figures.displacement, result.displacement(femoop::NodeId(i)).norm());
-    return figures;
+    return {.elements = elements_text(results.model()),
+            .n_unknowns = results.statistics().dofs,
+            .displacement = largest_displacement(results.model(), result),
+            .error = result.error_estimate()};
 }
 
 /// The kept ones first.

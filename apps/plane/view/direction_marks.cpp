@@ -5,6 +5,8 @@
 #include <limits>
 #include <numbers>
 
+#include "apps/drawing/sketch/symbols.h"
+#include "apps/plane/view/mesh_marks.h"
 #include "femoop/plane/result/trajectories.h"
 
 namespace plane {
@@ -16,6 +18,12 @@ using Eigen::Vector2d;
 using ui::Point;
 
 constexpr double cross_distance = 34.0, trajectory_distance = 20.0; // [px]
+
+/// A place of the body at rest, with an element that it lies in.
+struct Sample {
+    Vector2d at;
+    fp::Location element;
+};
 
 struct Cross {
     Vector2d at;
@@ -36,7 +44,7 @@ ui::Stroke second_stroke(const PlateScene& scene)
 }
 
 /// At equal distances on the sheet, wherever there is material.
-std::vector<Cross> crosses_of(const PlateScene& scene)
+std::vector<Sample> samples_of(const PlateScene& scene)
 {
     ui::Point low{std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity()}, high = -low;
     for (const OutlinedPiece& piece : scene.outline.pieces)
@@ -46,7 +54,7 @@ std::vector<Cross> crosses_of(const PlateScene& scene)
         }
     const ui::Box seen = ui::intersection({low, high}, scene.sketch.painter().sheet());
     const double step = scene.sketch.px(cross_distance);
-    std::vector<Cross> crosses;
+    std::vector<Sample> samples;
     // from the middle of the body, so that a symmetric one is met symmetrically
     const Point middle = 0.5 * (low + high);
     for (double y = middle.y - step * std::floor((middle.y - seen.min.y) / step); y <= seen.max.y; y += step)
@@ -54,12 +62,19 @@ std::vector<Cross> crosses_of(const PlateScene& scene)
             const ui::World2 world = scene.camera.to_world({x, y});
             const Vector2d at(world.x, world.y);
             const auto places = scene.input.results->locator().find(at);
-            if (places.empty()) continue;
-            Cross cross{at, fp::principal(scene.result->smoothed_stress(places.front()))};
-            if (scene.magnification != 0.0)
-                cross.at += scene.magnification * scene.result->displacement(places.front());
-            crosses.push_back(cross);
+            if (!places.empty()) samples.push_back({at, places.front()});
         }
+    return samples;
+}
+
+std::vector<Cross> crosses_of(const PlateScene& scene)
+{
+    std::vector<Cross> crosses;
+    for (const Sample& sample : samples_of(scene)) {
+        Cross cross{sample.at, fp::principal(scene.result->smoothed_stress(sample.element))};
+        if (scene.magnification != 0.0) cross.at += scene.magnification * scene.result->displacement(sample.element);
+        crosses.push_back(cross);
+    }
     return crosses;
 }
 
@@ -115,11 +130,36 @@ void draw_trajectories(const PlateScene& scene)
     }
 }
 
+void draw_vectors(const PlateScene& scene)
+{
+    if (scene.result == nullptr || scene.mesh == nullptr) return;
+    constexpr double least_length = 1.5, head = 6.0, most_of_arrow = 0.45; // [px]; of the arrow is its head
+    const double largest = largest_displacement(*scene.mesh, *scene.result);
+    if (!(largest > 0.0)) return;
+    const double factor = scene.magnification != 0.0 ? scene.magnification * scene.camera.scale()
+                                                     : 0.92 * scene.sketch.px(cross_distance) / largest;
+    const ui::Stroke stroke = scene.sketch.thin(ui::Role::Deformed);
+    for (const Sample& sample : samples_of(scene)) {
+        const Point foot = scene.place(sample.at);
+        const Point arrow = factor * PlateScene::direction(scene.result->displacement(sample.element));
+        const double length = ui::length(arrow);
+        if (length < least_length) continue;
+        scene.sketch.line(foot, foot + arrow, stroke, drawing::Clearance::None);
+        drawing::arrow_head(scene.sketch, foot + arrow, arrow, std::min(scene.sketch.px(head), most_of_arrow * length),
+                            stroke.color);
+    }
+}
+
 std::string principal_note(const ui::Catalogue& tr)
 {
     return tr("principal stresses: full lines tension, dashes compression");
 }
 
 std::string trajectories_note(const ui::Catalogue& tr) { return tr("trajectories: full lines σ1, dashes σ2"); }
+
+std::string vectors_note(const std::string& largest, const ui::Catalogue& tr)
+{
+    return tr("arrows: displacements, the largest {value}", {{"value", largest}});
+}
 
 } // namespace plane

@@ -155,32 +155,26 @@ private:
 class CaseLoadMarks {
 public:
     explicit CaseLoadMarks(const PlateScene& scene)
-        : scene_(scene), shares_(shares_of(scene.model(), scene.options.load_case))
+        : scene_(scene),
+          shares_(shares_of(scene.model(), scene.options.load_case)),
+          forces_(point_forces(scene.model(), scene.options.load_case))
     {
         for (const CaseShare& share : shares_) find_largest(share);
+        for (const PointForce& load : forces_) largest_force_ = std::max(largest_force_, load.force.norm());
     }
 
     void draw()
     {
-        for (const CaseShare& share : shares_) {
+        for (const CaseShare& share : shares_)
             for (const fp::CurveLoad& load : share.load_case.curves) draw_curve_load(load, share.factor);
-            for (const femoop::NodeLoad& load : share.load_case.points) draw_point_load(load, share.factor);
+        for (const PointForce& load : forces_) draw_point_force(load);
+        for (const CaseShare& share : shares_) {
             for (const fp::RegionLoad& load : share.load_case.regions) draw_region_load(load, share.factor);
             for (const fp::PlaneSettlement& one : share.load_case.settlements) draw_settlement(one, share.factor);
         }
     }
 
 private:
-    static Vector2d force_of(const femoop::NodeLoad& load)
-    {
-        Vector2d force = Vector2d::Zero();
-        for (const auto& part : load.components) {
-            if (part.dof == femoop::Dof::ux) force.x() += part.value;
-            if (part.dof == femoop::Dof::uy) force.y() += part.value;
-        }
-        return force;
-    }
-
     const std::vector<CurvePath>& paths(fp::CurveId curve)
     {
         const auto [found, is_new] = paths_.try_emplace(curve.index);
@@ -196,8 +190,6 @@ private:
                     double& largest = largest_[load.kind == fp::CurveLoadKind::Line];
                     largest = std::max(largest, PathLoad{load, path, share.factor}.largest());
                 }
-        for (const femoop::NodeLoad& load : share.load_case.points)
-            largest_force_ = std::max(largest_force_, std::abs(share.factor) * force_of(load).norm());
     }
 
     void draw_curve_load(const fp::CurveLoad& load, double factor)
@@ -223,9 +215,9 @@ private:
         return is_supported ? scene_.sketch.px(over_support) : 0.0;
     }
 
-    void draw_point_load(const femoop::NodeLoad& load, double factor)
+    void draw_point_force(const PointForce& load)
     {
-        const Vector2d at = fp::position(scene_.model()[load.node]), force = factor * force_of(load);
+        const Vector2d at = fp::position(scene_.model()[load.point]), &force = load.force;
         if (!(force.norm() > 0.0)) return;
         const Point d = PlateScene::direction(force.normalized()), foot = scene_.place(at);
         const double length = scene_.sketch.px(28.0 + 18.0 * force.norm() / largest_force_);
@@ -377,6 +369,7 @@ private:
 
     const PlateScene& scene_;
     std::vector<CaseShare> shares_;
+    std::vector<PointForce> forces_;
     std::map<std::size_t, std::vector<CurvePath>> paths_; ///< of curves
     double largest_[2] = {0.0, 0.0};                      ///< per area, per length
     double largest_force_ = 0.0;

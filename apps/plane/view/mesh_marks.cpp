@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "apps/drawing/results/solved_case.h"
 #include "apps/plane/view/geometry_marks.h"
@@ -173,12 +172,7 @@ PlaceLine moved_by(const fp::PlaneModel& mesh, const std::vector<femoop::NodeVec
 PlaceLine moved_by(const fp::PlaneModel& mesh, const std::vector<Vector2d>& motion, double share)
 {
     PlaceLine places = fp::positions(mesh);
-    Vector2d low = Vector2d::Constant(std::numeric_limits<double>::infinity()), high = -low;
-    for (const Vector2d& at : places) {
-        low = low.cwiseMin(at);
-        high = high.cwiseMax(at);
-    }
-    const double reach = share * share_of_body * (high - low).norm();
+    const double reach = share * share_of_body * fp::extent(places);
     for (std::size_t i = 0; i < std::min(places.size(), motion.size()); ++i) places[i] += reach * motion[i];
     return places;
 }
@@ -188,19 +182,19 @@ namespace {
 double magnification_of(const PlateOptions& options, const fp::PlaneModel& mesh, const fp::PlaneCase& result)
 {
     if (options.deformation_scale) return *options.deformation_scale;
-    Vector2d low = Vector2d::Constant(std::numeric_limits<double>::infinity()), high = -low;
-    double largest = 0.0;
-    for (std::size_t i = 0; i < mesh.points.size(); ++i) {
-        const Vector2d at = fp::position(mesh.points[i]);
-        low = low.cwiseMin(at);
-        high = high.cwiseMax(at);
-        largest = std::max(largest, result.displacement(NodeId(i)).norm());
-    }
-    const double extent = (high - low).norm();
-    return largest > 0.0 ? drawing::round_below(share_of_body * extent / largest) : 1.0;
+    const double largest = largest_displacement(mesh, result);
+    return largest > 0.0 ? drawing::round_below(share_of_body * fp::extent(fp::positions(mesh)) / largest) : 1.0;
 }
 
 } // namespace
+
+double largest_displacement(const fp::PlaneModel& mesh, const fp::PlaneCase& result)
+{
+    double largest = 0.0;
+    for (std::size_t i = 0; i < mesh.points.size(); ++i)
+        largest = std::max(largest, result.displacement(NodeId(i)).norm());
+    return largest;
+}
 
 double magnification(const PlateInput& input, const fp::PlaneCase& result, const PlateOptions& options)
 {

@@ -18,6 +18,9 @@ void draw_mechanism(const PlateScene& scene);
 PlaceLine moved_by(const femoop::plane::PlaneModel& mesh, const std::vector<femoop::NodeVector>& motion, double share);
 PlaceLine moved_by(const femoop::plane::PlaneModel& mesh, const std::vector<Eigen::Vector2d>& motion, double share);
 
+/// Of all points of the mesh, as a length.
+double largest_displacement(const femoop::plane::PlaneModel& mesh, const femoop::plane::PlaneCase& result);
+
 /// The round factor by which displacements are drawn: the one asked for, else one that makes the largest about a tenth of
 /// the body; of results that are compared with kept ones the least of both, so that they are drawn alike.
 double magnification(const PlateInput& input, const femoop::plane::PlaneCase& result, const PlateOptions& options);

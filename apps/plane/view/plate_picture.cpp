@@ -35,6 +35,20 @@ void append(std::string& line, const std::string& part)
     if (!part.empty()) line += "  ·  " + part;
 }
 
+void draw_backdrop(const PlateScene& scene)
+{
+    const Backdrop* const backdrop = scene.input.backdrop;
+    if (backdrop == nullptr) return;
+    const auto [low, low_right, high_right, high] = backdrop->corners();
+    const auto on_sheet = [&](const FlatPoint& p) { return scene.place({p.x, p.y}); };
+    const ui::Point corner = on_sheet(high);
+    const ui::LayerScope layer(scene.sketch.painter(), ui::Layer::Background);
+    scene.sketch.painter().photo(backdrop->photo, {.corner = corner,
+                                                   .right = on_sheet(high_right) - corner,
+                                                   .down = on_sheet(low) - corner,
+                                                   .opacity = backdrop->opacity});
+}
+
 /// The place whose state has a panel of its own.
 std::optional<Vector2d> circled_probe(const PlateOptions& options)
 {
@@ -236,6 +250,7 @@ private:
         else if (shows(PlateShow::Geometry)) draw_geometry(scene);
         if (shows(PlateShow::Principal)) draw_principal(scene);
         if (shows(PlateShow::Trajectories)) draw_trajectories(scene);
+        if (shows(PlateShow::Vectors)) draw_vectors(scene);
         if (shows(PlateShow::Supports)) draw_supports(scene);
         if (shows(PlateShow::Loads) && mode_ == nullptr) draw_loads(scene);
         sketch.write_captions();
@@ -294,6 +309,9 @@ private:
             append(line, tr("dashes: {name}", {{"name", tr("the results that were kept")}}));
         if (result_ != nullptr && shows(PlateShow::Principal)) append(line, principal_note(tr));
         if (result_ != nullptr && shows(PlateShow::Trajectories)) append(line, trajectories_note(tr));
+        if (result_ != nullptr && shows(PlateShow::Vectors))
+            append(line,
+                   vectors_note(units_.text(largest_displacement(*mesh_, *result_), ui::Measure::Displacement), tr));
         if (result_ != nullptr && shows(PlateShow::Reactions))
             for (const std::string& equation : equilibrium_lines(*result_, units_)) append(line, equation);
         return line;
@@ -317,6 +335,8 @@ private:
             for (const PlaceLine* const moved : {&places_, &kept_places_})
                 for (const Vector2d& at : *moved) places.push_back({at.x(), at.y()});
         for (const Vector2d& at : widest_places_) places.push_back({at.x(), at.y()});
+        if (input_.backdrop != nullptr)
+            for (const FlatPoint& corner : input_.backdrop->corners()) places.push_back({corner.x, corner.y});
         return places;
     }
 
@@ -355,6 +375,7 @@ private:
         const bool is_moved = mode_ != nullptr || (result_ != nullptr && shows(PlateShow::Deformed));
         const bool is_colored = std::ranges::any_of(
             fields_, [](const FieldPicture& field) { return field.style == FieldStyle::Bands; });
+        if (pass == Pass::Drawn) draw_backdrop(scene);
         if (shows(PlateShow::Regions) && !is_moved && !is_colored) draw_regions(scene);
         if (pass == Pass::Drawn)
             for (const FieldPicture& field : fields_) draw_field(scene, field);
@@ -368,6 +389,7 @@ private:
         if (input_.motion != nullptr && mesh_ != nullptr) draw_mechanism(scene);
         if (pass == Pass::Drawn && shows(PlateShow::Principal)) draw_principal(scene);
         if (pass == Pass::Drawn && shows(PlateShow::Trajectories)) draw_trajectories(scene);
+        if (pass == Pass::Drawn && shows(PlateShow::Vectors)) draw_vectors(scene);
         for (std::size_t i = 0; i < cuts_.size(); ++i) draw_cut(scene, cuts_[i].cut, i + 1);
         if (pass == Pass::Drawn) draw_probes(scene, room_);
         if (shows(PlateShow::Supports)) draw_supports(scene);

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "apps/mohr/view/scene.h"
+#include "apps/plane/backdrop/backdrop.h"
 #include "apps/plane/discretize/drawing.h"
 #include "apps/plane/view/plate_show.h"
 #include "femoop/plane/analysis/natural_modes.h"
@@ -46,6 +47,8 @@ struct PlateInput {
     /// they stand behind these in dashes. Null: none.
     const femoop::plane::PlaneResults* kept_results = nullptr;
     const femoop::plane::PlaneCase* kept_result = nullptr;
+
+    const Backdrop* backdrop = nullptr; ///< null: nothing lies behind the body
 
     bool is_compared() const { return kept_result != nullptr && results != nullptr && result != nullptr; }
 };

@@ -13,8 +13,8 @@ using femoop::plane::PlaneComponent;
 using ui::translatable;
 
 constexpr std::string_view contour_word = "contour:", bands_word = "bands:";
-constexpr PlateShowSet of_results{PlateShow::Deformed, PlateShow::Principal, PlateShow::Trajectories, PlateShow::Error,
-                                  PlateShow::Reactions};
+constexpr PlateShowSet of_results{PlateShow::Deformed, PlateShow::Principal, PlateShow::Trajectories,
+                                  PlateShow::Vectors,  PlateShow::Error,     PlateShow::Reactions};
 constexpr PlateShowSet plate_labels{PlateShow::Values, PlateShow::Names, PlateShow::Legend};
 
 std::string in_small_letters(std::string_view word)
@@ -52,6 +52,7 @@ const std::vector<PlateShowWord>& plate_show_words()
         {"deformed", {PlateShow::Deformed}, translatable("deformed shape")},
         {"principal", {PlateShow::Principal}, translatable("crosses of principal stresses")},
         {"trajectories", {PlateShow::Trajectories}, translatable("stress trajectories, evenly spaced")},
+        {"vectors", {PlateShow::Vectors}, translatable("displacements as arrows, evenly spaced")},
         {"error", {PlateShow::Error}, translatable("the estimated error of each element")},
         {"reactions", {PlateShow::Reactions}, translatable("resultants of the supports, and equilibrium in numbers")},
         {"values", {PlateShow::Values}, translatable("numbers beside loads and at extremes")},

@@ -21,6 +21,7 @@ enum class PlateShow : std::uint8_t {
     Deformed,     ///< the body where its displacements take it, over its outline
     Principal,    ///< crosses of principal stresses
     Trajectories, ///< lines along the principal stresses, evenly spaced
+    Vectors,      ///< displacements as arrows, evenly spaced
     Error,        ///< Zienkiewicz and Zhu's error of each element
     Reactions,    ///< resultants of the supports, and equilibrium in numbers
     Values,       ///< numbers beside loads and at extremes

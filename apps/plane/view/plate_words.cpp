@@ -18,6 +18,7 @@
 #include "apps/plane/view/probe_marks.h"
 #include "apps/plane/view/probe_values.h"
 #include "apps/plane/view/reaction_marks.h"
+#include "femoop/plane/mesh/mesh_geometry.h"
 #include "femoop/plane/mesh/mesh_quality.h"
 
 namespace plane {
@@ -53,6 +54,25 @@ public:
         else if (shows(PlateShow::Mesh) && mesh_ != nullptr) write_mesh();
         if (result_ != nullptr) write_results();
         if (input_.modes != nullptr) write_modes();
+        return text_;
+    }
+
+    /// Whatever its loads are.
+    std::string body_text()
+    {
+        if (!input_.model.title.empty()) line(input_.model.title);
+        write_regions();
+        write_geometry();
+        write_supports();
+        if (mesh_ != nullptr) write_mesh();
+        return text_;
+    }
+
+    std::string case_text()
+    {
+        line(state_and_case(input_.model, options_));
+        write_loads();
+        if (result_ != nullptr) write_results();
         return text_;
     }
 
@@ -175,11 +195,12 @@ private:
     {
         constexpr double tolerance = 1e-4; // of the body: only lengths along curves follow from it
         const PlateOutline outline = outline_of(input_, tolerance * extent());
+        for (const PointForce& load : point_forces(input_.model, options_.load_case)) {
+            const std::string& point = input_.model[load.point].id;
+            if (load.force.x() != 0.0) line(point + ": fx = " + value(load.force.x(), ui::Measure::Force));
+            if (load.force.y() != 0.0) line(point + ": fy = " + value(load.force.y(), ui::Measure::Force));
+        }
         for (const auto& [load_case, factor] : shares_of(input_.model, options_.load_case)) {
-            for (const femoop::NodeLoad& load : load_case.points)
-                for (const auto& part : load.components)
-                    line(input_.model[load.node].id + ": " + (part.dof == femoop::Dof::ux ? "fx" : "fy") + " = " +
-                         value(factor * part.value, ui::Measure::Force));
             for (const fp::CurveLoad& load : load_case.curves) write_curve_load(load, factor, outline);
             if (!load_case.regions.empty() || !load_case.settlements.empty())
                 line(tr_("{case}: loads of regions {regions}, settlements {settlements}",
@@ -191,13 +212,10 @@ private:
 
     double extent() const
     {
-        Eigen::Vector2d low = Eigen::Vector2d::Zero(), high = low;
+        std::vector<Eigen::Vector2d> ends;
         for (const OutlinedPiece& piece : outline_of(input_, std::numeric_limits<double>::infinity()).pieces)
-            for (const Eigen::Vector2d& at : piece.line) {
-                low = low.cwiseMin(at);
-                high = high.cwiseMax(at);
-            }
-        return std::max((high - low).norm(), std::numeric_limits<double>::min());
+            ends.insert(ends.end(), piece.line.begin(), piece.line.end());
+        return std::max(fp::extent(ends), std::numeric_limits<double>::min());
     }
 
     void write_mesh()
@@ -351,6 +369,21 @@ private:
 std::string results_in_words(const PlateInput& input, const PlateOptions& options)
 {
     return PlateReport(input, options).results_text();
+}
+
+std::string cases_in_words(const PlateInput& input, PlateOptions options, const std::vector<femoop::CaseId>& cases)
+{
+    options.show = {.set = {PlateShow::Error, PlateShow::Reactions}, .fields = {}};
+    for (const fp::PlaneComponent component :
+         {fp::PlaneComponent::ux, fp::PlaneComponent::uy, fp::PlaneComponent::sx, fp::PlaneComponent::sy,
+          fp::PlaneComponent::txy, fp::PlaneComponent::Mises})
+        options.show.fields.push_back({component, FieldStyle::Bands});
+    std::string text = PlateReport(input, options).body_text();
+    for (const femoop::CaseId id : cases) {
+        options.load_case = id;
+        text += "\n" + PlateReport(input, options).case_text();
+    }
+    return text;
 }
 
 std::string in_words(const PlateInput& input, const PlateOptions& options)

@@ -90,8 +90,8 @@ bool Application::handle_typing(ui::Key key)
         workspace().notify(translatable("the place lies a million times as far off as the drawing is wide"));
         return true;
     }
-    hand.forget_typed();
     type_place(workspace(), *place);
+    hand.forget_typed();
     return true;
 }
 
@@ -107,12 +107,15 @@ void Application::handle_own_requests()
 {
     if (std::exchange(workspace().asks_for_outline, false))
         insert_dialog_.open_any(session().path().value_or(""), {".dxf", ".svg"});
+    if (std::exchange(workspace().asks_for_backdrop, false))
+        backdrop_dialog_.open_any(session().path().value_or(""), {".png", ".jpg", ".jpeg"});
     if (std::exchange(workspace().asks_for_units, false)) unit_window_.toggle();
 }
 
 void Application::show_own_dialogs()
 {
     if (const auto path = insert_dialog_.show(session().tr())) workspace().insert_outline(*path);
+    if (const auto path = backdrop_dialog_.show(session().tr())) workspace().insert_backdrop(*path);
     unit_window_.show(workspace().session.look.unit_choices, session().units(), session().tr(), fields_.stops());
 }
 

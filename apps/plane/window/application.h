@@ -40,7 +40,7 @@ private:
     bool close_topmost() override;
     void show_own_dialogs() override;
     void handle_own_requests() override;
-    bool is_asking() const override { return insert_dialog_.is_open(); }
+    bool is_asking() const override { return insert_dialog_.is_open() || backdrop_dialog_.is_open(); }
     std::optional<ui::FootMessage> foot_message() const override;
     void answer(const ui::FootMessage& message, std::size_t pressed) override;
 
@@ -51,6 +51,7 @@ private:
     Canvas canvas_;
     ui::NumberFields fields_;
     TablesPanel tables_;
+    ui::PathDialog backdrop_dialog_;
     ui::PathDialog insert_dialog_;
     ui::UnitWindow unit_window_;
 };

@@ -22,15 +22,14 @@ using ui::translatable;
 
 namespace {
 
-constexpr double snap_reach = 10.0;  // [px]
-constexpr double pick_reach = 7.0;   // [px]
-constexpr double empty_sheet = 0.25; // [m] that an empty sheet is wide, in a file that counts in mm
+constexpr double snap_reach = 10.0; // [px]
+constexpr double pick_reach = 7.0;  // [px]
 
-/// How wide an empty sheet is, in the file's unit.
-double usual_width(const PlaneModel& model)
+/// There is nothing to be seen of it.
+bool is_empty(const Session& session)
 {
-    const double metres = femoop::metres(model.units.length);
-    return metres < 0.02 ? empty_sheet / metres : 25.0;
+    const bool has_backdrop = session.look.backdrop && session.document().backdrop;
+    return session.model().points.empty() && session.model().curves.empty() && !has_backdrop;
 }
 
 bool is_finite(const FlatPoint& p) { return std::isfinite(p.x) && std::isfinite(p.y); }
@@ -67,8 +66,7 @@ void Canvas::zoom(Session& session, double factor) const
 
 ui::PlaneCamera Canvas::usual_camera(const Session& session) const
 {
-    if (!session.model().points.empty() || !session.model().curves.empty())
-        return fitted_camera(session.input(), session.options(), sheet(), fonts());
+    if (!is_empty(session)) return fitted_camera(session.input(), session.options(), sheet(), fonts());
     const double scale = sheet().width / usual_width(session.model());
     return {{0.1 * sheet().width, 0.85 * sheet().height}, scale};
 }
@@ -149,7 +147,7 @@ Aim Canvas::aim_at(const Workspace& workspace) const
                         .fine = drawing::round_grid(aim.pixel),
                         .moving = grip_,
                         .to_parts = hand.snaps_to_parts,
-                        .is_off = io.KeyAlt || !is_finite(aim.pointer)};
+                        .is_off = io.KeyAlt || !is_finite(aim.pointer) || hand.picks_in_backdrop()};
     if (hand.curve_tool())
         for (const DraftPlace& place : hand.curve_tool()->places()) options.draft.push_back(place.at);
     aim.snap = snap(session.model(), session.drawing(), aim.pointer, options);
@@ -199,6 +197,7 @@ void Canvas::press(Workspace& workspace, const Aim& aim)
     Hand& hand = workspace.hand;
     Readings& readings = workspace.session.look.readings;
     if (hand.curve_tool()) return workspace.draw(hand.click(aim));
+    if (hand.align_tool()) return workspace.align(hand.align(aim.snap.place));
     const bool holds = aim.reading && !hand.has_begun() && (hand.reads() || hand.tool() == ToolKind::Select);
     if (holds) {
         held_reading_ = {*aim.reading, readings};
@@ -266,6 +265,10 @@ void Canvas::release(Workspace& workspace, const Aim& aim)
         workspace.session.settle();
         return;
     }
+    if (hand.align_tool()) {
+        if (was_dragged) workspace.align(hand.align(aim.snap.place));
+        return;
+    }
     if (hand.has_begun() && was_dragged) { // pressed, dragged, released: from there to here
         workspace.draw(hand.click(aim));
         if (hand.tool() == ToolKind::Line) static_cast<void>(hand.finish());
@@ -277,6 +280,7 @@ void Canvas::release(Workspace& workspace, const Aim& aim)
 void Canvas::end_by_right_click(Workspace& workspace)
 {
     if (!workspace.hand.has_begun()) return;
+    if (workspace.hand.align_tool()) return workspace.align(workspace.hand.finish_aligning());
     if (const auto drawn = workspace.hand.finish()) workspace.draw(drawn);
     else workspace.hand.escape();
 }
@@ -302,14 +306,13 @@ ui::Box Canvas::paint_all(const Workspace& workspace, ui::Painter& painter) cons
 {
     const Session& session = workspace.session;
     const ui::Theme theme(session.look.theme);
-    const bool is_empty = session.model().points.empty() && session.model().curves.empty();
     ui::Box room{{0.0, 0.0}, {sheet().width, sheet().height}};
-    if (is_empty && !workspace.hand.has_begun()) {
+    if (is_empty(session) && !workspace.hand.has_begun()) {
         ui::draw_invitation(painter, theme,
                             {session.tr()("L draws lines, C circles, A arcs, S splines."),
                              session.tr()("A closed outline fills; click it to say what it is made of."),
                              session.tr()("Ctrl+O opens a file, Ctrl+K finds a command.")});
-    } else if (!is_empty) {
+    } else if (!is_empty(session)) {
         room = plane::draw(painter, session.input(), session.options(),
                            {.camera = camera_, .phase = session.phase(), .circle_frame = circle_frame_});
         draw_helpers(painter, session, camera_, room);

@@ -204,6 +204,16 @@ std::string tool(const Application& application)
     return std::string(std::ranges::find(tools(), application.workspace().hand.tool(), &ToolEntry::value)->id);
 }
 
+// "bracket.jpg 0 0 to 120 5": the image behind the drawing, and both ends of its bottom side
+std::string background(const Application& application)
+{
+    const auto& backdrop = application.session().document().backdrop;
+    if (!backdrop) return "nothing";
+    const auto place = [](const FlatPoint& p) { return ui::number_text(p.x) + " " + ui::number_text(p.y); };
+    return backdrop->file.filename().string() + " " + place(backdrop->corner) + " to " +
+           place(backdrop->corner + backdrop->across);
+}
+
 // "A 70 30"
 ui::Mismatch place(const Application& application, std::string_view text)
 {
@@ -283,6 +293,7 @@ const ui::Facts<Application>& facts()
             {"range", range},
             {"table", table},
             {"tool", tool},
+            {"background", background},
             {"typed", [](const Application& a) { return or_nothing(a.workspace().hand.typed()); }},
         },
         ", at, probed, cut");

@@ -47,11 +47,25 @@ ui::FootMessage message_of(const Session& session, const Gap& gap)
             {0}};
 }
 
+/// What the hand is to do next that places the image behind the drawing.
+std::string_view step_of(const AlignTool& tool)
+{
+    if (!tool.has_begun()) return translatable("Click a place of the image that you know.");
+    if (tool.picks()) return translatable("Click a second one, far from the first.");
+    if (!tool.first_target())
+        return translatable(
+            "How far apart are they? Type it (120 mm) and press Enter. Or first where place 1 lies: type it "
+            "(0, 0), or click it.");
+    return translatable("Where does place 2 lie? Type its distance from place 1 or its place, or click it; Enter keeps "
+                        "the scale.");
+}
+
 } // namespace
 
 std::optional<ui::FootMessage> foot_of(const Workspace& workspace)
 {
     const Session& session = workspace.session;
+    if (workspace.hand.align_tool()) return ui::FootMessage{{session.tr()(step_of(*workspace.hand.align_tool()))}, {}};
     if (workspace.hand.has_begun() || session.history().is_dragging()) return std::nullopt;
     if (const auto& dispute = session.solution().dispute()) return message_of(session, *dispute);
     if (const auto gap = told_gap(workspace)) return message_of(session, *gap);

@@ -84,6 +84,22 @@ public:
         painter_.disc(at(start), 3.5 * theme_.symbol_scale(), dashed.color);
     }
 
+    /// The places of the image that were picked, by their numbers, and where the first one comes.
+    void aligned(const AlignTool& tool)
+    {
+        const ui::Color ink = theme_.stroke(Role::Selection).color;
+        const ui::Stroke dashed{.color = ink, .width = 2.0, .dash = {8.0, 5.0}};
+        const std::vector<FlatPoint>& picked = tool.picked();
+        if (picked.size() == 1) painter_.line(at(picked[0]), meant(), dashed);
+        if (picked.size() == 2) painter_.line(at(picked[0]), at(picked[1]), {.color = ink, .width = 2.0});
+        if (tool.first_target()) {
+            painter_.line(at(picked[0]), at(*tool.first_target()), dashed);
+            painter_.circle(at(*tool.first_target()), 7.0 * theme_.symbol_scale(), {.color = ink, .width = 2.0});
+            painter_.line(at(picked[1]), meant(), dashed);
+        }
+        for (std::size_t i = 0; i < picked.size(); ++i) number(at(picked[i]), std::to_string(i + 1), ink);
+    }
+
     /// The place that is meant, and where it is while a point is dragged.
     void place(bool tells_place)
     {
@@ -99,6 +115,15 @@ public:
     }
 
 private:
+    void number(Point place, const std::string& digit, ui::Color ink)
+    {
+        painter_.disc(place, 9.0 * theme_.symbol_scale(), ink);
+        ui::TextStyle style = theme_.text(Role::Label, ui::Anchor::Center);
+        style.weight = ui::Weight::Bold;
+        style.color = theme_.background();
+        painter_.text(place, digit, style);
+    }
+
     Point at(const FlatPoint& p) const { return camera_.to_sheet({p.x, p.y}); }
     Point meant() const { return at(workspace_.hand.aim().snap.place); }
 
@@ -200,11 +225,13 @@ void draw_hand(ui::Painter& painter, const Workspace& workspace, const ui::Plane
     const auto draft = hand.preview();
     {
         const ui::ClipScope clip(painter, room);
-        if ((hand.draws() || is_dragging) && hand.snaps_to_grid && hand.tool() != ToolKind::Probe)
+        if ((hand.draws() || is_dragging) && hand.snaps_to_grid && hand.tool() != ToolKind::Probe &&
+            !hand.picks_in_backdrop())
             drawing::draw_grid(painter, theme, camera, grid_step(camera));
         const ui::LayerScope layer(painter, ui::Layer::Overlay);
         if (draft) picture.preview(*draft);
         if (hand.cut_start()) picture.cut(*hand.cut_start());
+        if (hand.align_tool()) picture.aligned(*hand.align_tool());
     }
     const ui::LayerScope layer(painter, ui::Layer::Overlay);
     if (hand.draws() || is_dragging) picture.place(is_dragging || !draft);

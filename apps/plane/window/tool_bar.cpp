@@ -2,9 +2,11 @@
 
 #include <imgui.h>
 
+#include <algorithm>
 #include <cmath>
 #include <string>
 
+#include "apps/plane/session/backdrop_commands.h"
 #include "apps/plane/view/field_picture.h"
 #include "apps/plane/window/tool_icon.h"
 #include "ui/widgets/command_combo.h"
@@ -104,11 +106,34 @@ void refinement_rows(Workspace& workspace, const CommandTable& commands, ui::Num
     ui::command_button(workspace, commands, session.is_refining() ? "results.stop_refining" : "results.refine");
 }
 
+/// How strong the image behind the drawing is, in percent.
+void backdrop_rows(Workspace& workspace, const CommandTable& commands, ui::NumberFields& number_fields)
+{
+    Session& session = workspace.session;
+    if (!session.document().backdrop) return;
+    switch_box(workspace, commands, "view.show.background");
+    if (!session.look.backdrop) return;
+    using Kind = ui::NumberFieldEvent::Kind;
+    const double percent = 100.0 * session.document().backdrop->opacity;
+    const std::string text = ui::number_text(percent, session.units().format());
+    ui::begin_field_row(session.tr()(translatable("Strength [%]")), text);
+    const auto event = number_fields.show("opacity", {.text = text, .exact_text = text, .value = percent});
+    if (event.kind == Kind::Settled) session.settle();
+    if (event.kind == Kind::Dragged)
+        session.change(opacity_change(std::clamp(event.value / 100.0, least_opacity, 1.0), Step::Drag));
+    if (event.kind != Kind::Typed) return;
+    const auto typed = ui::number_typed(event.text);
+    if (typed && *typed >= 100.0 * least_opacity && *typed <= 100.0)
+        workspace.change(opacity_change(*typed / 100.0, Step::Click));
+    else number_fields.reject(event, session.tr()(translatable("a percentage from 5 to 100 is wanted here")));
+}
+
 } // namespace
 
 void tool_bar(Workspace& workspace, const CommandTable& commands, ui::ImGuiSession& gui, const ui::Fonts& fonts)
 {
     for (const ToolEntry& entry : tools()) {
+        if (why_not(*commands.find(entry.id), workspace)) continue;
         tool_button(workspace, commands, entry, gui, fonts);
         ImGui::SameLine();
     }
@@ -121,17 +146,22 @@ void show_panel(Workspace& workspace, const CommandTable& commands, ui::NumberFi
     for (const char* id : {"view.show.regions", "view.show.supports", "view.show.loads", "view.show.values",
                            "view.show.names", "view.show.legend"})
         switch_box(workspace, commands, id);
+    backdrop_rows(workspace, commands, number_fields);
     ImGui::Spacing();
     ImGui::TextUnformatted(workspace.tr()("Results").c_str());
     ImGui::Separator();
-    for (const char* id : {"results.mesh", "results.deformed", "results.principal", "results.trajectories",
-                           "results.error", "results.reactions", "results.circle"})
+    const Look& look = workspace.session.look;
+    for (const char* id : {"results.mesh", "results.deformed"}) switch_box(workspace, commands, id);
+    if (look.deformed || look.vectors) switch_box(workspace, commands, "results.vectors");
+    for (const char* id :
+         {"results.principal", "results.trajectories", "results.error", "results.reactions", "results.circle"})
         switch_box(workspace, commands, id);
     for (const char* id : {"results.animate", "results.modes"}) switch_box(workspace, commands, id);
     refinement_rows(workspace, commands, number_fields);
     const auto field = workspace.session.look.field;
     ui::command_combo(workspace, commands, "###field", fields(),
                       [&](const FieldEntry& entry) { return entry.value == field; });
+    if (field) switch_box(workspace, commands, "results.lines");
     switch_box(workspace, commands, "results.element_values");
     if (field) range_rows(workspace, commands, number_fields);
     ImGui::Spacing();

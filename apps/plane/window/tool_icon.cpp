@@ -91,6 +91,16 @@ public:
         ends({at(9, 22), at(14, 2)});
     }
 
+    void align()
+    {
+        painter_.polyline({at(2, 3), at(22, 3), at(22, 16), at(2, 16)}, {.color = ink_, .width = 1.2 * unit_},
+                          ui::PathEnds::Closed);
+        painter_.polyline({at(3, 15), at(9, 8), at(14, 13), at(17, 10), at(21, 15)},
+                          {.color = ink_, .width = 1.2 * unit_});
+        painter_.line(at(4, 21), at(20, 21), stroke());
+        ends({at(4, 21), at(20, 21)});
+    }
+
 private:
     Point at(double x, double y) const { return {x * unit_, y * unit_}; }
     ui::Stroke stroke() const { return {.color = ink_, .width = 2.0 * unit_}; }
@@ -142,6 +152,7 @@ void draw_tool_icon(ui::Painter& painter, ToolKind tool, const ui::Theme& theme)
     case ToolKind::Erase: return icon.erase();
     case ToolKind::Probe: return icon.probe();
     case ToolKind::Cut: return icon.cut();
+    case ToolKind::Align: return icon.align();
     }
 }
 

@@ -73,9 +73,11 @@ TEST_CASE("A curve that is none is refused in words: without a rise, in one part
         CHECK(run.out.empty());
         CHECK(has(run.err, reason));
     };
-    refused("-", "members=AB,rise=0", "a rise of 0 leaves the member straight");
+    for (const char* none : {"members=AB,rise=0", "members=AB,rise=1e-300", "members=AB,rise=-1e-9"})
+        refused("-", none, "such a rise leaves the member straight");
     refused("-", "members=AB,rise=1,parts=1", "wanted a whole number from 2 to 200");
     refused("-", "members=AB,rise=1,parts=201", "wanted a whole number from 2 to 200");
+    refused("-", "members=AB,rise=1e300", "--bend rise: found 1e300; wanted lengths up to ");
     refused("-", "members=AB,rise=1,curve=circle", "wanted one of arc, parabola");
     refused("-", "members=AB,rise=1 kN", "--bend rise: ");
     refused("-", "members=BC,rise=1", "there is no \"BC\"");
@@ -105,6 +107,10 @@ TEST_CASE("With the combinations of a code a model has them as ordinary ones, an
     CHECK(has(refused("EN1990", "P=rain"), "congregation"));
     CHECK(has(refused("EN1990", "Z=wind"), "--actions"));
     CHECK(has(refused("EN1990", "P=permanent,P=wind"), "--actions: P is named twice"));
+    CHECK(has(cremona({"convert", in, out, "--combinations", "EN1990"}).err, "--combinations needs --actions too"));
+    const Run alone = cremona({"convert", in, out, "--actions", "P=permanent"});
+    CHECK(alone.status == 2);
+    CHECK(has(alone.err, "--actions needs --combinations too"));
 }
 
 TEST_CASE("To CSV every result stands in one long table with its unit")

@@ -12,6 +12,16 @@ using cli_test::has;
 using cli_test::Run;
 using nlohmann::json;
 
+namespace {
+
+constexpr const char* beam_of_8_m =
+    R"({"cremona": 1, "analysis": "frame2d", "units": {"length": "m", "force": "kN"},
+        "materials": [{"id": "m", "E": 2e8}], "sections": [{"id": "s", "A": 0.01, "Iz": 1e-4}],
+        "nodes": [{"id": "A", "at": [0, 0], "support": "pin"}, {"id": "B", "at": [8, 0], "support": "roller"}],
+        "members": [{"id": "AB", "nodes": ["A", "B"], "material": "m", "section": "s"}]})";
+
+} // namespace
+
 TEST_SUITE_BEGIN("cremona");
 
 TEST_CASE("A line is told in sentences, with the extremes of its table and their places")
@@ -23,6 +33,72 @@ TEST_CASE("A line is told in sentences, with the extremes of its table and their
     CHECK(has(told.out, "areas"));
     const Run portuguese = cremona({"--lang", "pt", "influence", "examples/influence.json", "--describe"});
     CHECK(has(portuguese.out, "Linha de influência de M(BC"));
+}
+
+TEST_CASE("A reaction that its support does not hold is not given as zeros alone: it is said why")
+{
+    const std::vector<std::string> asked{"influence", "examples/influence.json", "--node", "B", "--component", "fx"};
+    const Run line = cremona(asked);
+    CHECK(line.status == 0);
+    CHECK(has(line.err, "warning: the support of node B does not hold fx, so that this reaction is zero wherever the "
+                        "load stands; ask for a component that it holds"));
+    CHECK(cremona({"influence", "examples/influence.json", "--node", "A", "--component", "fx"}).err.empty());
+    std::vector<std::string> in_words = asked;
+    in_words.emplace_back("--describe");
+    const Run told = cremona(in_words);
+    CHECK(told.err.empty());
+    CHECK(has(told.out, "The support of node B does not hold fx: this reaction is zero wherever the load stands.\n"));
+    CHECK(has(cremona({"train", "examples/bridge.json", "--train", "HS20", "--node", "B", "--component", "fx"}).err,
+              "the support of node B does not hold fx"));
+}
+
+TEST_CASE("A displacement that a support holds is exactly 0 along the path, and it is said which support holds it")
+{
+    const std::vector<std::string> asked{"influence", "examples/influence.json", "--node", "B", "--component", "uy"};
+    const auto with = [&](const char* option) {
+        std::vector<std::string> all = asked;
+        all.emplace_back(option);
+        return cremona(all);
+    };
+    const char* const warning = "warning: the support of node B holds uy, so that this displacement is zero wherever "
+                                "the load stands; ask for one that it leaves free";
+    CHECK(has(cremona(asked).err, warning));
+    const Run for_programs = with("--json");
+    CHECK(has(for_programs.err, warning));
+    const json line = json::parse(for_programs.out).at("lines")[0];
+    for (const json& station : line["stations"]) CHECK(station["value"].get<double>() == 0.0);
+    for (const json& piece : line["pieces"]) CHECK(piece["polynomial"] == json::parse("[0, 0, 0, 0]"));
+    const Run told = with("--describe");
+    CHECK(told.err.empty());
+    CHECK(has(told.out, "The support of node B holds uy: this displacement is zero wherever the load stands.\n"));
+    CHECK(cremona({"influence", "examples/influence.json", "--node", "B", "--component", "ux"}).err.empty());
+    CHECK(has(cremona({"train", "examples/bridge.json", "--train", "HS20", "--node", "B", "--component", "uy"}).err,
+              warning));
+}
+
+TEST_CASE("In JSON what is 0 by statics is 0, and a jump has both its values at the section")
+{
+    const auto stations = [](const char* file, const char* path, const char* member, const char* component) {
+        const Run run = cremona({"influence", file, "--path", path, "--member", member, "--at", "50%", "--component",
+                                 component, "--stations", "2", "--json"});
+        const json line = json::parse(run.out).at("lines")[0];
+        std::vector<double> values;
+        for (const json& station : line["stations"]) values.push_back(station["value"]);
+        return values;
+    };
+    const auto check = [](const std::vector<double>& values, const std::vector<double>& wanted) {
+        REQUIRE(values.size() == wanted.size());
+        for (std::size_t i = 0; i < values.size(); ++i) {
+            CAPTURE(i);
+            if (wanted[i] == 0.0) CHECK(values[i] == 0.0);
+            else CHECK(values[i] == doctest::Approx(wanted[i]).epsilon(1e-12));
+        }
+    };
+    check(stations("examples/gerber_beam.json", "AB", "AB", "V"), {0.0, -0.5, 0.5, 0.0});
+    constexpr const char* chord = "L0L1,L1L2,L2L3,L3L4,L4L5,L5L6";
+    check(stations("examples/pratt_truss.json", chord, "L1U1", "N"), {0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 0.0});
+    // panels of 3 m and 4 m: 5/6 of the load on a panel point, times 3/4
+    check(stations("examples/pratt_truss.json", chord, "L0L1", "N"), {0.0, 0.625, 0.5, 0.375, 0.25, 0.125, 0.0});
 }
 
 TEST_CASE("A train is told in sentences: where it is worst, and what stands where")
@@ -124,6 +200,57 @@ TEST_CASE("A train whose worst sections would be looked for too long is refused 
     CHECK(all.status == 2);
     CHECK(has(all.err, "Convoy: 120 spacings vary; with 1 members on its path"));
     CHECK(cremona({"train", "-", "--member", "AB", "--at", "3", "--component", "M"}, beam).status == 0);
+}
+
+TEST_CASE("A train of very many axles on a long path is refused before it is searched, one section of it is found")
+{
+    json model = json::parse(beam_of_8_m);
+    json path = json::array();
+    for (int i = 0; i < 12; ++i) {
+        const std::string from = std::to_string(i), to = std::to_string(i + 1);
+        if (i == 0) model["nodes"] = json::array({{{"id", "0"}, {"at", {0, 0}}, {"support", "pin"}}});
+        model["nodes"].push_back({{"id", to}, {"at", {7 * (i + 1), 0}}, {"support", "roller"}});
+        if (i == 0) model["members"] = json::array();
+        model["members"].push_back({{"id", "m" + to}, {"nodes", {from, to}}, {"material", "m"}, {"section", "s"}});
+        path.push_back("m" + to);
+    }
+    model["trains"] = json::array({{{"id", "Long"},
+                                    {"path", path},
+                                    {"axles", std::vector<double>(500, 2.0)},
+                                    {"spacings", std::vector<double>(499, 0.3)}}});
+    const Run all = cremona({"train", "-"}, model.dump());
+    CHECK(all.status == 2);
+    CHECK(has(all.err,
+              "Long: with 500 axles and 12 members on its path the worst sections would be looked for too long"));
+    CHECK(cremona({"train", "-", "--member", "m3", "--at", "3", "--component", "M"}, model.dump()).status == 0);
+}
+
+TEST_CASE("Of a train of 500 axles the first and the last are told, and how many there are between")
+{
+    json model = json::parse(beam_of_8_m);
+    json& train = model["trains"][0];
+    train = {{"id", "Long"}, {"path", {"AB"}}, {"axles", json::array()}, {"spacings", json::array()}};
+    for (int i = 0; i < 500; ++i) train["axles"].push_back(2.0 + 0.001 * i);
+    for (int i = 1; i < 500; ++i) train["spacings"].push_back(0.01 + 1e-5 * i);
+    std::vector<std::string> asked{"train", "-", "--member", "AB", "--at", "3", "--component", "M"};
+    const Run told = cremona(asked, model.dump());
+    REQUIRE(told.status == 0);
+    CHECK(has(told.out, "; 498 more; "));
+    CHECK(has(told.out, "spacings 0.01001; 497 more; 0.01499"));
+    CHECK(told.out.size() < 1000);
+    asked.emplace_back("--describe");
+    const Run in_words = cremona(asked, model.dump());
+    CHECK(has(in_words.out, "498 more between them."));
+    CHECK(in_words.out.size() < 2000);
+}
+
+TEST_CASE("An answer that stands off its path is refused with the units of both lengths")
+{
+    json model = json::parse(beam_of_8_m);
+    model["influence"] = json::parse(
+        R"({"path": ["AB"], "positions": [9.5], "lines": [{"quantity": "reaction", "node": "A", "component": "fy"}]})");
+    CHECK(
+        has(cremona({"verify", "-"}, model.dump()).err, "position 9.5 m is off the path; give a length from 0 to 8 m"));
 }
 
 TEST_CASE("Of a truss under a train nothing is written that is but rounding")

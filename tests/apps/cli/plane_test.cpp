@@ -88,8 +88,12 @@ TEST_CASE("A drawing is meshed, for people and for programs, and its mesh solves
         CHECK(drawn["cases"]["P"]["points"][point] == meshed["cases"]["P"]["points"][point]);
     CHECK(drawn["cases"]["P"]["energy"].get<double>() ==
           doctest::Approx(meshed["cases"]["P"]["energy"].get<double>()).epsilon(1e-9));
-    CHECK(has(cli_test::cremona({"mesh", "examples/plate.json", "-o", "a.obj"}).err,
-              "wanted a name that ends in .json, .vtu, .svg, .pdf or .png"));
+    for (const std::string name : {"a.obj", ""}) {
+        const auto refused = cli_test::cremona({"mesh", "examples/plate.json", "-o", name});
+        CHECK(refused.status == 2);
+        CHECK(has(refused.err,
+                  "--output: found \"" + name + "\", wanted a name that ends in .json, .vtu, .svg, .pdf or .png"));
+    }
 }
 
 TEST_CASE("mesh --regions prints the faces of a drawing, for people and for programs")
@@ -197,6 +201,8 @@ TEST_CASE("A mesh, that of a drawing too, is rendered with bands, lines, crosses
     CHECK(has(folder.read("x.svg"), ">min −150 "));
     CHECK(shown("contour:mises,principal,trajectories,deformed,error,labels").status == 0);
     CHECK(has(folder.read("x.svg"), "displacements ×"));
+    CHECK(shown("vectors,legend").status == 0);
+    CHECK(has(folder.read("x.svg"), "arrows: displacements, the largest "));
     CHECK(shown("bands:sx,labels", {"--range", "-20,30"}).status == 0);
     CHECK(has(folder.read("x.svg"), "fixed range"));
     CHECK(has(shown("bands:sx", {"--range", "30,-20"}).err, "the smaller number first"));
@@ -258,4 +264,194 @@ TEST_CASE("What is of members is refused of a plane model, and what is of plane 
     CHECK(!folder.has("x.svg"));
     CHECK(has(cli_test::cremona({"solve", bending, "--stations", "5"}).err, "--stations is not built yet for plane"));
     CHECK(has(cli_test::cremona({"solve", bending, "--case", "envelope"}).err, "--case envelope is not built yet"));
+}
+
+TEST_CASE("What a plane model prints in place of its results is refused beside what would say nothing there")
+{
+    const auto refused = [](std::vector<std::string> options) {
+        options.insert(options.begin(), {"solve", bending});
+        const Run run = cli_test::cremona(options);
+        CHECK(run.status == 2);
+        CHECK(run.out.empty());
+        return run.err;
+    };
+    CHECK(has(refused({"--trace", "1", "--at", "5,0.5"}), "--trace and --at print different things"));
+    CHECK(has(refused({"--trace", "1", "--cut", "5,-1,5,1"}), "--trace and --cut print different things"));
+    CHECK(has(refused({"--trace", "1", "--cycles", "2"}), "--trace and --cycles print different things"));
+    CHECK(has(refused({"--trace", "1", "--json", "--full"}), "--trace and --full print different things"));
+    CHECK(has(refused({"--trace", "1", "--time"}), "--trace and --time print different things"));
+    CHECK(has(refused({"--cycles", "2", "--time"}), "--cycles and --time print different things"));
+    CHECK(has(refused({"--analysis", "modal", "--time"}), "--analysis modal and --time print different things"));
+    CHECK(has(refused({"--full"}), "--full needs --json too"));
+    CHECK(has(refused({"--analysis", "modal", "--full"}), "--full needs --json too"));
+}
+
+TEST_CASE("The phases of a plane model are timed, that of its mesh where it is drawn")
+{
+    const Run mesh = cli_test::cremona({"solve", bending, "--time"});
+    CHECK(mesh.status == 0);
+    CHECK(has(mesh.out, "Load case M"));
+    for (const char* const phase :
+         {" s  read", " s  assemble", " s  factor", " s  recover", " s  write", " dofs", "nonzeros of its factor"})
+        CHECK(has(mesh.err, phase));
+    CHECK(!has(mesh.err, " s  mesh"));
+    CHECK(has(cli_test::cremona({"solve", "examples/plate.json", "--time", "--lang", "pt"}).err, " s  malha"));
+}
+
+TEST_CASE("The results of a plane model are written as tables for a spreadsheet, with those of places and cuts")
+{
+    const Folder folder;
+    const Run run = cli_test::cremona({"solve", bending, "--csv", folder.path("out")});
+    REQUIRE(run.status == 0);
+    CHECK(has(run.out, "Load case M"));
+    CHECK(has(run.err, "written: " + folder.path("out/displacements.csv")));
+    CHECK(folder.read("out/displacements.csv").starts_with("case,point,x [m],y [m],ux [m],uy [m]\n"));
+    CHECK(cli_test::count(folder.read("out/displacements.csv"), "\n") == 46);
+    CHECK(has(folder.read("out/reactions.csv"), "\nM,E,0,0,"));
+    CHECK(folder.read("out/curves.csv").starts_with("case,curve,fx [kN],fy [kN],mz [kN*m]\nM,left,0,"));
+    CHECK(has(folder.read("out/stresses.csv"), "case,point,x [m],y [m],region,sx [kN/m^2],"));
+    CHECK(has(folder.read("out/extremes.csv"), "\nM,plate,sx,kN/m^2,150"));
+    CHECK(has(folder.read("out/equilibrium.csv"), "\nM,loads,0,0,"));
+    for (const char* const absent : {"probes.csv", "cuts.csv", "stations.csv"})
+        CHECK(!folder.has(std::string("out/") + absent));
+    CHECK(cli_test::cremona(
+              {"solve", bending, "--csv", folder.path("out"), "--json", "--at", "5,0.5", "--cut", "3.3,-1,3.3,1"})
+              .status == 0);
+    CHECK(has(folder.read("out/probes.csv"), "\nM,5,0.5,plate,"));
+    CHECK(has(folder.read("out/cuts.csv"), "\nM,1,3.3,-1,3.3,1,0,"));
+    CHECK(has(folder.read("out/stations.csv"), "case,cut,s [m],x [m],y [m],sx' [kN/m^2],"));
+    CHECK(cli_test::cremona({"solve", bending, "--csv", folder.write("file", "")}).status == 2);
+    CHECK(has(cli_test::cremona({"solve", bending, "--csv", folder.path("out"), "--unit", "length=mm"}).err,
+              "--csv counts in the units of the file"));
+}
+
+TEST_CASE("Tables of a plane model have the units that are asked for")
+{
+    const Run run = cli_test::cremona({"solve", bending, "--at", "5,0.5", "--cut", "3.3,-1,3.3,1", "--unit",
+                                       "stress=MPa,displacement=mm,length=cm,force=N,moment=kN*cm"});
+    REQUIRE(run.status == 0);
+    CHECK(has(run.out, "Units of the tables: cm, N, kN·cm, mm, MPa\n"));
+    for (const char* const heading : {"ux [mm]", "sx [MPa]", "fx [N]", "x1 [cm]", "M [kN·cm]"})
+        CHECK(has(run.out, heading));
+    CHECK(has(run.out, "  C      -1500.00"));
+    CHECK(has(run.out, "-0.0750000"));
+    CHECK(has(run.out, "strain energy 7500 kN·cm"));
+    CHECK(has(cli_test::cremona({"solve", bending, "--unit", "stress=m"}).err, "--unit stress"));
+    for (const std::vector<std::string>& other :
+         {std::vector<std::string>{"--trace", "1"}, {"--json"}, {"--analysis", "modal"}, {"--cycles", "1"}}) {
+        std::vector<std::string> all{"solve", bending, "--unit", "length=mm"};
+        all.insert(all.end(), other.begin(), other.end());
+        CHECK(has(cli_test::cremona(all).err, "counts in the units of the file"));
+    }
+}
+
+TEST_CASE("A plane model and what its cases do are told in sentences, the body once")
+{
+    const Run run = cli_test::cremona({"solve", "examples/dam.json", "--describe"});
+    REQUIRE(run.status == 0);
+    CHECK(cli_test::count(run.out, "region dam: 1003 m²") == 1);
+    CHECK(has(run.out, "load case water"));
+    CHECK(has(run.out, "load case weight"));
+    CHECK(has(run.out, "σy: from "));
+    CHECK(has(run.out, "uy: from "));
+    CHECK(has(run.out, "reaction of Curve base: Rx = "));
+    const Run one = cli_test::cremona({"solve", bending, "--describe", "--case", "M", "--at", "5,0.5", "--cut",
+                                       "3.3,-1,3.3,1", "--unit", "stress=MPa", "--lang", "pt"});
+    REQUIRE(one.status == 0);
+    CHECK(has(one.out, "σx: de −0,15 MPa em (0; 1) a 0,15 MPa em (0; −1)\n"));
+    CHECK(has(one.out, "em (5; 0,5): "));
+    CHECK(json::parse(cli_test::cremona({"solve", bending, "--describe", "--json"}).out)["description"].is_string());
+    CHECK(has(cli_test::cremona({"solve", bending, "--describe", "--json", "--full"}).err, "--describe and --full"));
+}
+
+TEST_CASE("Several forces of one case on a point are told as their sum")
+{
+    std::string text = text_of_source(bending);
+    const std::string loads = R"("curves": [{"curve": "right")";
+    REQUIRE(text.find(loads, text.find("load_cases")) != std::string::npos);
+    text.insert(
+        text.find(loads, text.find("load_cases")),
+        R"("points": [{"point": "C", "fx": 3}, {"point": "B", "fy": 5}, {"point": "C", "fx": "4 kN", "fy": 2}], )");
+    const Run run = cli_test::cremona({"render", "-", "--describe"}, text);
+    CHECK(has(run.out, "C: fx = 7 kN\n"));
+    CHECK(cli_test::count(run.out, "C: fx") == 1);
+    CHECK(has(run.out, "C: fy = 2 kN\n"));
+}
+
+TEST_CASE("A modulus or a thickness that is next to nothing is told by its key")
+{
+    for (const std::string& key : {std::string(R"("E": )"), std::string(R"("thickness": )")}) {
+        std::string text = text_of_source(bending);
+        const std::size_t at = text.find(key) + key.size();
+        text.replace(at, text.find_first_of(",}", at) - at, "1e-320");
+        const Run run = cli_test::cremona({"solve", "-"}, text);
+        CHECK(run.status == 2);
+        CHECK(has(run.err, key.substr(1, key.size() - 4) + ": \"1e-320"));
+        CHECK(has(run.err, "is beyond the range of numbers"));
+    }
+}
+
+TEST_CASE(
+    "A cut that goes far beyond the body has the forces of its part inside; one that rounding would move is refused")
+{
+    const auto forces = [](const std::string& cut) {
+        const Run run = cli_test::cremona({"solve", bending, "--json", "--cut", cut});
+        REQUIRE(run.status == 0);
+        const json found = json::parse(run.out)["cases"]["M"]["cuts"][0];
+        CHECK(found["stations"].size() > 1);
+        return found["M"].get<double>();
+    };
+    CHECK(forces("3.3,-1e4,3.3,1e4") == doctest::Approx(100.0));
+    CHECK(forces("3.3,-4e6,3.3,4e6") == doctest::Approx(100.0));
+    for (const char* const cut : {"3.3,-1e9,3.3,1e9", "3.3,-1e300,3.3,1e300", "-1.7e308,0,1.7e308,0"})
+        CHECK(has(cli_test::cremona({"solve", bending, "--cut", cut}).err, "so long beside the body"));
+    CHECK(has(cli_test::cremona({"solve", bending, "--at", ""}).err, "found \"\"; wanted 2 numbers"));
+}
+
+TEST_CASE("What would change nothing in a picture of a plane model is refused by name")
+{
+    const Folder folder;
+    const auto refused = [&](std::vector<std::string> more) {
+        more.insert(more.begin(), {"render", "examples/dam.json", "-o", folder.path("x.svg")});
+        const Run run = cli_test::cremona(more);
+        CHECK(run.status == 2);
+        return run.err;
+    };
+    CHECK(has(refused({"--range", "0,1"}), "--range needs --show bands:mises too"));
+    CHECK(has(refused({"--read", "element"}), "--read needs --show bands:mises too"));
+    CHECK(has(refused({"--magnify", "3"}), "--magnify needs --show deformed too"));
+    CHECK(has(refused({"--step", "3", "--at", "0,1"}), "--step and --at contradict"));
+    CHECK(has(refused({"--step", "3", "--cut", "0,0,1,1"}), "--step and --cut contradict"));
+    CHECK(has(refused({"--show", "bands:sx,bands:sy"}), "bands:sy is the second of its kind"));
+    CHECK(has(refused({"--analysis", "modal", "--range", "0,1"}), "--range"));
+    CHECK(has(refused({"--analysis", "modal", "--read", "element"}), "--read"));
+    CHECK(!folder.has("x.svg"));
+}
+
+TEST_CASE("A plane model without a load case says so, and a case that is called envelope is reached")
+{
+    json none = json::parse(text_of_source("examples/dam.json")), named = none;
+    none["load_cases"] = json::array();
+    none.erase("combinations");
+    none.erase("expected");
+    for (const std::vector<std::string>& how :
+         {std::vector<std::string>{}, {"--describe"}, {"--describe", "--json"}, {"--time"}}) {
+        std::vector<std::string> all{"solve", "-"};
+        all.insert(all.end(), how.begin(), how.end());
+        CHECK(has(cli_test::cremona(all, none.dump()).out, "The model has no load case."));
+    }
+    CHECK(has(cli_test::cremona({"solve", "-", "--cycles", "1"}, none.dump()).err, "the model has none"));
+    named["load_cases"][0]["id"] = "envelope";
+    named.erase("combinations");
+    named.erase("expected");
+    CHECK(has(cli_test::cremona({"solve", "-", "--case", "envelope"}, named.dump()).out, "Load case envelope"));
+}
+
+TEST_CASE("Displacements next to nothing are told as what they are")
+{
+    json tiny = json::parse(text_of_source("examples/dam.json"));
+    tiny["combinations"] = {{{"id", "X"}, {"factors", {{"water", 1e-320}}}}};
+    const Run run = cli_test::cremona({"solve", "-", "--describe", "--case", "X"}, tiny.dump());
+    CHECK(run.status == 0);
+    CHECK(has(run.out, "ux: from "));
 }

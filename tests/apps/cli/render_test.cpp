@@ -222,10 +222,13 @@ TEST_CASE("What goes wrong with moving loads is told by the option")
     CHECK(has(message({"--train", "crane", "--influence", "M"}), "--influence and --train ask for different things"));
     CHECK(has(message({"--at-position", "2"}), "--at-position needs --train too"));
     CHECK(has(message({"--member", "AB", "--component", "M"}), "--member needs --train too"));
-    CHECK(has(message({"--train", "crane", "--at-position", "12.5"}), "found 12.5; wanted 0 to 12"));
-    CHECK(has(message({"--train", "crane", "--at-position", "-1"}), "found -1; wanted 0 to 12"));
+    CHECK(has(message({"--train", "crane", "--at-position", "12.5"}), "found 12.5 m; wanted 0 to 12 m"));
+    CHECK(has(message({"--train", "crane", "--at-position", "-1"}), "found -1 m; wanted 0 to 12 m"));
+    CHECK(has(message({"--train", "crane", "--at-position", "1250 cm", "--unit", "length=mm"}),
+              "found 1250 cm; wanted 0 to 12000 mm"));
     CHECK(has(message({"--train", "crane", "--at-position", "nan"}), "--at-position"));
-    CHECK(has(message({"--train", "crane", "--member", "AB", "--component", "M", "--at", "11"}), "11"));
+    CHECK(has(message({"--train", "crane", "--member", "AB", "--component", "M", "--at", "11"}),
+              "\"at\" is 11 m, beyond the end of member \"AB\"; give a length from 0 to 10 m"));
 }
 
 TEST_CASE("A broken file draws nothing and leaves an old picture as it was")

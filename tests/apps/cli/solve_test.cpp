@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "tests/apps/cli/run_cremona.h"
+#include "tests/latex_document.h"
 #include "tests/source_folder.h"
 
 using cli_test::cantilever;
@@ -218,7 +219,9 @@ TEST_CASE("Numbers beyond the range of arithmetic end with status 2 and the plac
     refused("\"A\": 0.01", "\"A\": 1e300", stiff);
     refused("[4, 0]", "[1e-290, 0]", "length is 1e-290 m");
     refused("-12", "-1e307", strong);
-    refused("\"E\": 2e8", "\"E\": 1e-250", strong);
+    refused("\"A\": 0.01", "\"A\": 1e-200", "A: \"1e-200 m^2\" is beyond the range of numbers"); // no mechanism
+    refused("\"Iz\": 1e-4", "\"Iz\": 1e-200", "Iz: \"1e-200 m^4\" is beyond the range of numbers");
+    refused("\"E\": 2e8", "\"E\": 1e-250", "E: \"1e-250 kN/m^2\" is beyond the range of numbers");
 }
 
 TEST_CASE("--csv writes five files whose first line names columns and units")
@@ -288,6 +291,22 @@ TEST_CASE("--virtual-work multiplies the forces out, and says what to ask for wh
     CHECK(has(hinge.err, "node E has no rotation of its own: the ends of BE and EF turn there each by themselves"));
 }
 
+TEST_CASE("--latex prints virtual work and funiculars as the body of a document, and nothing where there are no steps")
+{
+    const Run work = cremona({"solve", "-", "--virtual-work", "node=B,component=uy", "--latex"}, cantilever());
+    CHECK(work.status == 0);
+    CHECK(has(work.out, "\\int_{0}^"));
+    CHECK(fault_of_latex(work.out) == "");
+    const Run funicular = cremona({"solve", source_folder() + "/examples/three_hinged_arch.json", "--funicular",
+                                   "automatic", "--case", "Q", "--latex", "--lang", "pt"});
+    CHECK(funicular.status == 0);
+    CHECK(has(funicular.out, "\\section*{Funicular sobre "));
+    CHECK(fault_of_latex(funicular.out) == "");
+    const Run none = cremona({"solve", "-", "--describe", "--latex"}, cantilever());
+    CHECK(none.status == 2);
+    CHECK(has(none.err, "--latex needs --why, --virtual-work, --force-method, --free-body, --funicular too"));
+}
+
 TEST_CASE("--virtual-work asks for a displacement, and refuses what goes with something else")
 {
     const Run force = cremona({"solve", "-", "--virtual-work", "node=A,component=fy"}, cantilever());
@@ -330,6 +349,21 @@ TEST_CASE("--force-method finds the prop's 3 q L / 8 with the program's redundan
     CHECK(has(hinge.out, "X1 = M(AB, 0 m)"));
 }
 
+TEST_CASE("On a foundation no number is the degree of indeterminacy, and the force method does not choose")
+{
+    const std::string file = "examples/beam_on_ground.json";
+    const Run chosen = cremona({"solve", file, "--force-method", "automatic"});
+    CHECK(chosen.status == 2);
+    CHECK(has(chosen.err, "the structure is ∞ times statically indeterminate"));
+    const std::string cut = "member=AM,at=1.3,component=M";
+    const Run named = cremona({"solve", file, "--force-method", cut});
+    CHECK(has(named.out, "so that the degree of static indeterminacy is infinite. These forces X are released"));
+    CHECK(!has(named.out, "n0"));
+    const json method = json::parse(cremona({"solve", file, "--force-method", cut, "--json"}).out)["force_method"];
+    CHECK(method["degree"].is_null());
+    CHECK(method["degree_of_primary"].is_null());
+}
+
 TEST_CASE("--force-method refuses what cannot be released, and says how the structure moves without it")
 {
     const auto refused = [](const std::vector<std::string>& redundants) {
@@ -339,10 +373,10 @@ TEST_CASE("--force-method refuses what cannot be released, and says how the stru
     };
     const Run moves = refused({"node=A,component=fx"});
     CHECK(moves.status == 3);
-    CHECK(has(moves.err, "without fx(A) the structure can move; release other forces"));
+    CHECK(has(moves.err, "the structure does not stand without fx(A); release other forces"));
     CHECK(!has(moves.err, "add a ")); // what mends a structure is no remedy here
     const Run cut = cremona({"solve", "examples/gerber_beam.json", "--force-method", "member=EF,at=50%,component=M"});
-    CHECK(has(cut.err, "without M(EF, 50%) [G] the structure can move; release other forces\n"
+    CHECK(has(cut.err, "the structure does not stand without M(EF, 50%) [G]; release other forces\n"
                        "  in brackets stands the node at which a member is cut\n"));
     CHECK(moves.out.empty());
     const Run free = refused({"node=B,component=fx"});
@@ -352,12 +386,22 @@ TEST_CASE("--force-method refuses what cannot be released, and says how the stru
     CHECK(has(refused({"node=B,component=fy", "node=B,component=fy"}).err, "fy(B) is named twice"));
     CHECK(has(refused({"automatic", "node=B,component=fy"}).err, "automatic chooses every redundant"));
     CHECK(has(refused({"all"}).err, "--force-method: \"all\" asks for nothing"));
+    CHECK(has(refused({"node=A,node=B,component=fy"}).err, "--force-method: node is given twice; keep one"));
     const std::string section = "member=AB,at=2.5,component=M";
     CHECK(has(refused({section, section}).err, "M(AB, 2.5 m) is named twice"));
     CHECK(has(cremona({"solve", "-", "--force-method", section, "--force-method", section, "--lang", "pt"},
                       propped_cantilever())
                   .err,
               "M(AB, 2,5 m)"));
+}
+
+TEST_CASE("In Portuguese the factor of a load case is a factor, not a factorization")
+{
+    const std::string why = cremona({"solve", "examples/portal.json", "--case", "ULS", "--why",
+                                     "member=BC,at=50%,component=M", "--lang", "pt"})
+                                .out;
+    CHECK(has(why, " fator "));
+    CHECK_FALSE(has(why, "fatoração"));
 }
 
 TEST_CASE(
@@ -585,6 +629,7 @@ TEST_CASE("What names no body, and what is not of the model, is refused with wha
     refused({"--free-body", "cut=AB@5x%,beside=A"}, "--free-body");
     refused({"--free-body", "cut=AB@nan,beside=A"}, "--free-body: \"nan\" does not begin with a number");
     refused({"--free-body", "node=A", "--about", "1"}, "--about: found 1; wanted 2 lengths with commas between them");
+    refused({"--free-body", "node=A", "--about", "1e308,-1e308"}, "--about: found 1e308,-1e308; wanted lengths up to ");
     refused({"--about", "1,2"}, "--about needs --free-body too; add it");
     refused({"--free-body", "node=A", "--describe"}, "--free-body and --describe print different things");
     refused({"--free-body", "node=A", "--case", "envelope"}, "--free-body and --case envelope print different things");
@@ -630,6 +675,9 @@ TEST_CASE("What names no chain, and a point that no funicular passes through, is
     refused({"--funicular", "automatic", "--through", "30,4"}, "--through: no funicular passes through 30,4");
     refused({"--funicular", "automatic", "--through", "6,0"}, "or the closing line passes through it");
     refused({"--funicular", "automatic", "--closing", "1"}, "--closing: found 1; wanted 2 lengths");
+    refused({"--funicular", "automatic", "--closing", "1e308,-1e308"}, "a million times the farthest node");
+    refused({"--funicular", "automatic", "--through", "8,1e300"},
+            "--through: found 8,1e300; wanted lengths up to 2.4e7 m");
     refused({"--closing", "1,2"}, "--closing needs --funicular too; add it");
     refused({"--funicular", "automatic", "--free-body", "node=A"}, "print different things");
 }

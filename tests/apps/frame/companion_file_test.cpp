@@ -12,6 +12,7 @@
 #include "tests/folder.h"
 #include "tests/source_folder.h"
 #include "tests/text_of.h"
+#include "ui/files/view_file.h"
 
 namespace fs = std::filesystem;
 
@@ -274,10 +275,10 @@ TEST_SUITE("frame session")
             CHECK(session.notice);
         }
         CHECK(text_of(folder.path() / "portal.view.json") == write_companion(example, portal()));
-        CHECK(frame::companion_path("a/q.txt") == "a/q.txt.view");
-        CHECK(frame::model_of_companion("a/q.txt.view") == "a/q.txt");
-        CHECK(frame::model_of_companion("a/q.view.json") == "a/q.json");
-        CHECK(!frame::model_of_companion("a/q.json"));
+        CHECK(ui::view_path("a/q.txt") == "a/q.txt.view");
+        CHECK(ui::model_of_view("a/q.txt.view") == "a/q.txt");
+        CHECK(ui::model_of_view("a/q.view.json") == "a/q.json");
+        CHECK(!ui::model_of_view("a/q.json"));
     }
 
     TEST_CASE("Through a link to the model its view file is found, and written")

@@ -55,8 +55,10 @@ TEST_SUITE("frame session")
         Workspace workspace = workspace_with("portal.json");
         CHECK(run(workspace, "derivation.next") == "no number is explained; point at one and press W");
         CHECK(run(workspace, "view.why") == "point at a number of the picture or of a table of results first");
+        workspace.notify("point at a number of the picture or of a table of results first");
         workspace.pointed_number = {moment(workspace.session, "BC", 3.0)};
         CHECK(!run(workspace, "view.why"));
+        CHECK(!workspace.session.notice); // it says what is done now
         CHECK(explained(workspace) == "M(BC, 3 m)");
         CHECK(workspace.derivation.n_steps() == 11);
         CHECK(workspace.derivation.shown_step()->kind == StepKind::Member);
@@ -200,16 +202,47 @@ TEST_SUITE("frame session")
         const auto& refused = workspace.refused_release;
         REQUIRE(refused);
         CHECK(refused->moves(session));
-        CHECK(ui::Catalogue()(refused->reason).find("the structure can move") != std::string::npos);
+        const std::string reason = ui::Catalogue()(refused->reason);
+        CHECK(reason.starts_with("the structure does not stand without "));
+        CHECK(reason.find("can move") == reason.rfind("can move")); // it is said once
+        CHECK(reason.find("can move") != std::string::npos);
+        CHECK(reason.find("add a ") == std::string::npos); // what mends a structure is no remedy here
         CHECK(refused->primary.nodes.size() == session.model().nodes.size() + 1); // that of the hinge inside BC
         CHECK(refused->motions.front().motion.size() == refused->primary.nodes.size());
-        release({.quantity = ExpectedQuantity::Displacement,
-                 .node = session.model().find_node("B"),
-                 .dof = femoop::Dof::ux});
-        CHECK(ui::Catalogue()(session.notice->sentence).find("is no force that could be released") !=
-              std::string::npos);
+        const MovingEffect sway{
+            .quantity = ExpectedQuantity::Displacement, .node = session.model().find_node("B"), .dof = femoop::Dof::ux};
+        workspace.pointed_number = {sway};
+        CHECK(run(workspace, "view.release") ==
+              "a displacement is no force; point at a support, or at a section of a diagram");
+        CHECK(refused->moves(session));
+        release(reaction(session, "B", femoop::Dof::uy));
+        CHECK(ui::Catalogue()(session.notice->sentence).find("has no support") != std::string::npos);
         CHECK(!refused->moves(session)); // it is told, not drawn
         CHECK(released().size() == 3);
+    }
+
+    TEST_CASE("A bar that is pointed at anywhere is a redundant: it is cut at its end, and held again")
+    {
+        Workspace workspace = workspace_with("truss.json");
+        const femoop::Model& model = workspace.session.model();
+        workspace.session.change(
+            {"Brace", [](Document& document) { // one bar more than statics needs
+                 femoop::Model& changed = document.model;
+                 changed.nodes[changed.find_node("B")->index].support->kind = femoop::SupportKind::Pin;
+             }});
+        const auto point_at = [&](const char* bar, double at) {
+            workspace.pointed_number = {MovingEffect{.quantity = ExpectedQuantity::SectionForce,
+                                                     .member = model.find_member(bar),
+                                                     .component = femoop::MemberComponent::N,
+                                                     .at = femoop::Position(femoop::Quantity(at))}};
+            CHECK(!run(workspace, "view.release"));
+        };
+        point_at("AC", 1.3);
+        REQUIRE(workspace.derivation.force_method() != nullptr);
+        CHECK(workspace.derivation.force_method()->redundants.size() == 1);
+        CHECK(!workspace.refused_release);
+        point_at("AC", 2.9);
+        CHECK(!workspace.bottom.shows(BottomContent::Derivation));
     }
 
     TEST_CASE("A place beyond the end of a shorter member is its end; a number whose support is gone is lost")

@@ -40,8 +40,10 @@ TEST_SUITE("frame session")
               "no influence line is shown; press I and click a section or a support");
         session.influence.ask(session.model(), drawing::Cut{MemberId(1), 40.0});
         CHECK(asked(session) == "M(BC, 40 ft)");
-        CHECK(!run(workspace, "view.influence.next"));
-        CHECK(asked(session) == "N(BC, 40 ft)");
+        for (const char* next : {"u(BC, 40 ft)", "v(BC, 40 ft)", "N(BC, 40 ft)"}) {
+            CHECK(!run(workspace, "view.influence.next"));
+            CHECK(asked(session) == next);
+        }
         CHECK(!run(workspace, "view.influence.next"));
         CHECK(asked(session) == "V(BC, 40 ft)");
         session.influence.ask(session.model(), drawing::Cut{MemberId(0), 10.0});
@@ -81,6 +83,32 @@ TEST_SUITE("frame session")
         CHECK(asked(session) == "uy(B)");
         REQUIRE(line(session) != nullptr);
         CHECK(line(session)->path.members.front().member == *session.model().find_member("BC"));
+    }
+
+    TEST_CASE(
+        "Behind the forces of a place come its displacements that no support holds, and a section is dragged with one")
+    {
+        Workspace workspace = workspace_with("bridge.json");
+        Session& session = workspace.session;
+        const auto all_at = [&](const auto& place) {
+            session.influence.ask(session.model(), place);
+            std::string names;
+            for (const auto& choice : session.influence.choices(session.model()))
+                names += femoop::influence::component_name(session.model().analysis, choice) + " ";
+            return names;
+        };
+        CHECK(all_at(drawing::Cut{MemberId(1), 40.0}) == "N V M u v ");
+        CHECK(all_at(*session.model().find_node("A")) == "fx fy rz ");
+        CHECK(all_at(*session.model().find_node("B")) == "fy ux rz ");
+        session.influence.ask(session.model(), drawing::Cut{MemberId(1), 40.0});
+        session.influence.choose(session.influence.choices(session.model()).back());
+        CHECK(asked(session) == "v(BC, 40 ft)");
+        session.influence.ask(session.model(), drawing::Cut{MemberId(1), 52.0});
+        CHECK(asked(session) == "v(BC, 52 ft)");
+        REQUIRE(line(session) != nullptr);
+        const auto& line_of_v = line(session)->line;
+        CHECK(line_of_v.effect.quantity == femoop::ExpectedQuantity::Displacement);
+        CHECK(line_of_v.ordinates.min().value < 0.0); // down where the load stands
     }
 
     TEST_CASE("A bar of a truss tells its force, under a load that passes the longest chord")

@@ -308,6 +308,27 @@ TEST_CASE("A line that stands alone leaves no gap")
     CHECK_FALSE(narrowest_gap(Drawing(document.model)));
 }
 
+TEST_CASE("Several forces of one case on a point count as their sum, and a new one takes the place of all")
+{
+    Document document = plate();
+    some_case(document, 0);
+    auto& loads = document.model.load_cases[0].points;
+    loads.push_back({NodeId(2U), {{femoop::Dof::ux, femoop::Quantity(3.0, "3 N")}}});
+    CHECK(force_on(document.model, 0, NodeId(2U), femoop::Dof::ux)->text() == "3 N");
+    loads.push_back({NodeId(1U), {{femoop::Dof::ux, 50.0}}});
+    loads.push_back({NodeId(2U), {{femoop::Dof::ux, 4.5}, {femoop::Dof::uy, -2.0}}});
+    CHECK(*force_on(document.model, 0, NodeId(2U), femoop::Dof::ux) == 7.5);
+    CHECK(*force_on(document.model, 0, NodeId(2U), femoop::Dof::uy) == -2.0);
+    set_force(document, 0, NodeId(2U), femoop::Dof::ux, femoop::Quantity(6.0));
+    CHECK(*force_on(document.model, 0, NodeId(2U), femoop::Dof::ux) == 6.0);
+    CHECK(*force_on(document.model, 0, NodeId(2U), femoop::Dof::uy) == -2.0);
+    std::ptrdiff_t n_along_x = 0;
+    for (const femoop::NodeLoad& load : document.model.load_cases[0].points)
+        if (load.node == NodeId(2U))
+            n_along_x += std::ranges::count(load.components, femoop::Dof::ux, &femoop::Component::dof);
+    CHECK(n_along_x == 1);
+}
+
 TEST_CASE("A load that several curves share becomes a curve's own where it is changed there")
 {
     Document document = plate();

@@ -139,7 +139,7 @@ std::vector<BadMesh> bad_meshes()
         {FaultKind::MeshOrdersDiffer, RectangleText{.curves = middle, .regions = two}.text()},
         {FaultKind::MeshTooLarge, RectangleText{.mesh = R"({"size": 1e-4})"}.text()},
         {FaultKind::MeshTooLarge,
-         RectangleText{.mesh = R"({"size": 1e-300})", .points = R"(, {"id": "E", "at": [1, 1], "size": 0.3})"}.text()},
+         RectangleText{.mesh = R"({"size": 1e-90})", .points = R"(, {"id": "E", "at": [1, 1], "size": 0.3})"}.text()},
         {FaultKind::MeshEdgesCross,
          RectangleText{.mesh = R"({"element": "T3"})",
                        .curves = R"(, {"id": "hole", "kind": "circle", "center": [2, 1], "radius": 0.999, "divide": 3},

@@ -142,6 +142,17 @@ TEST_CASE("Results are found where they are shown, and again when the drawing ch
     CHECK(session.analysed() == nullptr);
 }
 
+namespace {
+
+/// A mesh that goes along with a hand is found beside one frame and shown from the next one on.
+void show_two_frames(Session& session)
+{
+    session.analyse_what_is_shown();
+    session.analyse_what_is_shown();
+}
+
+} // namespace
+
 TEST_CASE("While a hand drags, elements stay as many as they were; when it lets go, the drawing is meshed anew")
 {
     Workspace workspace = quarter_plate();
@@ -155,6 +166,13 @@ TEST_CASE("While a hand drags, elements stay as many as they were; when it lets 
         session.change({"Move", [x](Document& d) { move_point(d, NodeId(1U), {x, 0}); }, Step::Drag});
         session.analyse_what_is_shown();
         REQUIRE(session.analysed() != nullptr);
+        const PlateInput shown = session.input(); // drawing and mesh of one moment, that of before
+        CHECK(&shown.model == &session.analysed()->solution()->model());
+        CHECK(shown.mesh == session.analysed()->mesh());
+        CHECK(shown.model[NodeId(1U)].at[0].value() < x);
+        session.analyse_what_is_shown();
+        REQUIRE(session.analysed() != nullptr);
+        CHECK(session.analysed()->solution().get() == &session.solution());
         CHECK(session.analysed()->is_following());
         CHECK(session.analysed()->mesh()->elements.size() == n);
     }
@@ -169,12 +187,12 @@ TEST_CASE("What took too long to follow a hand waits until it lets go")
 {
     Workspace workspace = quarter_plate();
     Session& session = workspace.session;
-    session.patience.of_a_hand = 0.0;
+    session.patience = {.of_a_hand = 0.0, .behind_a_hand = 0.0};
     session.look.mesh = true;
     session.analyse_what_is_shown();
     const auto drag = [&](double x) {
         session.change({"Move", [x](Document& d) { move_point(d, NodeId(1U), {x, 0}); }, Step::Drag});
-        session.analyse_what_is_shown();
+        show_two_frames(session);
     };
     drag(11.0);
     REQUIRE(session.analysed() != nullptr);

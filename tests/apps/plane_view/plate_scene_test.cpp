@@ -165,6 +165,19 @@ TEST_CASE("Principal stress trajectories of a cantilever")
     check_plate("plate_trajectories", cantilever(), plate_options({"trajectories", "geometry", "supports", "legend"}));
 }
 
+TEST_CASE("Displacements of a cantilever as arrows between its supports and loads")
+{
+    check_plate("plate_vectors", cantilever(), plate_options({"vectors", "geometry", "supports", "loads", "legend"}));
+}
+
+TEST_CASE("Arrows lead from the body at rest to its deformed shape, on the projector in Portuguese")
+{
+    plane::PlateOptions options = plate_options({"vectors", "deformed", "legend"}, ui::ThemeName::Projector);
+    options.tr = ui::Catalogue(ui::Language::Portuguese);
+    options.numbers.mark = ui::DecimalMark::Comma;
+    check_plate("plate_vectors_deformed", cantilever(), options);
+}
+
 TEST_CASE("The error of each element")
 {
     check_plate("plate_error", cantilever(6, 2), plate_options({"error", "mesh", "geometry", "labels"}));

@@ -18,6 +18,7 @@
 #include "femoop/model/quantity/in_units.h"
 #include "femoop/model/quantity/number_text.h"
 #include "femoop/model/quantity/units.h"
+#include "ui/files/view_file.h"
 
 namespace frame {
 
@@ -28,8 +29,6 @@ namespace fs = std::filesystem;
 namespace {
 
 constexpr double format = 1.0;
-constexpr std::string_view ending = ".view.json";      // in place of .json
-constexpr std::string_view ending_of_others = ".view"; // behind a name that ends otherwise
 constexpr Keys<4> file_keys{{"cremona_view", "dimensions", "sets", "views"}, 1};
 constexpr Keys<8> view_keys{{"name", "show", "case", "envelope", "diagrams", "loads", "displacements", "region"}, 2};
 constexpr Keys<3> dimension_keys{{"nodes", "direction", "offset"}, 3};
@@ -269,32 +268,6 @@ void write(JsonWriter& json, const NamedView& view)
 
 } // namespace
 
-fs::path companion_path(const fs::path& model_file)
-{
-    std::error_code error;
-    fs::path path = fs::is_symlink(model_file, error) ? fs::weakly_canonical(model_file, error) : model_file;
-    if (path.extension() == ".json") return path.replace_extension(ending);
-    return path += ending_of_others;
-}
-
-std::optional<fs::path> model_of_companion(const fs::path& path)
-{
-    const std::string text = path.string();
-    if (text.ends_with(ending)) return text.substr(0, text.size() - ending.size()) + ".json";
-    if (text.ends_with(ending_of_others)) return text.substr(0, text.size() - ending_of_others.size());
-    return std::nullopt;
-}
-
-fs::path free_old_path(const fs::path& companion)
-{
-    std::error_code unknown;
-    for (int i = 1;; ++i) {
-        fs::path path = companion;
-        path += i == 1 ? ".old" : ".old" + std::to_string(i);
-        if (!fs::exists(fs::symlink_status(path, unknown))) return path;
-    }
-}
-
 CompanionReading read_companion(std::string_view text, const Model& model)
 {
     return CompanionReader(parse_json(text), model).take();
@@ -302,7 +275,7 @@ CompanionReading read_companion(std::string_view text, const Model& model)
 
 CompanionReading read_companion_of(const fs::path& model_file, const Model& model)
 {
-    const fs::path path = companion_path(model_file);
+    const fs::path path = ui::view_path(model_file);
     std::error_code unknown;
     if (!fs::exists(path, unknown) && !unknown) return {};
     FileText file = file_text(path);
@@ -335,7 +308,7 @@ std::string write_companion(const Companion& companion, const Model& model)
 std::error_code save_companion_of(const fs::path& model_file, const Document& document)
 {
     const Companion& companion = document.companion;
-    const fs::path path = companion_path(model_file);
+    const fs::path path = ui::view_path(model_file);
     if (!companion.is_empty()) return files::write_whole_file(path, write_companion(companion, document.model));
     std::error_code error;
     fs::remove(path, error);

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <filesystem>
-#include <optional>
 #include <string>
 #include <string_view>
 #include <system_error>
@@ -14,14 +13,8 @@ namespace frame {
 
 struct Document;
 
-/// The companion file beside a model file: portal.json has portal.view.json, portal.txt has portal.txt.view, so that no
-/// two models share one; a link to a model has that of the model. Format 1, one UTF-8 JSON object; the contract is
-/// courseware/reference/view-file.md.
-std::filesystem::path companion_path(const std::filesystem::path& model_file);
-/// The model file beside which a companion file of this name stands; nothing where it is no such name.
-std::optional<std::filesystem::path> model_of_companion(const std::filesystem::path& path);
-/// Where one with faults is put aside: portal.view.json.old, or the next such name that is free, portal.view.json.old2.
-std::filesystem::path free_old_path(const std::filesystem::path& companion);
+// A companion is kept in the view file beside its model file (ui/files/view_file.h). Format 1, one UTF-8 JSON object; the
+// contract is courseware/reference/view-file.md.
 
 /// What could be understood of a companion's text, and what could not, each fault with its place.
 struct CompanionReading {
@@ -35,7 +28,7 @@ CompanionReading read_companion_of(const std::filesystem::path& model_file, cons
 /// One dimension line a line, quantities in the units of its model; reading it back gives the same companion.
 std::string write_companion(const Companion& companion, const femoop::Model& model);
 
-/// Writes the companion file whole or not at all; an empty companion has none, so one that is there goes.
+/// Writes the view file whole or not at all; an empty companion has none, so one that is there goes.
 /// \returns what hindered it
 std::error_code save_companion_of(const std::filesystem::path& model_file, const Document& document);
 

@@ -15,13 +15,13 @@ namespace {
 /// Draws the guess on one member.
 class MemberGuess {
 public:
-    MemberGuess(const Scene& scene, const MemberShape& member, const SymbolFrame& frame, const Guess& guess,
-                double scale)
+    MemberGuess(const Scene& scene, MemberId id, const SymbolFrame& frame, const Guess& guess, double scale)
         : scene_(scene),
+          id_(id),
           guess_(guess),
           frame_(frame),
-          length_(member.length * scene.projection.scale()),
-          height_(member.length * scale)
+          length_(scene.shape[id].length * scene.projection.scale()),
+          height_(scene.shape[id].length * scale)
     {}
 
     void draw() const
@@ -36,8 +36,8 @@ public:
 
     void write(const std::string& words) const
     {
-        std::size_t highest = 0;
-        for (std::size_t i = 0; i < Guess::n_places; ++i)
+        std::size_t highest = Guess::n_places / 2;
+        for (std::size_t i = kept_off(0); i + kept_off(1) < Guess::n_places; ++i)
             if (std::abs(value(i)) > std::abs(value(highest))) highest = i;
         Caption caption{.text = words,
                         .role = ui::Role::Guess,
@@ -51,6 +51,12 @@ public:
     }
 
 private:
+    /// Places at an end that a support has: a mark there would seem to be the support's.
+    std::size_t kept_off(std::size_t end) const
+    {
+        const femoop::NodeId node = scene_.model[id_].nodes.at(end);
+        return scene_.model[node].support ? Guess::n_places / 8 : 0;
+    }
     double value(std::size_t place) const { return guess_[place].value_or(0.0); }
     ui::Point foot(std::size_t place) const { return frame_(Guess::x(place) * length_, 0.0); }
     ui::Point at(std::size_t place) const { return frame_(Guess::x(place) * length_, value(place) * height_); }
@@ -74,6 +80,7 @@ private:
     }
 
     const Scene& scene_;
+    MemberId id_;
     const Guess& guess_;
     SymbolFrame frame_;
     double length_, height_; ///< of the member, and of an ordinate of its length [px]
@@ -108,8 +115,7 @@ void GuessPicture::draw(const Scene& scene, const FrameOf& frame_of, double scal
     for (std::size_t i = 0; i < scene.shape.members.size(); ++i) {
         const Guess* const guess = prediction_.on(MemberId(i));
         if (guess == nullptr) continue;
-        const MemberShape& member = scene.shape.members[i];
-        const MemberGuess picture(scene, member, frame_of(member), *guess, scale);
+        const MemberGuess picture(scene, MemberId(i), frame_of(scene.shape.members[i]), *guess, scale);
         picture.draw();
         if (const MemberMark* const mark = mark_of(MemberId(i)))
             picture.write(scene.model[MemberId(i)].id + ": " + percent(mark->score.share, scene.options.tr));
@@ -135,7 +141,8 @@ void GuessPicture::draw_on_line(const Scene& scene, const InfluencePicture& line
     for (const auto& on : line.path.members)
         if (const Guess* const guess = prediction_.on(on.member)) drawn = std::max(drawn, guess->largest() * on.length);
     const double height = scale.largest * scale.pixels_per_unit;
-    const bool is_seen = !line.traced && drawn > 0.0 && height > 0.0;
+    const bool is_hidden = is_concealed(line) && line.forces.empty(); // no load has begun to draw it
+    const bool is_seen = !is_hidden && drawn > 0.0 && height > 0.0;
     const auto frame_of = [&](const MemberShape& member) {
         return scene.projection.frame(member.at(0.0), member.x(), ordinate_side(line.load, member, scene.is_flat()));
     };
@@ -144,7 +151,7 @@ void GuessPicture::draw_on_line(const Scene& scene, const InfluencePicture& line
 
 bool GuessPicture::is_stale(const Scene& scene) const
 {
-    if (line_) return prediction_.is_stale(scene.model, *line_);
+    if (line_) return line_->is_stale; // a load may stand on the scene's model that is none of the document's
     return prediction_.is_stale(scene.model, scene.options.load_case);
 }
 
@@ -157,7 +164,7 @@ PanelHead GuessPicture::head(const Scene& scene) const
     else if (is_stale(scene))
         head.note = line_ ? tr("drawn for another state of the model, or another line")
                           : tr("drawn for another state of the model, or another load case");
-    else if (assessment_) head.note = tr("dashed, as high as the true diagram");
+    else if (assessment_ || (line_ && line_->is_traced)) head.note = tr("dashed, as high as the true diagram");
     else head.note = tr("H reveals the true diagram");
     return head;
 }

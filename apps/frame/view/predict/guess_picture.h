@@ -9,6 +9,12 @@
 
 namespace frame {
 
+/// How the influence line is shown that a guess is held against.
+struct GuessedLine {
+    bool is_stale = false;  ///< the guess is of another state of the model, or another line
+    bool is_traced = false; ///< a load is drawing the line beside the guess, which is not judged yet
+};
+
 /// Draws a prediction over the moments or the influence line: dashed lines over light areas, on the side where
 /// ordinates of that sign are drawn; with an assessment the share of each member that counts, and what is wrong in words.
 ///
@@ -18,9 +24,9 @@ class GuessPicture final : public DiagramOverlay {
 public:
     /// \param prediction  outlives the picture
     /// \param assessment  where the true diagram is seen
-    /// \param line        whose influence line is looked at; nothing: moments are
+    /// \param line        of the influence line that is looked at; nothing: moments are
     explicit GuessPicture(const Prediction& prediction, std::optional<Assessment> assessment = std::nullopt,
-                          std::optional<femoop::MovingEffect> line = std::nullopt)
+                          std::optional<GuessedLine> line = std::nullopt)
         : prediction_(prediction), assessment_(std::move(assessment)), line_(std::move(line))
     {}
 
@@ -43,7 +49,7 @@ private:
 
     const Prediction& prediction_;
     std::optional<Assessment> assessment_;
-    std::optional<femoop::MovingEffect> line_;
+    std::optional<GuessedLine> line_;
 };
 
 } // namespace frame

@@ -1,0 +1,137 @@
+// Free bodies beside the structure that they are lifted out of.
+#include "apps/drawing/results/free_body_picture.h"
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string_view>
+
+#include "apps/drawing/draw.h"
+#include "femoop/analysis/linear_static.h"
+#include "tests/apps/drawing/view_model.h"
+#include "ui/paint/theme.h"
+
+using namespace drawing;
+using femoop::free_body::body_of;
+
+namespace {
+
+view_test::Marks drawn_body(const ui::Fonts& fonts, const femoop::Model& model, const femoop::free_body::Body& body)
+{
+    const femoop::Results results = femoop::analyse(model);
+    const FreeBodyPicture picture{.lifted = femoop::free_body::lift_out(model, results, femoop::CaseId(0), body),
+                                  .aside = {0.0, 12.0, 0.0}};
+    ui::Painter painter({900.0, 800.0}, fonts);
+    draw(painter, {.model = model, .results = &results, .free_body = &picture},
+         {.show = {Show::Values, Show::NodeNames}});
+    view_test::Marks marks(fonts);
+    painter.picture().draw_on(marks);
+    return marks;
+}
+
+auto n_discs(const view_test::Marks& marks, ui::Role role)
+{
+    const ui::Color fill = ui::Theme(ui::ThemeName::Light).fill(role);
+    return std::ranges::count(marks.discs, fill, &view_test::Marks::Disc::fill);
+}
+
+bool is_on(ui::Point place, const view_test::Marks::Line& line)
+{
+    const ui::Point a = line.points.front(), along = line.points.back() - a;
+    const double t = std::clamp(dot(place - a, along) / dot(along, along), 0.0, 1.0);
+    return length(place - a - t * along) < 2.0;
+}
+
+/// Those whose arrows lie on no member.
+std::size_t n_loads_off_members(const view_test::Marks& marks)
+{
+    const ui::Theme theme(ui::ThemeName::Light);
+    const ui::Color load = theme.stroke(ui::Role::Load).color, member = theme.stroke(ui::Role::Member).color;
+    std::size_t n_loads = 0;
+    for (const auto& arrow : marks.lines) {
+        if (arrow.stroke.color != load) continue;
+        const ui::Point middle = 0.5 * (arrow.points.front() + arrow.points.back());
+        if (std::ranges::none_of(marks.lines,
+                                 [&](const auto& line) { return line.stroke.color == member && is_on(middle, line); }))
+            ++n_loads;
+    }
+    return n_loads;
+}
+
+} // namespace
+
+TEST_CASE("A hinge is lifted out as a hinge, and a rigid joint as a dot")
+{
+    const ui::Fonts fonts;
+    const femoop::Model arch = view_test::example("three_hinged_arch");
+    REQUIRE(arch[*arch.find_node("E")].hinge);
+    const auto hinge = drawn_body(fonts, arch, body_of(*arch.find_node("E")));
+    const auto joint = drawn_body(fonts, arch, body_of(*arch.find_node("D")));
+    CHECK(n_discs(hinge, ui::Role::Hinge) == n_discs(joint, ui::Role::Hinge) + 1);
+    CHECK(n_discs(hinge, ui::Role::Node) == n_discs(joint, ui::Role::Node) - 1);
+}
+
+TEST_CASE("An end that is released is lifted out with its hinge, a node by itself without those of others")
+{
+    const ui::Fonts fonts;
+    femoop::Model model = view_test::example("portal");
+    const auto n_hinges = [&](const char* node) {
+        return n_discs(drawn_body(fonts, model, body_of(*model.find_node(node))), ui::Role::Hinge);
+    };
+    REQUIRE(n_hinges("B") == 0);
+    model.members[model.find_member("BC")->index].start.release.insert(femoop::Dof::rz);
+    CHECK(n_hinges("B") == n_hinges("C") + 1);
+}
+
+TEST_CASE("A load at a joint of a part of a truss hangs where no bar is")
+{
+    const ui::Fonts fonts;
+    const femoop::Model truss = view_test::example("pratt_truss");
+    const femoop::Discretisation structure = discretise(truss);
+    std::vector<femoop::free_body::Cut> cuts;
+    std::vector<femoop::NodeId> left;
+    for (const char* bar : {"U2U3", "U2L3", "L2L3"}) {
+        const femoop::MemberId id = *truss.find_member(bar);
+        cuts.push_back({id, 0.5 * structure.geometry(id).length});
+        left.push_back(truss[id].nodes[0]);
+    }
+    const auto marks = drawn_body(fonts, truss, body_of(structure, cuts, left));
+    CHECK(n_loads_off_members(marks) == 2);
+}
+
+TEST_CASE("A load along a member is drawn beside it")
+{
+    const ui::Fonts fonts;
+    const femoop::Model portal = view_test::example("portal");
+    const std::vector<femoop::MemberId> column{*portal.find_member("CD")};
+    CHECK(n_loads_off_members(drawn_body(fonts, portal, body_of(discretise(portal), column))) == 1); // its weight
+}
+
+TEST_CASE("At a corner the shear force of each cut is written beyond its own section, away from the other member")
+{
+    const ui::Fonts fonts;
+    const femoop::Model portal = view_test::example("portal");
+    const auto marks = drawn_body(fonts, portal, body_of(*portal.find_node("B")));
+    const ui::Color shear = ui::Theme(ui::ThemeName::Light).stroke(ui::Role::ShearForce).color;
+    const auto box_of = [&](std::string_view words) {
+        const auto found = std::ranges::find(marks.texts, words, &view_test::Marks::Text::words);
+        REQUIRE(found != marks.texts.end());
+        return found->box;
+    };
+    std::size_t n_arrows = 0;
+    for (const auto& arrow : marks.lines) {
+        const ui::Point a = arrow.points.front(), b = arrow.points.back();
+        const double x = 0.5 * (a.x + b.x), y = 0.5 * (a.y + b.y);
+        if (arrow.stroke.color != shear) continue;
+        if (std::abs(a.x - b.x) < 1.0 && y > box_of("N = 14.2 kN (C)").max.y) { // V of BC: down from its end
+            if (x < box_of("N = 50.6 kN (C)").max.x) continue;
+            CHECK(box_of("V = 50.6 kN").min.x > x);
+            ++n_arrows;
+        } else if (std::abs(a.y - b.y) < 1.0 && y > box_of("V = 50.6 kN").max.y) { // V of AB
+            CHECK(box_of("V = 14.2 kN").min.y > y);
+            ++n_arrows;
+        }
+    }
+    CHECK(n_arrows == 2);
+}
