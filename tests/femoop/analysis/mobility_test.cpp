@@ -5,6 +5,7 @@
 #include "femoop/analysis/linear_static.h"
 #include "tests/femoop/analysis/mobility.h"
 #include "tests/femoop/analysis/random_structure.h"
+#include "tests/samples.h"
 
 using namespace femoop;
 
@@ -26,7 +27,7 @@ TEST_SUITE("mobility")
 {
     TEST_CASE("A structure is refused if and only if its geometry lets it move")
     {
-        constexpr unsigned n_seeds = 120;
+        constexpr unsigned n_seeds = samples(120, 30);
         for (const AnalysisKind kind : every_model)
             for (unsigned seed = 0; seed < n_seeds; ++seed) {
                 const Model model = random_linkage(kind, seed);

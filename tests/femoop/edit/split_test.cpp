@@ -11,12 +11,13 @@
 #include "femoop/load/place_along.h"
 #include "femoop/model/check/check.h"
 #include "tests/femoop/analysis/random_structure.h"
+#include "tests/samples.h"
 
 using namespace femoop;
 
 namespace {
 
-constexpr unsigned n_seeds = 6;
+constexpr unsigned n_seeds = samples(6, 2);
 
 /// Every structure of beams with every member of it that is one.
 template <class Claim> void for_every_beam(Claim&& claim)

@@ -9,6 +9,7 @@
 #include "femoop/solver/multifrontal/dense_front.h"
 #include "femoop/solver/multifrontal/multifrontal_solver.h"
 #include "tests/femoop/solver/graph_kinds.h"
+#include "tests/samples.h"
 
 using namespace femoop;
 using namespace femoop_test;
@@ -57,7 +58,7 @@ TEST_CASE("Indefinite systems of every kind are solved in every order, and signs
 {
     for (const GraphKind& kind : graph_kinds)
         for (const Ordering ordering : orderings)
-            for (std::int32_t size = 1; size <= 6; ++size) {
+            for (unsigned size = 1; size <= samples(6, 3); ++size) {
                 CAPTURE(kind.name);
                 CAPTURE(static_cast<int>(ordering));
                 CAPTURE(size);

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "tests/femoop/solver/random_system.h"
+#include "tests/samples.h"
 
 using namespace femoop;
 using femoop_test::RandomSystem;
@@ -178,7 +179,7 @@ TEST_CASE("Several hundred loose bars make three modes each")
 {
     std::vector<Eigen::Vector2d> points;
     std::vector<std::pair<int, int>> bars;
-    constexpr int n = 150;
+    constexpr int n = samples(150, 50);
     for (int i = 0; i < n; ++i) {
         points.emplace_back(3.0 * i, 0.1 * i);
         points.emplace_back(3.0 * i + 1.0, 0.1 * i + std::sin(i));

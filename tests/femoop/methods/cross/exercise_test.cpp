@@ -12,6 +12,7 @@
 #include "femoop/model/check/check.h"
 #include "tests/femoop/methods/cross/frames.h"
 #include "tests/femoop/methods/cross/random_frame.h"
+#include "tests/samples.h"
 
 using namespace femoop;
 using namespace femoop::cross;
@@ -138,7 +139,7 @@ TEST_CASE("Every mistake is called by its name and what follows from it is right
 {
     std::set<Slip> met;
     for (const Difficulty difficulty : difficulties)
-        for (std::uint32_t seed = 0; seed < 12; ++seed) {
+        for (std::uint32_t seed = 0; seed < samples(12, 4); ++seed) {
             const Form form = form_of_seed(difficulty, seed);
             for (std::size_t i = 0; i < form.blanks.size(); ++i)
                 for (const SlipFigure& slip : slips_of(form, right_figures(form, i), BlankId(i))) {

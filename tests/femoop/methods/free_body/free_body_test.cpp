@@ -9,6 +9,7 @@
 #include "femoop/methods/free_body/free_body.h"
 #include "tests/femoop/analysis/random_structure.h"
 #include "tests/frame_maker.h"
+#include "tests/samples.h"
 
 using namespace femoop;
 using namespace femoop::free_body;
@@ -56,7 +57,7 @@ TEST_CASE("The forces on every body of every structure are in equilibrium")
 {
     std::mt19937 random(7);
     for (const AnalysisKind kind : every_model)
-        for (unsigned seed = 1; seed <= 25; ++seed) {
+        for (unsigned seed = 1; seed <= samples(25, 5); ++seed) {
             const Model model = random_structure(kind, seed);
             const Results results = analyse(model);
             const Discretisation structure = discretise(model);

@@ -13,6 +13,7 @@
 #include "femoop/result/components.h"
 #include "tests/femoop/analysis/random_structure.h"
 #include "tests/frame_maker.h"
+#include "tests/samples.h"
 
 using namespace femoop;
 using namespace femoop::virtual_work;
@@ -179,7 +180,7 @@ TEST_SUITE("virtual work")
     TEST_CASE("In any structure the work is the displacement of the analysis")
     {
         for (const AnalysisKind kind : every_model)
-            for (unsigned seed = 1; seed <= 2; ++seed) {
+            for (unsigned seed = 1; seed <= samples(2, 1); ++seed) {
                 Model model = random_structure(kind, seed);
                 model.combinations.push_back({.id = "ULS", .terms = {{CaseId(0), 1.35}, {CaseId(1), -1.5}}});
                 CAPTURE(name(kind));
