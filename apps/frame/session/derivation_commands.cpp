@@ -152,6 +152,17 @@ bool is_same_force(const femoop::Model& model, const femoop::MovingEffect& a, co
     return !a.at || !b.at || std::abs(place_along(model, a) - place_along(model, b)) <= same_section;
 }
 
+/// Of a member's largest force that force at the section where it stands.
+femoop::MovingEffect where_it_stands(const Workspace& workspace, const femoop::MovingEffect& force)
+{
+    if (force.quantity != femoop::ExpectedQuantity::Extreme) return force;
+    const Session& session = workspace.session;
+    const auto& number = under_pointer(workspace);
+    const femoop::CaseId load_case = number && number->of ? *number->of : session.view.load_case;
+    const femoop::Model model = solved_model(session.model(), session.solution());
+    return femoop::derivation::derive(model, *session.solution().results, load_case, force).effect;
+}
+
 /// A bar is cut at its first end wherever it is pointed at: within, its parts could turn.
 femoop::MovingEffect where_it_is_cut(const femoop::Model& model, femoop::MovingEffect force)
 {
@@ -162,7 +173,8 @@ femoop::MovingEffect where_it_is_cut(const femoop::Model& model, femoop::MovingE
 /// Redundants are released one by one; one that is released already is held again.
 void release_or_hold(Workspace& workspace)
 {
-    const femoop::MovingEffect force = where_it_is_cut(workspace.session.model(), *meant_number(workspace));
+    const femoop::MovingEffect force = where_it_is_cut(workspace.session.model(),
+                                                       where_it_stands(workspace, *meant_number(workspace)));
     workspace.asked_number = NamedEffect(workspace.session.model(), force);
     std::vector<femoop::MovingEffect> redundants;
     if (const auto* const method = workspace.derivation.force_method(); method && shows_derivation(workspace))

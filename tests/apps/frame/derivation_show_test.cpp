@@ -221,6 +221,22 @@ TEST_SUITE("frame session")
         CHECK(released().size() == 3);
     }
 
+    TEST_CASE("The largest moment of a member is released by a hinge where it stands, and held again")
+    {
+        Workspace workspace = workspace_with("portal.json");
+        MovingEffect largest = moment(workspace.session, "BC", 0.0);
+        largest.quantity = ExpectedQuantity::Extreme;
+        largest.at.reset();
+        workspace.pointed_number = {largest};
+        CHECK(!run(workspace, "view.release"));
+        REQUIRE(workspace.derivation.force_method() != nullptr);
+        const auto& redundants = workspace.derivation.force_method()->redundants;
+        REQUIRE(redundants.size() == 1);
+        CHECK(femoop::influence::effect_name(workspace.session.model(), redundants.front()) == "M(BC, 4 m)");
+        CHECK(!run(workspace, "view.release"));
+        CHECK(!workspace.bottom.shows(BottomContent::Derivation));
+    }
+
     TEST_CASE("A bar that is pointed at anywhere is a redundant: it is cut at its end, and held again")
     {
         Workspace workspace = workspace_with("truss.json");
