@@ -109,6 +109,7 @@ void draw_resultant(const Scene& scene, const Reaction& along_normal, const Vect
     const double value = along_normal.value;
     ForcePicture force = placed(scene, along_normal, value < 0.0 ? Vector3d(-normal) : normal);
     force.text = "R = " + scene.text(std::abs(value), ui::Measure::Force);
+    force.number = femoop::MovingEffect{.quantity = femoop::ExpectedQuantity::Reaction, .node = along_normal.node};
     draw_force(scene, force);
 }
 

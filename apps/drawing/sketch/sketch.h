@@ -81,8 +81,8 @@ struct DimensionMark {
 
 /// Where a number of the results is written.
 struct NumberMark {
-    ui::Box box; ///< around it
-    femoop::MovingEffect number;
+    ui::Box box;                 ///< around it
+    femoop::MovingEffect number; ///< of a reaction without `dof`: the resultant
     std::optional<RangeEnd> end{};
 };
 

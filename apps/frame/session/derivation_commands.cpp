@@ -100,6 +100,8 @@ void explain_meant(Workspace& workspace)
     const std::optional<PointedNumber> number = under_pointer(workspace);
     if (is_of_trains(workspace)) return ask_governing(workspace, number->effect, number->extreme);
     explain(workspace, *meant_number(workspace), number ? number->of : std::nullopt);
+    if (number && number->is_resultant)
+        workspace.notify(translatable("the steps are those of the larger component; R is the root of fx² + fy²"));
 }
 
 Reason why_not_explain(const Workspace& workspace)
@@ -109,6 +111,7 @@ Reason why_not_explain(const Workspace& workspace)
         if (under_pointer(workspace) || workspace.session.influence.standing() != nullptr) return std::nullopt;
         return translatable("point at an ordinate of the line, or put a load on it (U, R)");
     }
+    if (const auto& number = under_pointer(workspace); number && number->why_no_steps) return number->why_no_steps;
     if (is_of_trains(workspace) && has_train_number(workspace)) return std::nullopt;
     if (is_of_trains(workspace))
         return translatable("an envelope of trains has section forces and reactions; point at one of them first");

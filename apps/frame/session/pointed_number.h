@@ -7,6 +7,7 @@
 #include "femoop/model/ids.h"
 #include "femoop/model/moving_load.h"
 #include "femoop/result/components.h"
+#include "ui/text/message.h"
 
 namespace frame {
 
@@ -24,6 +25,8 @@ struct PointedNumber {
     std::optional<femoop::CaseId> of{};           ///< its case, where a table or an envelope says so
     std::optional<femoop::ExtremeKind> extreme{}; ///< of an envelope; nothing: that of the greater magnitude
     std::optional<LoadOnLine> under{};            ///< of an influence line: under this load it is the effect's value
+    bool is_resultant = false;                    ///< of reactions, the larger of which is the effect
+    std::optional<ui::Message> why_no_steps{};    ///< such as that it is a difference of two numbers
 };
 
 /// A section force or a reaction, which could be released.

@@ -187,16 +187,48 @@ std::string section_text(const ShownCase& shown, const Difference& one)
     return " (" + shown.units.text(x, Measure::Length) + ")";
 }
 
+/// The value of the present results. \pre a section, of a section force
+femoop::MovingEffect effect_of(const ShownCase& shown, const Difference& one)
+{
+    femoop::MovingEffect effect{.quantity = one.quantity == ComparedQuantity::Reaction
+                                                ? femoop::ExpectedQuantity::Reaction
+                                                : femoop::ExpectedQuantity::Displacement};
+    if (const auto* const node = std::get_if<femoop::NodeId>(&one.part)) {
+        effect.node = *node;
+        effect.dof = std::get<Dof>(one.component);
+        return effect;
+    }
+    const auto member = std::get<MemberId>(one.part);
+    const double length = geometry_of(shown.model(), shown.model()[member]).length;
+    return number_at_section({member, *one.share * length}, std::get<MemberComponent>(one.component), length);
+}
+
+/// The numbers of a row, in its order. \param kept_case  that the kept results are of, where it is of the present model
+std::array<PointedNumber, 3> numbers_of(const ShownCase& shown, const Difference& one, std::optional<CaseId> kept_case)
+{
+    const PointedNumber now{.effect = effect_of(shown, one)};
+    PointedNumber kept = now, change = now;
+    if (kept_case) kept.of = kept_case;
+    else kept.why_no_steps = ui::translatable("what was kept is of another state of the model; point at what is now");
+    change.why_no_steps = ui::translatable("Δ is now less kept; point at one of these two");
+    return {now, kept, change};
+}
+
 /// "BC (3.2 m): M [kN·m]", the value, that of what is compared with, and the change.
-void difference_row(ResultRow& row, const ShownCase& shown, const Difference& one)
+void difference_row(ResultRow& row, const ShownCase& shown, const Difference& one, std::optional<CaseId> kept_case)
 {
     const Measure measure = measure_of_difference(one);
     const auto part = std::visit([](auto id) { return Part(id); }, one.part);
     const std::string id = std::visit([&](auto id_of_part) { return shown.model()[id_of_part].id; }, one.part);
     const std::string component = shown.units.label(component_name(one, shown.model().analysis), measure);
     row.part(shown.session(), part, id + section_text(shown, one) + ": " + component);
-    for (const std::optional<double>& value : {std::optional(one.now), one.then, one.change()})
-        row.number(value ? with_minus(shown.units.number(*value, measure)) : "");
+    const std::array values{std::optional(one.now), one.then, one.change()};
+    const auto numbers = numbers_of(shown, one, kept_case);
+    for (std::size_t i = 0; i < values.size(); ++i) {
+        if (values[i])
+            row.number(shown.workspace, with_minus(shown.units.number(*values[i], measure)), numbers[i], part);
+        else row.number("");
+    }
 }
 
 /// The present results beside those that are kept, part by part.
@@ -210,8 +242,9 @@ void show_differences(const ShownCase& shown)
     if (!result_section(tr("Compared with {name}", {{"name", name}}), "differences")) return;
     const Differences all({&shown.model(), shown.result}, {&reference.model, reference.results[*counterpart]});
     const std::vector<std::string> headings{tr("Part"), tr("now"), tr("kept"), "Δ"};
+    const auto kept_case = reference.model == shown.model() ? counterpart : std::nullopt;
     result_list("differences", headings, all.size(),
-                [&](ResultRow& row, std::size_t i) { difference_row(row, shown, all[i]); });
+                [&](ResultRow& row, std::size_t i) { difference_row(row, shown, all[i], kept_case); });
     ImGui::PushStyleColor(ImGuiCol_Text, ImGui::GetStyleColorVec4(ImGuiCol_TextDisabled));
     ui::wrapped_text(tr("Of a section force where it differs most"));
     ImGui::PopStyleColor();
