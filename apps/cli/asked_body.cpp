@@ -103,6 +103,8 @@ Body AskedBody::body(const Model& model, const ui::Catalogue& tr) const
         for (const std::string& text : words.cut) cuts.push_back(cut_named(model, text, tr));
         std::vector<femoop::NodeId> beside;
         for (const std::string& name : words.beside) beside.push_back(node_named(model, name, tr));
+        if (const auto across = members_across(structure, cuts); !across.empty())
+            throw UsageError("--free-body: " + uncut_sentence(across, model, tr));
         return body_of(structure, cuts, beside);
     }
     if (words.members.empty() || !words.node.empty() || !words.cut.empty() || !words.beside.empty())

@@ -119,12 +119,14 @@ void AskedBody::lift(const femoop::Model& model, const std::vector<femoop::Membe
     for (const femoop::MemberId member : members) members_.push_back(model[member].id);
 }
 
-bool AskedBody::cut(const femoop::Model& model, const CutLine& line)
+void AskedBody::cut(const femoop::Model& model, const CutLine& line)
 {
-    if (crossed(discretise(model), line).cuts.empty()) return false;
+    const femoop::Discretisation structure = discretise(model);
+    const std::vector<Cut> cuts = crossed(structure, line).cuts;
+    across_ = members_across(structure, cuts);
+    if (cuts.empty() || !across_.empty()) return;
     clear();
     line_ = line;
-    return true;
 }
 
 void AskedBody::turn_cut()
@@ -155,7 +157,8 @@ Body AskedBody::body(const femoop::Model& model) const
     const femoop::Discretisation structure = discretise(model);
     if (line_) {
         const Crossed found = crossed(structure, *line_);
-        return found.cuts.empty() ? Body() : body_of(structure, found.cuts, found.left);
+        const bool parts = !found.cuts.empty() && members_across(structure, found.cuts).empty();
+        return parts ? body_of(structure, found.cuts, found.left) : Body();
     }
     std::vector<femoop::MemberId> members;
     for (const std::string& name : members_)

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "apps/drawing/draw_options.h"
@@ -32,8 +33,10 @@ public:
     void lift(const femoop::Model& model, femoop::NodeId node);
     void lift(const femoop::Model& model, femoop::MemberId member, bool adds); ///< to the members that are lifted
     void lift(const femoop::Model& model, const std::vector<femoop::MemberId>& members);
-    /// \returns false where it crosses no member: then nothing is changed
-    bool cut(const femoop::Model& model, const CutLine& line);
+    /// Where it crosses no member, or does not part the structure, nothing is lifted that was not before.
+    void cut(const femoop::Model& model, const CutLine& line);
+    /// The members by which the structure hangs together, where the last line crossed others; none the next time.
+    std::vector<femoop::MemberId> take_across() { return std::exchange(across_, {}); }
     bool has_cut() const { return line_.has_value(); }
     void turn_cut(); ///< the other side is lifted. \pre there is one
 
@@ -56,6 +59,7 @@ private:
     std::string node_;
     std::vector<std::string> members_;
     std::optional<CutLine> line_;
+    std::vector<femoop::MemberId> across_; ///< of a line that does not part the structure
     std::optional<Eigen::Vector3d> about_; ///< nothing: the usual one
     /// What the last picture is of.
     struct Subject {

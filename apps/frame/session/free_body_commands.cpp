@@ -4,6 +4,7 @@
 
 #include "apps/frame/document/selected_members.h"
 #include "apps/frame/session/shown_method.h"
+#include "femoop/io/free_body/free_body_text.h"
 
 namespace frame {
 
@@ -70,6 +71,14 @@ const drawing::FreeBodyPicture* lifted_body(const Session& session)
     const femoop::Results* const results = session.shown_results();
     if (results == nullptr || session.view.is_envelope) return nullptr;
     return session.free_body.picture(session.model(), *results, session.generation(), session.view);
+}
+
+void notify_uncut(Session& session)
+{
+    const std::vector<femoop::MemberId> across = session.free_body.take_across();
+    if (across.empty()) return;
+    const std::string reason = femoop::free_body::uncut_sentence(across, session.model(), session.tr());
+    session.notify({translatable("No free body: {reason}."), {{"reason", reason}}});
 }
 
 void add_free_body_commands(CommandTable& table)

@@ -607,6 +607,7 @@ void Canvas::release(Workspace& workspace, const Aim& aim, const Pick& under)
     is_working_ = false;
     const bool was_dragging = session.history().is_dragging() || workspace.tool_controller.tool().preview().window;
     carry_out(session, workspace.tool_controller.tool().release(work_of(session), aim));
+    notify_uncut(session);
     session.settle();
     if (workspace.tool_controller.tool().is_done()) return workspace.tool_controller.settle();
     if (was_dragging || workspace.tool_controller.kind() != ToolKind::Select) return;

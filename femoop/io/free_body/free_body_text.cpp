@@ -314,6 +314,15 @@ std::string line_latex(std::string_view line)
 
 } // namespace
 
+std::string uncut_sentence(const std::vector<MemberId>& across, const Model& model, const Translator& tr)
+{
+    std::vector<std::string> names;
+    for (const MemberId member : across) names.push_back(model[member].id);
+    return femoop::fill(
+        tr("the cut does not part the structure: it still hangs together by {0}; let the cut go right through it"),
+        {listed(names)}, tr(translatable("and")));
+}
+
 std::string free_body_text(const FreeBody& body, const Model& model, const Eigen::Vector3d& about, const Translator& tr)
 {
     std::string text = body_text(body.body, model, tr) + "\n" + moment_point_text(model, about, tr) + "\n\n";

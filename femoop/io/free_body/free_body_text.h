@@ -24,6 +24,9 @@ std::vector<std::string> equation_lines(const FreeBody& body, const Model& model
 std::vector<std::string> ritter_lines(const FreeBody& body, const Model& model, const RitterPoint& point,
                                       const Translator& tr);
 
+/// Why a cut lifts nothing out: the structure hangs together by these members (members_across).
+std::string uncut_sentence(const std::vector<MemberId>& across, const Model& model, const Translator& tr);
+
 /// The body, a table of the forces on it, one of their arms and moments about the point, the equations, and the Ritter
 /// points.
 std::string free_body_text(const FreeBody& body, const Model& model, const Eigen::Vector3d& about,

@@ -3,6 +3,9 @@
 #include <algorithm>
 #include <cstddef>
 #include <map>
+#include <optional>
+#include <set>
+#include <utility>
 
 namespace femoop::free_body {
 
@@ -69,6 +72,48 @@ private:
     Body body_;
 };
 
+/// Looks for ways from node to node through members that are not cut.
+class Ways {
+public:
+    Ways(const Discretisation& structure, const std::set<MemberId>& cut) : structure_(structure)
+    {
+        members_at_.resize(structure.positions.size());
+        for (std::size_t i = 0; i < structure.members.size(); ++i) {
+            if (cut.contains(MemberId(i))) continue;
+            for (const NodeId node : structure.members[i].nodes) members_at_[node.index].emplace_back(i);
+        }
+    }
+
+    /// The members of the shortest one, in their order; none where there is no way.
+    std::vector<MemberId> shortest(NodeId from, NodeId to) const
+    {
+        std::vector<std::optional<MemberId>> reached_over(structure_.positions.size());
+        std::vector<NodeId> reached{from};
+        for (std::size_t i = 0; i < reached.size() && !reached_over[to.index]; ++i)
+            for (const MemberId member : members_at_[reached[i].index]) {
+                const NodeId next = other_end(member, reached[i]);
+                if (next == from || reached_over[next.index]) continue;
+                reached_over[next.index] = member;
+                reached.push_back(next);
+            }
+        std::vector<MemberId> way;
+        for (NodeId node = to; reached_over[node.index]; node = other_end(way.back(), node))
+            way.push_back(*reached_over[node.index]);
+        std::ranges::reverse(way);
+        return way;
+    }
+
+private:
+    NodeId other_end(MemberId member, NodeId end) const
+    {
+        const auto& nodes = structure_.members[member.index].nodes;
+        return nodes[0] == end ? nodes[1] : nodes[0];
+    }
+
+    const Discretisation& structure_;
+    std::vector<std::vector<MemberId>> members_at_;
+};
+
 } // namespace
 
 Body body_of(NodeId node) { return {.nodes = {node}, .pieces = {}}; }
@@ -89,6 +134,22 @@ Body body_of(const Discretisation& structure, std::span<const MemberId> members)
 Body body_of(const Discretisation& structure, std::span<const Cut> cuts, std::span<const NodeId> beside)
 {
     return Flood(structure, cuts).from(beside);
+}
+
+std::vector<MemberId> members_across(const Discretisation& structure, std::span<const Cut> cuts)
+{
+    std::set<MemberId> cut_members;
+    for (const Cut& cut : cuts)
+        if (!cut_members.insert(cut.member).second) return {}; // what lies between two cuts of a member comes off
+    const Ways ways(structure, cut_members);
+    std::vector<MemberId> shortest;
+    for (const MemberId member : cut_members) {
+        const auto& nodes = structure.members[member.index].nodes;
+        std::vector<MemberId> way = ways.shortest(nodes[0], nodes[1]);
+        if (way.empty()) return {};
+        if (shortest.empty() || way.size() < shortest.size()) shortest = std::move(way);
+    }
+    return shortest;
 }
 
 } // namespace femoop::free_body

@@ -43,4 +43,8 @@ Body body_of(const Discretisation& structure, std::span<const MemberId> members)
 /// whole: then both sides of a cut are in the body.
 Body body_of(const Discretisation& structure, std::span<const Cut> cuts, std::span<const NodeId> beside);
 
+/// Where none of the cuts parts the structure: members without a cut, one after the other, that join both sides of one;
+/// of all such ways the shortest. None where anything is parted.
+std::vector<MemberId> members_across(const Discretisation& structure, std::span<const Cut> cuts);
+
 } // namespace femoop::free_body

@@ -625,6 +625,10 @@ TEST_CASE("What names no body, and what is not of the model, is refused with wha
     refused({"--free-body", "cut=AB@50%"}, "names no body");
     refused({"--free-body", "cut=AB,beside=A"}, "names no body");
     refused({"--free-body", "node=Q"}, "--free-body: there is no \"Q\"");
+    const Run uncut = cremona({"solve", "examples/pratt_truss.json", "--free-body", "cut=U2U3@50%,beside=L0"});
+    CHECK(uncut.status == 2);
+    CHECK(uncut.err == "cremona solve: --free-body: the cut does not part the structure: it still hangs together by "
+                       "U2L3 and L3U3; let the cut go right through it\n");
     refused({"--free-body", "cut=AB@900,beside=A"}, "wanted a place from 0 to ");
     refused({"--free-body", "cut=AB@5x%,beside=A"}, "--free-body");
     refused({"--free-body", "cut=AB@nan,beside=A"}, "--free-body: \"nan\" does not begin with a number");

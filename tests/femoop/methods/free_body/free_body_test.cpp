@@ -164,3 +164,15 @@ TEST_CASE("A cut through one leg of a ring leaves both of its sides in the body"
     CHECK(body.nodes.size() == 4);
     CHECK(body.pieces.size() == 5);
 }
+
+TEST_CASE("Cuts that part nothing leave the shortest way across them; those through both legs of a ring leave none")
+{
+    FrameMaker made;
+    made.node("A", 0, 0, Fixed).node("B", 5, 0).node("C", 5, 4).node("D", 0, 4);
+    made.member("A", "B").member("B", "C").member("C", "D").member("D", "A").member("A", "C");
+    const auto across = [&](std::vector<Cut> cuts) { return members_across(discretise(made.model), cuts); };
+    CHECK(across({{MemberId(2), 2.0}}) == std::vector{MemberId(4), MemberId(3)}); // C to D over A
+    CHECK(across({{MemberId(2), 2.0}, {MemberId(4), 1.0}}) == std::vector{MemberId(0), MemberId(1)});
+    CHECK(across({{MemberId(2), 2.0}, {MemberId(3), 1.0}}).empty());
+    CHECK(across({{MemberId(2), 1.0}, {MemberId(2), 2.0}}).empty()); // the middle comes off
+}
