@@ -2,9 +2,9 @@
 
 #include <algorithm>
 #include <charconv>
-#include <cmath>
 
 #include "apps/cli/argument.h"
+#include "apps/drawing/sketch/counted_units.h"
 #include "apps/drawing/sketch/scene.h"
 #include "apps/drawing/sketch/table_units.h"
 #include "apps/plane/view/plate_picture.h"
@@ -80,30 +80,6 @@ drawing::DrawOptions in_units_of_file(const ui::UnitChoices& choices)
     return options;
 }
 
-/// What was chosen is what follows from the model's own base units.
-bool follow(const ui::UnitChoices& choices, const femoop::Model& model)
-{
-    const ui::DisplayUnits units = drawing::display_units(model, in_units_of_file(choices));
-    const auto follows = [&](const ui::QuantityUnits& quantity) {
-        return choices.of(quantity.measure).empty() || std::abs(units.unit(quantity.measure).factor - 1.0) < 1e-9;
-    };
-    return std::ranges::all_of(ui::chosen_quantities(), follows);
-}
-
-/// Pairs of base units, those first that have most in common with the present ones.
-std::vector<femoop::Units> base_units_from(const femoop::Units& present)
-{
-    std::vector<femoop::Units> all;
-    for (int length = 0; length <= static_cast<int>(femoop::LengthUnit::ft); ++length)
-        for (int force = 0; force <= static_cast<int>(femoop::ForceUnit::kgf); ++force)
-            all.push_back({static_cast<femoop::LengthUnit>(length), static_cast<femoop::ForceUnit>(force)});
-    const auto differences = [&](const femoop::Units& units) {
-        return (units.length != present.length ? 1 : 0) + (units.force != present.force ? 1 : 0);
-    };
-    std::ranges::stable_sort(all, {}, differences);
-    return all;
-}
-
 /// "moment=kN·cm, displacement=mm"
 std::string list(const ui::UnitChoices& choices)
 {
@@ -172,14 +148,12 @@ femoop::Model AskedUnits::in_one_system(const femoop::Model& model, std::string_
                                         const ui::Catalogue& tr) const
 {
     const ui::UnitChoices chosen = choices(tr);
+    std::vector<ui::Measure> measures;
+    for (const ui::QuantityUnits& quantity : ui::chosen_quantities()) measures.push_back(quantity.measure);
     femoop::Model counted = model;
     counted.extra.clear();
-    for (const femoop::Units& units : base_units_from(model.units)) {
-        counted.units = units;
-        if (!follow(chosen, counted)) continue;
-        counted.units = model.units;
-        return units == model.units ? counted : femoop::in_units(counted, units);
-    }
+    if (const auto units = drawing::base_units_of(measures, model.units, in_units_of_file(chosen)))
+        return *units == model.units ? counted : femoop::in_units(counted, *units);
     throw UsageError(
         tr("{option} counts in one unit of length and one of force, and {units} do not follow from any two; "
            "leave one of them out",

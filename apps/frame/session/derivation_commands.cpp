@@ -180,8 +180,7 @@ void release_or_hold(Workspace& workspace)
                                                        where_it_stands(workspace, *meant_number(workspace)));
     workspace.asked_number = NamedEffect(workspace.session.model(), force);
     std::vector<femoop::MovingEffect> redundants;
-    if (const auto* const method = workspace.derivation.force_method(); method && shows_derivation(workspace))
-        redundants = method->redundants;
+    if (shows_derivation(workspace)) redundants = workspace.derivation.redundants();
     const auto released = std::ranges::find_if(redundants, [&](const femoop::MovingEffect& one) {
         return is_same_force(workspace.session.model(), one, force);
     });

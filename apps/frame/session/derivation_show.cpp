@@ -3,6 +3,8 @@
 #include <algorithm>
 
 #include "apps/drawing/results/envelope_cases.h"
+#include "apps/drawing/results/influence_picture.h"
+#include "apps/drawing/sketch/counted_units.h"
 #include "femoop/methods/force_method/force_steps.h"
 #include "femoop/methods/influence/effect_name.h"
 #include "femoop/methods/influence/usual_path.h"
@@ -97,6 +99,30 @@ femoop::force_method::ForceMethod solved(const Session& session, std::span<const
     return femoop::force_method::solve(model, *session.solution().results, session.view.load_case, redundants);
 }
 
+/// The same number of a model whose lengths are so many times as large numbers.
+MovingEffect scaled(MovingEffect effect, double length_factor)
+{
+    auto* const length = effect.at ? std::get_if<femoop::Quantity>(&*effect.at) : nullptr;
+    if (length != nullptr && length_factor != 1.0) *length = femoop::Quantity(length->value() * length_factor);
+    return effect;
+}
+
+std::vector<MovingEffect> scaled(std::span<const MovingEffect> effects, double length_factor)
+{
+    std::vector<MovingEffect> all;
+    for (const MovingEffect& one : effects) all.push_back(scaled(one, length_factor));
+    return all;
+}
+
+/// What the force method sums: moments, of trusses normal forces.
+ui::Measure summed(femoop::AnalysisKind kind) { return is_truss(kind) ? ui::Measure::Force : ui::Measure::Moment; }
+
+/// Of the session, or of its model counted anew.
+femoop::Results results_of(const Session& session, const femoop::Model& model)
+{
+    return model.units == session.model().units ? *session.solution().results : femoop::analyse(model);
+}
+
 } // namespace
 
 std::optional<RefusedRelease> refused_release(const Session& session, std::span<const MovingEffect> redundants)
@@ -176,8 +202,13 @@ DerivationShow::MadeFor DerivationShow::state_of(const Session& session) const
     std::optional<Standing> standing;
     if (const auto* const load = is_of_standing_ ? standing_on(session) : nullptr)
         standing = {load->name, load->placing.position, load->placing.reversed};
-    return {session.number(),         session.generation(),       session.view.load_case.index,
-            session.view.is_envelope, session.hidden.has_value(), standing};
+    return {session.number(),
+            session.generation(),
+            session.view.load_case.index,
+            session.view.is_envelope,
+            session.hidden.has_value(),
+            standing,
+            ChosenUnits{session.view.units, session.view.unit_choices}};
 }
 
 void DerivationShow::follow(const Session& session)
@@ -185,7 +216,8 @@ void DerivationShow::follow(const Session& session)
     if (is_at(session)) return;
     made_for_ = state_of(session);
     derivation_.reset();
-    loaded_.reset();
+    derived_of_.reset();
+    length_factor_ = 1.0;
     force_method_.reset();
     choices_.clear();
     why_none_ = why_not_derive(session);
@@ -201,25 +233,44 @@ void DerivationShow::follow(const Session& session)
     if (n_steps() > 0) go_to(step_); // else it waits for the steps to come back
 }
 
+const femoop::Model& DerivationShow::counted(const Session& session, const femoop::Model& model, ui::Measure result)
+{
+    const drawing::CountedUnits units = drawing::counted_units(model, session.view, result);
+    if (units.units == model.units) return model;
+    length_factor_ = units.length;
+    return derived_of_.emplace(drawing::counted_in(units, model));
+}
+
 void DerivationShow::derive_number(const Session& session)
 {
     const auto effect = effect_in(session.model(), *asked_);
     if (effect) choices_ = numbers_beside(session.model(), *effect);
     is_lost_ = !effect || std::ranges::find(choices_, *effect) == choices_.end();
     if (is_lost_ || why_none_) return;
-    if (is_of_standing_) {
-        loaded_ = session.influence.loaded();
-        derivation_ = femoop::derivation::derive(*loaded_, femoop::analyse(*loaded_), femoop::CaseId(0), *effect);
-        return;
-    }
-    const femoop::Model model = solved_model(session.model(), session.solution());
-    const femoop::Results& results = *session.solution().results;
+    if (is_of_standing_) derive_standing(session, *effect);
+    else derive_of_cases(session, *effect);
+}
+
+void DerivationShow::derive_standing(const Session& session, const MovingEffect& effect)
+{
+    derived_of_ = session.influence.loaded();
+    const femoop::Model loaded = *derived_of_;
+    const femoop::Model& model = counted(session, loaded, drawing::measure_of(effect));
+    derivation_ = femoop::derivation::derive(model, femoop::analyse(model), femoop::CaseId(0),
+                                             scaled(effect, length_factor_));
+}
+
+void DerivationShow::derive_of_cases(const Session& session, const MovingEffect& effect)
+{
+    const femoop::Model solved = solved_model(session.model(), session.solution());
+    const femoop::Model& model = counted(session, solved, drawing::measure_of(effect));
+    const femoop::Results results = results_of(session, model);
+    const MovingEffect number = scaled(effect, length_factor_);
     const auto of = asked_case(model);
     if (of || !session.view.is_envelope)
-        derivation_ = femoop::derivation::derive(model, results, of.value_or(session.view.load_case), *effect);
+        derivation_ = femoop::derivation::derive(model, results, of.value_or(session.view.load_case), number);
     else
-        derivation_ = femoop::derivation::derive_governing(model, results, envelope_cases(model, session.view),
-                                                           *effect);
+        derivation_ = femoop::derivation::derive_governing(model, results, envelope_cases(model, session.view), number);
 }
 
 void DerivationShow::derive_force_method(const Session& session)
@@ -236,8 +287,16 @@ void DerivationShow::derive_force_method(const Session& session)
     const auto faults = femoop::force_method::check_redundants(session.model(), redundants,
                                                                session.tr()("force method"));
     if (!faults.empty()) throw femoop::ModelError(faults);
-    force_method_ = std::make_shared<const femoop::force_method::ForceMethod>(solved(session, redundants));
-    derivation_ = femoop::force_method::steps(*force_method_, session.model());
+    const femoop::Model solved = solved_model(session.model(), session.solution());
+    const femoop::Model& model = counted(session, solved, summed(solved.analysis));
+    force_method_ = std::make_shared<const femoop::force_method::ForceMethod>(femoop::force_method::solve(
+        model, results_of(session, model), session.view.load_case, scaled(redundants, length_factor_)));
+    derivation_ = femoop::force_method::steps(*force_method_, model);
+}
+
+std::vector<MovingEffect> DerivationShow::redundants() const
+{
+    return force_method_ ? scaled(force_method_->redundants, 1.0 / length_factor_) : std::vector<MovingEffect>();
 }
 
 ui::Message DerivationShow::lost() const
@@ -260,7 +319,7 @@ void DerivationShow::choose(std::size_t forward)
     const MovingEffect& next = choices_[(now + forward) % choices_.size()];
     const bool was_extreme = asked_->effect.quantity == ExpectedQuantity::Extreme && derivation_;
     if (was_extreme) { // the others are those at its place, not extremes elsewhere
-        asked_->effect.at = derivation_->effect.at;
+        asked_->effect.at = scaled(derivation_->effect, 1.0 / length_factor_).at;
         asked_->effect.side = derivation_->effect.side;
     }
     asked_->effect.quantity = !was_extreme                       ? next.quantity

@@ -41,10 +41,13 @@ public:
 
     /// Null where nothing is explained: `why_none` says why.
     const femoop::derivation::Derivation* derivation() const { return derivation_ ? &*derivation_ : nullptr; }
-    /// What it was derived of: the session's model, or that with what stands on the influence line as its only load case.
-    const femoop::Model& model(const Session& session) const { return loaded_ ? *loaded_ : session.model(); }
-    /// With its states; null where a number is explained, or nothing.
+    /// What it was derived of: the session's model, or that with what stands on the influence line as its one load case;
+    /// counted in the units of the picture.
+    const femoop::Model& model(const Session& session) const { return derived_of_ ? *derived_of_ : session.model(); }
+    /// With its states, in those units; null where a number is explained, or nothing.
     const femoop::force_method::ForceMethod* force_method() const { return force_method_.get(); }
+    /// Of the session's model; none where a number is explained, or nothing.
+    std::vector<femoop::MovingEffect> redundants() const;
     const std::optional<ui::Message>& why_none() const { return why_none_; }
     /// Its node, its member or its support is gone from the document that it was asked of.
     bool is_lost() const { return is_lost_; }
@@ -70,20 +73,28 @@ public:
 private:
     /// What stands on a line: its name, the place of its leading axle, whether it runs backwards.
     using Standing = std::tuple<std::string, std::optional<double>, bool>;
+    /// What it is counted in.
+    using ChosenUnits = std::tuple<std::optional<ui::UnitSystem>, ui::UnitChoices>;
     /// What it was derived from: session, generation, case, envelope, whether results are hidden, what stands on the line.
-    using MadeFor = std::tuple<std::uint64_t, std::uint64_t, std::size_t, bool, bool, std::optional<Standing>>;
+    using MadeFor =
+        std::tuple<std::uint64_t, std::uint64_t, std::size_t, bool, bool, std::optional<Standing>, ChosenUnits>;
 
     MadeFor state_of(const Session& session) const;
     void begin(const Session& session); ///< with what is asked, at its first step
     bool is_asked() const { return asked_ || redundants_; }
     std::optional<ui::Message> why_not_derive(const Session& session);
+    /// Counts the model in the units of the picture, where these are others. \returns it, or the one that is given
+    const femoop::Model& counted(const Session& session, const femoop::Model& model, ui::Measure result);
     void derive_number(const Session& session);
+    void derive_standing(const Session& session, const femoop::MovingEffect& effect);
+    void derive_of_cases(const Session& session, const femoop::MovingEffect& effect);
     void derive_force_method(const Session& session);
     void choose(std::size_t forward);
 
     std::optional<NamedEffect> asked_;
     bool is_of_standing_ = false;                        ///< of the load on the influence line, not of a case
-    std::optional<femoop::Model> loaded_;                ///< by that load
+    std::optional<femoop::Model> derived_of_;            ///< where that is not the session's model
+    double length_factor_ = 1.0;                         ///< of lengths of the session's model, to those of that one
     std::optional<std::string> asked_case_;              ///< its name
     std::optional<std::vector<NamedEffect>> redundants_; ///< of the force method; empty: the program chooses
     std::optional<NamedEffect> gone_;                    ///< the redundant whose part is lost

@@ -7,6 +7,7 @@
 #include <string_view>
 #include <utility>
 
+#include "apps/drawing/sketch/scene.h"
 #include "apps/frame/session/derivation_commands.h"
 #include "apps/frame/view/derivation/derivation_picture.h"
 #include "apps/frame/view/derivation/state_pictures.h"
@@ -89,7 +90,7 @@ void show_picture(const Workspace& workspace, ui::ImGuiSession& gui, const ui::F
     const femoop::Model& model = workspace.derivation.model(session);
     DerivationLook look{.theme = ui::Theme(session.view.theme),
                         .tr = workspace.tr(),
-                        .units = session.units(),
+                        .units = drawing::display_units(model, session.view),
                         .step = workspace.derivation.step()};
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {0.0F, 0.0F});
     ImGui::BeginChild("###derivation", {width, 0.0F}, false, ImGuiWindowFlags_HorizontalScrollbar);

@@ -124,7 +124,7 @@ std::string derivation_of(const Workspace& workspace)
     const femoop::derivation::Derivation* const derivation = workspace.derivation.derivation();
     if (!workspace.bottom.shows(BottomContent::Derivation) || derivation == nullptr) return "nothing";
     return std::to_string(workspace.derivation.step() + 1) + " of " + std::to_string(workspace.derivation.n_steps()) +
-           ", " + femoop::influence::effect_name(workspace.session.model(), derivation->effect);
+           ", " + femoop::influence::effect_name(workspace.derivation.model(workspace.session), derivation->effect);
 }
 
 std::size_t n_loads(const femoop::Model& model)

@@ -237,6 +237,33 @@ TEST_SUITE("frame session")
         CHECK(!workspace.bottom.shows(BottomContent::Derivation));
     }
 
+    TEST_CASE("Steps count in the units from which that of the number follows, and what is released stays where it is")
+    {
+        Workspace workspace = workspace_with("portal.json");
+        Session& session = workspace.session;
+        const MovingEffect section = moment(session, "BC", 3.0);
+        const DerivationShow& show = workspace.derivation;
+        explain(workspace, section);
+        const double value = show.derivation()->value; // kN·m
+        REQUIRE(session.view.unit_choices.choose("moment", "kN*cm"));
+        workspace.derivation.follow(session);
+        CHECK(femoop::name(show.model(session).units.length) == "cm");
+        CHECK(show.derivation()->value == doctest::Approx(100.0 * value));
+        CHECK(show.derivation()->closing_error < 1e-6);
+        CHECK(femoop::influence::effect_name(show.model(session), show.derivation()->effect) == "M(BC, 300 cm)");
+        CHECK(!run(workspace, "derivation.next_number"));
+        workspace.derivation.follow(session);
+        CHECK(femoop::name(show.model(session).units.length) == "m"); // u has none that was chosen
+        workspace.pointed_number = {section};
+        CHECK(!run(workspace, "view.release"));
+        REQUIRE(show.force_method() != nullptr);
+        CHECK(femoop::influence::effect_name(show.model(session), show.force_method()->redundants[0]) ==
+              "M(BC, 300 cm)");
+        CHECK(femoop::influence::effect_name(session.model(), show.redundants()[0]) == "M(BC, 3 m)");
+        CHECK(!run(workspace, "view.release"));
+        CHECK(!workspace.bottom.shows(BottomContent::Derivation));
+    }
+
     TEST_CASE("A bar that is pointed at anywhere is a redundant: it is cut at its end, and held again")
     {
         Workspace workspace = workspace_with("truss.json");
