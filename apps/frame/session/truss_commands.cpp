@@ -51,7 +51,7 @@ void look_at(Workspace& workspace, TrussMethod method, bool is_on)
 Reason why_no_plane_truss(const Workspace& workspace)
 {
     if (workspace.session.model().analysis == femoop::AnalysisKind::Truss2d) return std::nullopt;
-    return translatable("joints and Cremona diagrams are those of a plane truss");
+    return translatable("zero-force bars, joints and Cremona diagrams are those of a plane truss");
 }
 
 } // namespace

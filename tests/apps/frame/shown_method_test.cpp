@@ -38,6 +38,15 @@ TEST_SUITE("frame session")
         CHECK(workspace.tool_controller.kind() == ToolKind::Select);
     }
 
+    TEST_CASE("A frame has none of the methods of a plane truss, and the refusal names each of them")
+    {
+        Workspace workspace = workspace_with("portal.json");
+        for (const char* method : {"view.zero_forces", "view.joints", "view.cremona"}) {
+            CAPTURE(method);
+            CHECK(run(workspace, method) == "zero-force bars, joints and Cremona diagrams are those of a plane truss");
+        }
+    }
+
     TEST_CASE("Whatever method is shown can be written as LaTeX, and nothing where none is")
     {
         Workspace truss = workspace_with("pratt_truss.json");
