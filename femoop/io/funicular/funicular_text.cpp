@@ -88,6 +88,20 @@ std::string left_out_line(const Chain& chain, const Model& model, const Translat
                         tr(translatable("and")));
 }
 
+std::vector<std::string> names_on_foundation(const Chain& chain, const Model& model)
+{
+    std::vector<std::string> names;
+    for (const Chain::Link& link : chain.links)
+        if (model[link.member].foundation) names.push_back(model[link.member].id);
+    return names;
+}
+
+std::string foundation_line(const std::vector<std::string>& names, const Translator& tr)
+{
+    return femoop::fill(tr("left out: the elastic foundation under {0}; with it the beam's reactions and M are others"),
+                        {listed(names)}, tr(translatable("and")));
+}
+
 tabular::Table table(const Funicular& funicular, const Chain& chain, const Model& model, const Translator& tr)
 {
     const Printer text(model, tr);
@@ -200,6 +214,8 @@ std::vector<std::string> funicular_lines(const Funicular& funicular, const Chain
     std::vector<std::string> lines{thrust_line(funicular, model, tr), reactions_line(funicular, chain, model, tr)};
     if (is_line_of_thrust(funicular, chain)) lines.front() += "; " + tr("the line of thrust of the arch");
     if (!chain.held.empty()) lines.push_back(left_out_line(chain, model, tr));
+    if (const auto names = names_on_foundation(chain, model); !names.empty())
+        lines.push_back(foundation_line(names, tr));
     return lines;
 }
 

@@ -34,6 +34,19 @@ TEST_SUITE("funicular")
         CHECK(cable == "pull: H = M0 / f = 450 / (−5) = −90 kN, M0 largest at x = 6 m");
     }
 
+    TEST_CASE("Over members on an elastic foundation it says that this is left out")
+    {
+        Model model = read_model_file("examples/three_hinged_arch.json");
+        const Discretisation structure = discretise(model);
+        const Chain chain = chain_of(structure, members_across(structure));
+        const SimpleSpan span(0.0, 24.0, vertical_loads(model, structure, chain, CaseId(1)));
+        for (const std::size_t link : {2, 3}) model.members[link].foundation = Quantity(5000.0);
+        const std::vector<std::string> lines = funicular_lines({span, {0.0, 0.0}, 50.0}, chain, model, english);
+        REQUIRE(lines.size() == 3);
+        CHECK(lines[2] ==
+              "left out: the elastic foundation under CD and DE; with it the beam's reactions and M are others");
+    }
+
     TEST_CASE("In words it has the ordinates at the nodes, and the moments off the axis there")
     {
         const Model model = read_model_file("examples/three_hinged_arch.json");
