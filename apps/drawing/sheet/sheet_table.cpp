@@ -9,9 +9,9 @@ namespace drawing {
 
 namespace {
 
-constexpr std::array sizes{1.0, 0.92, 0.84, 0.76, 0.7, 0.64, 0.58}; // of the theme's normal type
-constexpr std::size_t indented_to = 2;                              // the column below which stands what is folded
-constexpr double spacing = 1.45;                                    // of lines, of the type's size
+constexpr std::array sizes{1.0, 0.92, 0.84, 0.76, 0.7}; // of the theme's normal type
+constexpr std::size_t indented_to = 2;                  // the column below which stands what is folded
+constexpr double spacing = 1.45;                        // of lines, of the type's size
 
 /// A name that has the room of the empty cells behind it, too.
 bool goes_beyond(const tabular::Row& row, std::size_t column)
@@ -32,6 +32,27 @@ std::string text_of(const tabular::Row& row, std::size_t column)
     return column == 0 ? shown : ui::with_minus_signs(shown);
 }
 
+struct FormulaRoom {
+    ui::TextStyle type;
+    double width;
+    const ui::Fonts& fonts;
+};
+
+/// "a + b x + …", with as many whole terms as there is room for, one at least.
+std::string shortened_formula(const std::string& formula, const FormulaRoom& room)
+{
+    const std::string dots = " + …";
+    std::string terms = formula, text = formula;
+    while (room.fonts.measure(text, room.type).width > room.width) {
+        const std::size_t plus = terms.rfind(" + "), minus = terms.rfind(" − ");
+        if (plus == std::string::npos && minus == std::string::npos) break;
+        const bool ends_with_plus = minus == std::string::npos || (plus != std::string::npos && plus > minus);
+        terms.resize(ends_with_plus ? plus : minus);
+        text = terms + dots;
+    }
+    return text;
+}
+
 } // namespace
 
 SheetTable::SheetTable(const TableOfRows& table, const TableRoom& room, const ui::Theme& theme, const ui::Fonts& fonts)
@@ -39,22 +60,78 @@ SheetTable::SheetTable(const TableOfRows& table, const TableRoom& room, const ui
 {
     constexpr std::size_t all = 1000, least = 3;
     table_ = table(all);
-    for (const Fold fold : {Fold{0, 0.84}, Fold{1, 0.7}, Fold{room.folded.size(), sizes.back()}}) {
-        n_folded_ = std::min(fold.n_columns, room.folded.size());
-        for (const double size : sizes) {
-            if (size < fold.least_size) break;
-            size_ = size * theme.type().normal;
-            lay_out(fonts);
-            if (width_ <= room.width) break;
-        }
-        if (width_ <= room.width) break;
-    }
+    choose_type(fonts);
     const double lines_per_row = n_folded_ > 0 ? 2.0 : 1.0;
     const double n_lines = room.height / line_height() - 3.5; // headings, sum, and free above
     const auto most = static_cast<std::size_t>(std::max(n_lines / lines_per_row, static_cast<double>(least)));
-    if (table_.rows.size() - table_.n_sums <= most) return;
-    table_ = table(most);
+    if (table_.rows.size() - table_.n_sums > most) table_ = table(most);
+    fit_in_width(fonts);
+}
+
+/// The largest type in which nothing is shortened, else the largest that leaves formulas some terms.
+void SheetTable::choose_type(const ui::Fonts& fonts)
+{
+    constexpr double few_terms = 14.0; // wide, of the type's size
+    for (const Fold fold : {Fold{0, 0.84}, Fold{1, 0.76}, Fold{room_.folded.size(), 0.76}}) {
+        n_folded_ = std::min(fold.n_columns, room_.folded.size());
+        for (const double size : sizes) {
+            if (size < fold.least_size) break;
+            size_ = size * theme_.type().normal;
+            lay_out(fonts);
+            if (width_ <= room_.width) return;
+        }
+    }
+    for (const double size : sizes) {
+        size_ = size * theme_.type().normal;
+        lay_out(fonts);
+        if (size <= 0.84 && width_per_shortened() >= few_terms * size_) return;
+    }
+}
+
+/// What the other columns leave, shared by those that may be shortened; as they are laid out now.
+double SheetTable::width_per_shortened() const
+{
+    if (room_.shortened.empty()) return 0.0;
+    double left = room_.width - (lefts_.back() + widths_.back());
+    for (const std::size_t column : room_.shortened) left += widths_[column];
+    return left / static_cast<double>(room_.shortened.size());
+}
+
+void SheetTable::fit_in_width(const ui::Fonts& fonts)
+{
     lay_out(fonts);
+    if (width_ <= room_.width) return;
+    shorten_columns(fonts);
+    lay_out(fonts);
+    for (tabular::Row& row : table_.rows) shorten_below(row, fonts);
+    lay_out(fonts);
+}
+
+/// The columns that need less than their share leave the rest of it to the next, so the narrowest comes first.
+void SheetTable::shorten_columns(const ui::Fonts& fonts)
+{
+    std::vector<std::size_t> columns = room_.shortened;
+    std::ranges::sort(columns, {}, [&](std::size_t column) { return widths_[column]; });
+    const ui::TextStyle type = style(false, ui::Anchor::Left);
+    double left = width_per_shortened() * static_cast<double>(columns.size());
+    for (std::size_t i = 0; i < columns.size(); ++i) {
+        const double share = left / static_cast<double>(columns.size() - i);
+        for (tabular::Row& row : table_.rows)
+            row.cells[columns[i]].shown = shortened_formula(text_of(row, columns[i]), {type, share, fonts});
+        left -= std::min(share, widths_[columns[i]]);
+    }
+}
+
+/// What is folded below a row: its formula gives way.
+void SheetTable::shorten_below(tabular::Row& row, const ui::Fonts& fonts)
+{
+    const ui::TextStyle type = style(false, ui::Anchor::Left);
+    const double below = lefts_[indented_to] + fonts.measure(folded_text(row), type).width;
+    if (n_folded_ == 0 || below <= room_.width) return;
+    const std::size_t column = *std::ranges::max_element(
+        room_.folded, {}, [&](std::size_t i) { return fonts.measure(text_of(row, i), type).width; });
+    const double width = fonts.measure(text_of(row, column), type).width - (below - room_.width);
+    row.cells[column].shown = shortened_formula(text_of(row, column), {type, width, fonts});
 }
 
 bool SheetTable::is_in_line(std::size_t column) const

@@ -19,10 +19,13 @@ struct TableRoom {
     double width, height; ///< at most [logical pixels]
     /// Columns whose cells may stand below the rest of their row: the first of them, or all.
     std::vector<std::size_t> folded{};
+    /// Columns of formulas that may end with "+ …" where smaller type could not be read.
+    std::vector<std::size_t> shortened{};
 };
 
 /// A table at the foot of a sheet, in the largest type of the theme's in which its rows stand in one line each; where none
-/// is small enough, one column is folded below the others, or several. It has as many rows as there is room for.
+/// is small enough, one column is folded below the others, or several, and where that is too wide formulas are shortened.
+/// It has as many rows as there is room for.
 ///
 ///     member        x [m]   F(x)       f(x)       stiffness          work [m]
 ///     -----------------------------------------------------------------------
@@ -38,7 +41,12 @@ public:
     void draw(ui::Painter& painter, ui::Point corner) const;
 
 private:
+    void choose_type(const ui::Fonts& fonts);
     void lay_out(const ui::Fonts& fonts);
+    void shorten_columns(const ui::Fonts& fonts);
+    void shorten_below(tabular::Row& row, const ui::Fonts& fonts);
+    void fit_in_width(const ui::Fonts& fonts);
+    double width_per_shortened() const;
     bool is_in_line(std::size_t column) const;
     std::string folded_text(const tabular::Row& row) const;
     std::size_t lines_of(const tabular::Row& row) const;

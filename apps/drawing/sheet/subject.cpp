@@ -651,11 +651,14 @@ const SheetTable& Subject::work_table(ui::Size sheet, const ui::Fonts& fonts) co
     if (options_.show.contains(Show::Legend))
         height -= head_height(sheet_head(input_, options_), theme_, fonts, sheet.width);
     height -= 14.0 + 1.4 * theme_.type().normal * static_cast<double>(foot_lines(sheet, fonts).size());
-    const auto& columns = femoop::virtual_work::foldable_columns;
-    return work_table_.emplace(
-        rows,
-        TableRoom{.width = sheet.width - 32.0, .height = height, .folded = {std::begin(columns), std::end(columns)}},
-        theme_, fonts);
+    const auto& folded = femoop::virtual_work::foldable_columns;
+    const auto& formulas = femoop::virtual_work::formula_columns;
+    return work_table_.emplace(rows,
+                               TableRoom{.width = sheet.width - 32.0,
+                                         .height = height,
+                                         .folded = {std::begin(folded), std::end(folded)},
+                                         .shortened = {std::begin(formulas), std::end(formulas)}},
+                               theme_, fonts);
 }
 
 std::vector<ui::Box> Subject::head_rows(const std::vector<PanelHead>& heads, const ui::Theme& theme,

@@ -40,6 +40,8 @@ tabular::Table work_table(const VirtualWork& work, const Model& model, const Tra
 /// Its columns that can stand below the others where there is little room: the product of the two forces, its integral
 /// and the stiffness.
 inline constexpr std::size_t foldable_columns[] = {5, 6, 7};
+/// And those that may be shortened: the two forces.
+inline constexpr std::size_t formula_columns[] = {3, 4};
 
 /// The same for a program, with every digit.
 std::string virtual_work_json(const VirtualWork& work, const Model& model);
