@@ -25,6 +25,20 @@ namespace {
 
 using influence::effect_in;
 
+/// Of the numbers whose round-off the effect may be.
+double size_of(const MovingEffect& effect, const CaseResult& result)
+{
+    const Magnitudes most = result.magnitudes();
+    if (effect.component) return most.of(*effect.component);
+    return effect.quantity == ExpectedQuantity::Reaction ? most.force_of(*effect.dof)
+                                                         : most.displacement_of(*effect.dof);
+}
+
+double value_of(const MovingEffect& effect, const CaseResult& result)
+{
+    return without_rounding(effect_in(effect, result), size_of(effect, result));
+}
+
 constexpr double round_off = 1e-12; ///< of the largest force on the ends of a member
 
 void append(std::vector<Step>& steps, std::vector<Step> more) { std::ranges::move(more, std::back_inserter(steps)); }
@@ -89,7 +103,7 @@ public:
         factors.values.resize(static_cast<Eigen::Index>(terms.terms.size()), 2);
         Sum sum;
         for (const CaseTerms::Term& term : terms.terms) {
-            const double value = effect_in(effect_, results_[CaseId(term.load_case)]);
+            const double value = value_of(effect_, results_[CaseId(term.load_case)]);
             const std::string& name = model_.load_cases[term.load_case].id;
             factors.values.row(static_cast<Eigen::Index>(factors.rows.size())) << term.factor, value;
             factors.rows.push_back(name);
@@ -132,9 +146,10 @@ private:
         const MemberAlone alone = take_out(model_, *effect_.member, model_.load_cases[load_case.index], result);
         MovingEffect effect = effect_;
         effect.member = MemberAlone::member;
+        const double size = size_of(effect_, result);
         Sum sum;
-        sum.add("u'", effect_in(effect, alone.moved()));
-        sum.add("f0'", effect_in(effect, alone.loaded()));
+        sum.add("u'", without_rounding(effect_in(effect, alone.moved()), size));
+        sum.add("f0'", without_rounding(effect_in(effect, alone.loaded()), size));
         return {.kind = StepKind::Superposition,
                 .member = effect_.member,
                 .load_case = load_case,
@@ -145,9 +160,10 @@ private:
     Step tied_superposition(CaseId load_case, const CaseResult& result) const
     {
         CurveReader reader(result);
+        const double size = size_of(effect_, result);
         Sum sum;
         const auto add = [&](const char* name, CurvePart part) {
-            sum.add(name, influence::effect_in(effect_, reader.read(*effect_.member, part)));
+            sum.add(name, without_rounding(influence::effect_in(effect_, reader.read(*effect_.member, part)), size));
         };
         add("u'", CurvePart::Motion);
         add("f0'", CurvePart::Loads);
@@ -442,7 +458,7 @@ Derivation derive(const Model& model, const Results& results, CaseId load_case, 
         derivation.steps.push_back(std::move(found.step));
         derivation.effect = found.effect;
     }
-    derivation.value = effect_in(derivation.effect, results[load_case]);
+    derivation.value = value_of(derivation.effect, results[load_case]);
     NumberSteps number(model, results, derivation.effect);
     const CaseTerms terms = terms_of(model, load_case);
     for (const CaseTerms::Term& term : terms.terms)
@@ -461,7 +477,7 @@ Derivation derive_governing(const Model& model, const Results& results, const st
     const auto value = [&](CaseId id) {
         const MovingEffect at = effect.quantity == ExpectedQuantity::Extreme ? extreme_of(results[id], effect).effect
                                                                              : effect;
-        return effect_in(at, results[id]);
+        return value_of(at, results[id]);
     };
     std::vector<double> values;
     std::ranges::transform(cases, std::back_inserter(values), value);
