@@ -12,7 +12,8 @@ namespace femoop {
 namespace {
 
 constexpr std::size_t most_terms = 6; // a solution without foundation has degree five at most
-constexpr double noise = 1e-11;       // of the largest term on the stretch
+constexpr double noise = 1e-11;       // of the largest term on the member
+constexpr double series_noise = 1e-8; // a power series carries the round-off of the member's ends on through its terms
 
 /// The same polynomial of x = t + begin.
 std::vector<double> shifted(const Polynomial& p, double begin)
@@ -25,19 +26,19 @@ std::vector<double> shifted(const Polynomial& p, double begin)
     return shifted;
 }
 
-void drop_noise(std::vector<double>& coefficients, double length)
+void drop_noise(Expression& of, double length)
 {
     double largest = 0.0, power = 1.0;
-    for (const double c : coefficients) {
+    for (const double c : of.coefficients) {
         largest = std::max(largest, std::abs(c) * power);
         power *= length;
     }
     power = 1.0;
-    for (double& c : coefficients) {
-        if (std::abs(c) * power <= noise * largest) c = 0.0;
+    for (double& c : of.coefficients) {
+        if (std::abs(c) * power <= (of.is_series ? series_noise : noise) * largest) c = 0.0;
         power *= length;
     }
-    while (!coefficients.empty() && coefficients.back() == 0.0) coefficients.pop_back();
+    while (!of.coefficients.empty() && of.coefficients.back() == 0.0) of.coefficients.pop_back();
 }
 
 std::string_view power_text(std::size_t power)
@@ -62,7 +63,7 @@ std::string term_text(double size, std::size_t power, int digits)
 Expression expression(const Polynomial& p, double from, double to, double length)
 {
     Expression of{from, to, shifted(p, from), p.n_terms() > most_terms};
-    drop_noise(of.coefficients, length);
+    drop_noise(of, length);
     return of;
 }
 
