@@ -39,6 +39,7 @@ namespace {
 
 constexpr std::array diagrams{Show::N, Show::V, Show::Vy, Show::Vz, Show::M, Show::T, Show::My, Show::Mz};
 constexpr double edge = 14.0;                                        // [px] kept free around a fitted picture
+constexpr double clearly = 1.02;                                     // larger
 constexpr ui::World2 empty_least{-1.0, -1.0}, empty_most{11.0, 7.0}; // corners of an empty sheet
 constexpr ui::World3 empty_corner{-1.0, -1.0, 0.0}, full_corner{9.0, 9.0, 5.0}; // of one in space
 
@@ -414,18 +415,30 @@ std::vector<Panel> Subject::panels_of(const std::vector<ShowSet>& contents, cons
     return list;
 }
 
+// Beside one another, as a class compares them; a flat truss over its diagram, where it does not become smaller there.
+Subject::Plan Subject::plan_with_diagram(const ui::Box& room, const ui::Fonts& fonts) const
+{
+    const auto laid_out = [&](std::size_t columns) {
+        std::vector<Panel> both = panels(contents(), room, columns);
+        Camera camera = fitted(both, fonts);
+        return Plan{std::move(both), std::move(camera)};
+    };
+    Plan plan = laid_out(is_stacked(room) ? 1 : 2);
+    if (shows_truss() && is_stacked(room)) {
+        Plan beside = laid_out(2);
+        if (Projection(beside.camera).scale() > clearly * Projection(plan.camera).scale()) plan = std::move(beside);
+    }
+    if (state_.camera) plan.camera = *state_.camera;
+    return plan;
+}
+
 // Panels beside one another only where the structure becomes clearly larger by it; lines that are kept are compared
 // place by place, one below the other.
 Subject::Plan Subject::plan(ui::Size sheet, const ui::Fonts& fonts) const
 {
-    constexpr double clearly = 1.02;
     const std::vector<ShowSet> contents = this->contents();
     const ui::Box room = area(sheet, fonts);
-    if (has_diagram()) { // beside one another, as a class compares them
-        std::vector<Panel> both = panels(contents, room, is_stacked(room) ? 1 : 2);
-        Camera camera = state_.camera ? *state_.camera : fitted(both, fonts);
-        return {std::move(both), std::move(camera)};
-    }
+    if (has_diagram()) return plan_with_diagram(room, fonts);
     std::vector<Panel> list = panels_of(contents, room, 1);
     if (contents.size() == 1 && state_.camera) return {std::move(list), *state_.camera};
     Camera camera = fitted(list, fonts);

@@ -103,6 +103,7 @@ private:
     std::vector<ui::Box> head_rows(const std::vector<PanelHead>& heads, const ui::Theme& theme, const ui::Fonts& fonts,
                                    const Panel& panel) const;
     bool shows_truss() const;
+    Plan plan_with_diagram(const ui::Box& room, const ui::Fonts& fonts) const;
     bool is_stacked(const ui::Box& room) const; ///< the structure over what stands beside it
     bool shows_funicular() const;
     bool shows_work() const;

@@ -6,6 +6,7 @@
 #include <set>
 
 #include "apps/drawing/draw.h"
+#include "apps/drawing/sheet/subject.h"
 #include "apps/drawing/truss/joint_picture.h"
 #include "femoop/analysis/linear_static.h"
 #include "tests/apps/drawing/view_model.h"
@@ -92,6 +93,22 @@ TEST_CASE("Each bar is found at one stage of the diagram, and at the first none"
     picture.n_stages = 1;
     for (std::size_t i = 0; i < picture.truss.bars.size(); ++i) CHECK(!picture.is_found(femoop::MemberId(i)));
     CHECK(picture.stages.size() == picture.diagram->steps.size());
+}
+
+TEST_CASE("Where a low sheet leaves a flat truss over its diagram no room it stands beside it, and is larger there")
+{
+    const femoop::Model model = view_test::example("pratt_truss");
+    const TrussPicture picture = diagram_of(model);
+    const femoop::Results results = femoop::analyse(model);
+    const ui::Fonts fonts;
+    const auto plan_on = [&](ui::Size sheet) {
+        return Subject({.model = model, .results = &results, .truss = &picture}, shown_beside(), {}).plan(sheet, fonts);
+    };
+    const auto is_beside = [](const Subject::Plan& plan) {
+        return plan.panels[0].box.min.y == plan.panels[1].box.min.y;
+    };
+    CHECK(is_beside(plan_on({405.0, 380.0})));
+    CHECK_FALSE(is_beside(plan_on({900.0, 760.0})));
 }
 
 TEST_SUITE("Cremona diagrams")
