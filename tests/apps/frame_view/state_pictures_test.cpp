@@ -64,4 +64,20 @@ TEST_SUITE("frame: the states of the force method")
         CHECK(state_beside({.kind = StepKind::Flexibility, .state = 1}) == 1);
         CHECK(state_beside({.kind = StepKind::StateSuperposition}) == 4);
     }
+
+    TEST_CASE("The states of a frame in space need more room each: 450 x 240 is enough for one of them, not for three")
+    {
+        const femoop::Model frame = view_test::model("space");
+        const femoop::Results results = femoop::analyse(frame);
+        const femoop::MovingEffect fz{
+            .quantity = femoop::ExpectedQuantity::Reaction, .node = frame.find_node("uz"), .dof = femoop::Dof::uz};
+        const std::vector<femoop::MovingEffect> redundants{fz};
+        const ForceMethod method = femoop::force_method::solve(frame, results, femoop::CaseId(0), redundants);
+        const DrawOptions view;
+        const Step step{.kind = StepKind::State, .state = 1};
+        const auto cells = state_cells(method, {450.0, 240.0}, {view, step});
+        REQUIRE(cells.size() == 1);
+        CHECK(cells[0].state == 1);
+        CHECK(state_cells(method, {2600.0, 1500.0}, {view, step}).size() == method.n_redundants() + 2);
+    }
 }

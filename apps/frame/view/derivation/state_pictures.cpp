@@ -42,6 +42,12 @@ std::string short_title(const ForceMethod& method, std::size_t state)
     return femoop::force_method::redundant_name(state) + " = 1";
 }
 
+/// That a state can be read in, with its name, in ems: in space moments in two planes and their values crowd it.
+ui::Size least_size(femoop::AnalysisKind kind)
+{
+    return femoop::is_3d(kind) ? ui::Size{20.0, 14.0} : ui::Size{12.0, 8.5};
+}
+
 DrawOptions options_for(const ForceMethod& method, std::size_t state, const DrawOptions& view)
 {
     DrawOptions options = view;
@@ -59,7 +65,8 @@ DrawOptions options_for(const ForceMethod& method, std::size_t state, const Draw
 
 std::vector<StateCell> state_cells(const ForceMethod& method, ui::Size room, const StateLook& look)
 {
-    constexpr double least_width = 12.0, least_height = 8.5, name_height = 1.5; // ems
+    constexpr double name_height = 1.5; // ems
+    const ui::Size least = least_size(method.primary.model.analysis);
     const double em = ui::Theme(look.view.theme).type().normal;
     const auto n = static_cast<double>(n_pictures(method));
     const double columns = std::clamp(std::round(std::sqrt(n * room.width / (1.4 * std::max(room.height, 1.0)))), 1.0,
@@ -69,7 +76,7 @@ std::vector<StateCell> state_cells(const ForceMethod& method, ui::Size room, con
         const double foot = std::max(box.min.y, box.max.y - name_height * em);
         return StateCell{state, {box.min, {box.max.x, foot}}, {{box.min.x, foot}, box.max}};
     };
-    if (size.x < least_width * em || size.y < least_height * em)
+    if (size.x < least.width * em || size.y < least.height * em)
         return {cell(state_meant(method, look.step).value_or(0), {{}, {room.width, room.height}})};
     std::vector<StateCell> cells;
     for (std::size_t state = 0; state < n_pictures(method); ++state) {
