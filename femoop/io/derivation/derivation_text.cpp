@@ -222,6 +222,19 @@ std::string closing_text(const Derivation& derivation, const Translator& tr)
 
 namespace {
 
+/// "S0 + X1 S1 + X2 S2", of many redundants "S0 + X1 S1 + .. + X9 S9".
+std::string sum_of_states(std::size_t n_redundants)
+{
+    constexpr std::size_t most_written = 3;
+    std::string sum = "S0";
+    const auto add = [&](std::size_t i) { sum += " + X" + std::to_string(i) + " S" + std::to_string(i); };
+    const bool is_short = n_redundants > most_written;
+    for (std::size_t i = 1; i <= (is_short ? 1 : n_redundants); ++i) add(i);
+    if (is_short) sum += " + ..";
+    if (is_short) add(n_redundants);
+    return sum;
+}
+
 std::string redundants_sentence(const Step& step, const Translator& tr)
 {
     const std::string given = tr(
@@ -338,9 +351,10 @@ std::string sentence(const Step& step, const Model& model, const Translator& tr)
             {std::to_string(step.state)});
     case StepKind::RedundantEquations: return tr("The redundants X close every release again: δ X = c - δ0.");
     case StepKind::StateSuperposition:
-        return tr(
-            "The states add up, each times its redundant: S = S0 + X1 S1 + X2 S2 .. Below, the redundants beside those "
-            "of the stiffness method.");
+        return fill(
+            tr("The states add up, each times its redundant: S = {0}. Below, the redundants beside those of the "
+               "stiffness method."),
+            {sum_of_states(step.matrices.back().rows.size())});
     case StepKind::Held: break;
     }
     return fill(tr("Node {0} is held in this direction: no unknown, but what its support imposes."), {node});

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "femoop/analysis/linear_static.h"
+#include "femoop/io/derivation/derivation_text.h"
 #include "femoop/methods/force_method/force_steps.h"
 #include "femoop/methods/force_method/usual_redundants.h"
 #include "femoop/methods/influence/effect_name.h"
@@ -371,6 +372,23 @@ TEST_SUITE("force method")
                     CHECK((values.leftCols(values.cols() - 1).rowwise().sum() - values.rightCols(1)).norm() <=
                           1e-9 * size);
             }
+    }
+
+    TEST_CASE("The last step adds up as many states as there are redundants")
+    {
+        const auto last_sentence = [](int n_redundants) {
+            FrameMaker made;
+            made.node("0", 0, 0, SupportKind::Fixed);
+            for (int i = 1; i <= n_redundants; ++i) {
+                made.node(std::to_string(i), L * i, 0, SupportKind::Roller);
+                made.member(std::to_string(i - 1), std::to_string(i), "-").uniform(made.model.members.back().id, -q);
+            }
+            const derivation::Derivation way = steps(solved(made.model), made.model);
+            return derivation::sentence(way.steps.back(), made.model, english);
+        };
+        CHECK(last_sentence(1).find("S = S0 + X1 S1. Below") != std::string::npos);
+        CHECK(last_sentence(2).find("S = S0 + X1 S1 + X2 S2. Below") != std::string::npos);
+        CHECK(last_sentence(5).find("S = S0 + X1 S1 + .. + X5 S5. Below") != std::string::npos);
     }
 
     TEST_CASE("In the steps of a truss a bar has one axial force, one with a load along it three")
