@@ -52,6 +52,16 @@ bool have_same_headings(const Table& a, const Table& b)
     return std::ranges::equal(a.headings, b.headings, {}, label, label);
 }
 
+/// Where nothing is derived, and nothing can be chosen (as in another tab), the bar and the sentence that says so.
+float height_of_sentence(const DerivationShow& show, const ui::Catalogue& tr)
+{
+    const float em = ImGui::GetFontSize();
+    const float width = ImGui::GetContentRegionAvail().x - 1.2F * em;
+    const std::string sentence = tr(*show.why_none());
+    return ImGui::GetFrameHeight() + ImGui::CalcTextSize(sentence.c_str(), nullptr, false, width).y +
+           (1.2F + ui::splitter_ems) * em;
+}
+
 ui::Message why_no_table(const Session& session)
 {
     return session.why_no_results().value_or(ui::Message(translatable("The model has no load case.")));
@@ -71,7 +81,11 @@ float TablesPanel::height(const Workspace& workspace, float room) const
     const float height = std::max(height_, least);
     const bool is_beside_drawing = workspace.bottom.content ==
                                    BottomContent::Derivation; // which goes on being looked at
-    return std::min(height * ImGui::GetFontSize(), (is_beside_drawing ? 0.5F : 0.7F) * room);
+    const float most = std::min(height * ImGui::GetFontSize(), (is_beside_drawing ? 0.5F : 0.7F) * room);
+    const DerivationShow& derived = workspace.derivation;
+    const bool is_sentence = is_beside_drawing && derived.why_none() && derived.n_steps() == 0 &&
+                             derived.choices().empty();
+    return is_sentence ? std::min(most, height_of_sentence(derived, workspace.session.view.tr)) : most;
 }
 
 void TablesPanel::follow(const Workspace& workspace)
