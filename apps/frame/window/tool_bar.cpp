@@ -17,6 +17,7 @@
 #include "apps/frame/window/tool_icon.h"
 #include "femoop/methods/influence/effect_name.h"
 #include "femoop/model/quantity/number_text.h"
+#include "ui/text/shortened.h"
 #include "ui/widgets/tooltip.h"
 
 namespace frame {
@@ -357,12 +358,16 @@ std::string_view hint(ToolKind tool, bool is_in_space)
     return translatable("Click what is to go.");
 }
 
-// Where there is room for it.
+// As much of it as there is room for; the pointer on it has the whole.
 void show_hint(const std::string& words)
 {
-    if (words.empty() || ImGui::CalcTextSize(words.c_str()).x > ImGui::GetContentRegionAvail().x) return;
+    const float room = ImGui::GetContentRegionAvail().x;
+    const std::string shown = ui::shortened_to_fit(
+        words, 1, [&](const std::string& text) { return ImGui::CalcTextSize(text.c_str()).x <= room; });
+    if (shown.empty()) return;
     ImGui::AlignTextToFramePadding();
-    ImGui::TextDisabled("%s", words.c_str());
+    ImGui::TextDisabled("%s", shown.c_str());
+    if (shown != words && ImGui::IsItemHovered()) ui::show_tooltip(words);
 }
 
 } // namespace
