@@ -83,12 +83,11 @@ TEST_SUITE("result")
 
     TEST_CASE("From a roller on Winkler's ground M has no term in 1, x^2 and x^4: EI d4M/dx4 = -k M")
     {
-        constexpr double nothing = 1e-14; // but for rounding, and the formula is one of two stretches
         FrameMaker made({.id = "s", .A = 0.05, .Iz = 4.2e-4});
         made.node("A", 0, 0, SupportKind::Pin).node("B", 7.3, 0).member("A", "B").force("B", Dof::uy, 1.0);
-        made.point("AB", 5.475, nothing).model.members[0].foundation = 5000.0;
+        made.model.members[0].foundation = 5000.0;
         const auto M = formulas(made.model, MemberComponent::Mz);
-        REQUIRE(M.size() == 2);
+        REQUIRE(M.size() > 1); // stretches, each with a series of its own
         for (const Expression& one : M) {
             CAPTURE(one.from);
             REQUIRE(one.coefficients.size() > 5);
