@@ -358,12 +358,13 @@ std::string_view hint(ToolKind tool, bool is_in_space)
     return translatable("Click what is to go.");
 }
 
-// As much of it as there is room for; the pointer on it has the whole.
+// As much of it as there is room for, and nothing where that would say nothing; the pointer on it has the whole.
 void show_hint(const std::string& words)
 {
+    constexpr std::size_t least_letters = 24;
     const float room = ImGui::GetContentRegionAvail().x;
     const std::string shown = ui::shortened_to_fit(
-        words, 1, [&](const std::string& text) { return ImGui::CalcTextSize(text.c_str()).x <= room; });
+        words, least_letters, [&](const std::string& text) { return ImGui::CalcTextSize(text.c_str()).x <= room; });
     if (shown.empty()) return;
     ImGui::AlignTextToFramePadding();
     ImGui::TextDisabled("%s", shown.c_str());
