@@ -271,16 +271,12 @@ private:
     Wrench sum_of_loads_, sum_of_reactions_;
 };
 
-/// How many independent section forces a member has: its actions, less what its releases take.
+/// How many section forces a member has less its releases: of a member that these leave loose less than none, since
+/// its motion counts with the others. A twist that is released at both ends is none.
 int member_forces(const MemberEndConditions* end_conditions, AnalysisKind kind)
 {
     const bool is_bar = end_conditions != nullptr && end_conditions->is_bar;
     if (is_bar && kind == AnalysisKind::Grillage) return 0; // its axial force is none of a grillage's
-    if (is_truss(kind) || is_bar) {
-        const bool slides = end_conditions != nullptr &&
-                            (end_conditions->joints[0][0] == 0.0 || end_conditions->joints[1][0] == 0.0);
-        return slides ? 0 : 1;
-    }
     const auto n_released = [&](std::initializer_list<LocalAxis> axes) {
         int n = 0;
         if (end_conditions == nullptr) return n;
@@ -288,10 +284,11 @@ int member_forces(const MemberEndConditions* end_conditions, AnalysisKind kind)
             for (const LocalAxis axis : axes) n += joints[index(axis)] == 0.0 ? 1 : 0;
         return n;
     };
-    const int axial = std::max(0, 1 - n_released({LocalAxis::x}));
+    const int axial = 1 - n_released({LocalAxis::x});
+    if (is_truss(kind) || is_bar) return axial;
     const int torsion = std::max(0, 1 - n_released({LocalAxis::rx}));
-    const int xy = std::max(0, 2 - n_released({LocalAxis::y, LocalAxis::rz}));
-    const int xz = std::max(0, 2 - n_released({LocalAxis::z, LocalAxis::ry}));
+    const int xy = 2 - n_released({LocalAxis::y, LocalAxis::rz});
+    const int xz = 2 - n_released({LocalAxis::z, LocalAxis::ry});
     switch (kind) {
     case AnalysisKind::Frame2d: return axial + xy;
     case AnalysisKind::Grillage: return torsion + xy;

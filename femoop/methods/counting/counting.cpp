@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "femoop/analysis/compatibility.h"
+#include "femoop/analysis/member_mechanism.h"
 #include "femoop/analysis/static_system.h"
 #include "femoop/discretisation/parts.h"
 #include "femoop/model/check/check.h"
@@ -18,44 +19,39 @@ namespace {
 
 constexpr Eigen::Index most_motions = 64;
 
-/// Section forces that joints can let go together, and how many of them there are.
-struct ForceGroup {
-    std::vector<LocalAxis> axes;
-    int n_forces;
-};
-
-std::vector<ForceGroup> force_groups(AnalysisKind kind)
+/// The displacements in which joints can let go a section force that a model knows.
+std::vector<LocalAxis> released_axes(AnalysisKind kind)
 {
-    const ForceGroup axial{{LocalAxis::x}, 1}, torsion{{LocalAxis::rx}, 1},
-        bending_xy{{LocalAxis::y, LocalAxis::rz}, 2}, bending_xz{{LocalAxis::z, LocalAxis::ry}, 2};
+    using enum LocalAxis;
     switch (kind) {
     case AnalysisKind::Truss2d:
-    case AnalysisKind::Truss3d: return {axial};
-    case AnalysisKind::Frame2d: return {axial, bending_xy};
-    case AnalysisKind::Grillage: return {torsion, bending_xy};
+    case AnalysisKind::Truss3d: return {x};
+    case AnalysisKind::Frame2d: return {x, y, rz};
+    case AnalysisKind::Grillage: return {y, rx, rz};
     case AnalysisKind::Frame3d: break;
     }
-    return {axial, torsion, bending_xy, bending_xz};
+    return {x, y, z, rx, ry, rz};
 }
 
 bool is_released(const MemberEndConditions& conditions, std::size_t end, LocalAxis axis)
 {
-    return conditions.joints[end][index(axis)] == 0.0 || (conditions.is_bar && is_rotation(axis));
+    if (conditions.is_bar && is_rotation(axis)) return true;
+    return conditions.joints[end][index(axis)] == 0.0 && (!conditions.is_bar || axis == LocalAxis::x);
 }
 
-/// How many section forces each end of a member lets go; the second end what the first has left.
+/// A member that is released about its own axis at both ends turns by itself: its second release holds nothing back.
+bool is_twist_free_already(const MemberEndConditions& conditions, std::size_t end, LocalAxis axis)
+{
+    return axis == LocalAxis::rx && end == 1 && is_released(conditions, 0, axis);
+}
+
+/// How many section forces each end of a member lets go.
 std::array<int, 2> released_at_ends(const MemberEndConditions& conditions, AnalysisKind kind)
 {
     std::array<int, 2> released{};
-    for (const ForceGroup& group : force_groups(kind)) {
-        int left = group.n_forces;
-        for (std::size_t end = 0; end < 2; ++end)
-            for (const LocalAxis axis : group.axes)
-                if (left > 0 && is_released(conditions, end, axis)) {
-                    ++released[end];
-                    --left;
-                }
-    }
+    for (std::size_t end = 0; end < 2; ++end)
+        for (const LocalAxis axis : released_axes(kind))
+            if (is_released(conditions, end, axis) && !is_twist_free_already(conditions, end, axis)) ++released[end];
     return released;
 }
 
@@ -105,11 +101,13 @@ bool has_foundation(const Discretisation& structure)
     return std::ranges::any_of(structure.properties, [](const auto& p) { return p.xy.foundation > 0.0; });
 }
 
+/// Of the equations, and of members that their own releases leave loose, which stand in none.
 std::optional<std::size_t> n_motions(const StaticSystem& system)
 {
-    if (system.equations().n_unknowns() == 0) return 0;
+    const std::size_t n_loose = loose_members(system.assembler()).size();
+    if (system.equations().n_unknowns() == 0) return n_loose;
     const NullModes free = Compatibility(system.assembler(), system.restraints()).free_motions(most_motions);
-    return free.is_complete ? std::optional(static_cast<std::size_t>(free.modes.cols())) : std::nullopt;
+    return free.is_complete ? std::optional(static_cast<std::size_t>(free.modes.cols()) + n_loose) : std::nullopt;
 }
 
 int sum_of_counts(const auto& list)
