@@ -60,14 +60,18 @@ std::vector<Redundant> candidates(const Model& model)
             }
     };
     add_members(true);
+    for (std::size_t i = model.members.size(); i-- > 0;)
+        if (model.members[i].foundation) all.push_back(section_force(MemberId(i), MemberComponent::Mz, 50.0));
     add_members(false);
     std::erase_if(all, [&](const Redundant& one) { return !check_redundants(model, {&one, 1}, {}).empty(); });
     return all;
 }
 
-ModelError too_many(const std::string& degree)
+/// The ground makes a structure indeterminate that would not stand without it: then one force is chosen that it can do
+/// without.
+std::size_t n_wanted(const Indeterminacy& degree)
 {
-    return ModelError({Fault{FaultKind::RedundantsTooMany, {degree, std::to_string(most_redundants)}}});
+    return static_cast<std::size_t>(std::max(degree.total(), degree.has_foundation ? 1 : 0));
 }
 
 } // namespace
@@ -89,11 +93,12 @@ bool is_stable(const Model& model, std::span<const Redundant> redundants)
 
 std::vector<Redundant> usual_redundants(const Model& model, const Indeterminacy& degree)
 {
-    if (degree.total() > most_redundants) throw too_many(std::to_string(degree.total()));
-    if (degree.total() <= 0 && degree.has_foundation) throw too_many("∞");
+    if (degree.total() > most_redundants)
+        throw ModelError(
+            {Fault{FaultKind::RedundantsTooMany, {std::to_string(degree.total()), std::to_string(most_redundants)}}});
     std::vector<Redundant> chosen;
     for (const Redundant& one : candidates(model)) {
-        if (chosen.size() >= static_cast<std::size_t>(std::max(degree.total(), 0))) break;
+        if (chosen.size() == n_wanted(degree)) break;
         chosen.push_back(one);
         if (!is_stable(model, chosen)) chosen.pop_back();
     }

@@ -308,6 +308,31 @@ TEST_SUITE("force method")
         CHECK(refusal(tall, {}) == FaultKind::RedundantsTooMany);
     }
 
+    TEST_CASE("The ground stays in the primary structure: one reaction is chosen where no other redundant is left")
+    {
+        FrameMaker made;
+        made.node("A", 0, 0, SupportKind::Roller).node("B", 7.3, 0).member("A", "B").point("AB", 2.91, -100);
+        made.model.nodes[1].support = Support{.fixed = {Dof::ux}};
+        made.model.members[0].foundation = Quantity(5000.0);
+        const Results direct = analyse(made.model);
+        const ForceMethod method = force_method::solve(made.model, direct, CaseId(0), {});
+        CHECK(names(made.model, method.redundants) == std::vector<std::string>{"fy(A)"});
+        CHECK(method.X[0] == doctest::Approx(direct[CaseId(0)].reaction(NodeId(0))[index(Dof::uy)]).epsilon(1e-8));
+        check_superposition(made.model, method, direct[CaseId(0)]);
+    }
+
+    TEST_CASE("A beam that the ground alone holds is parted by a hinge in its middle")
+    {
+        FrameMaker made;
+        made.node("A", 0, 0).node("B", 7.3, 0).member("A", "B").point("AB", 2.91, -100);
+        made.model.nodes[1].support = Support{.fixed = {Dof::ux}};
+        made.model.members[0].foundation = Quantity(5000.0);
+        const Results direct = analyse(made.model);
+        const ForceMethod method = force_method::solve(made.model, direct, CaseId(0), {});
+        CHECK(names(made.model, method.redundants) == std::vector<std::string>{"M(AB, 50%)"});
+        check_superposition(made.model, method, direct[CaseId(0)]);
+    }
+
     TEST_CASE("Redundants that strain nothing are refused: no equation gives them")
     {
         FrameMaker made;
