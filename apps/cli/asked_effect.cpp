@@ -16,6 +16,7 @@
 #include "femoop/model/fault/errors_among.h"
 #include "femoop/model/quantity/number_text.h"
 #include "femoop/model/quantity/quantity_parser.h"
+#include "femoop/result/components.h"
 
 namespace cli {
 
@@ -25,21 +26,28 @@ using femoop::Fault;
 using femoop::FaultKind;
 using femoop::Model;
 
-std::vector<std::string> names_of_member_components(femoop::AnalysisKind kind)
+using Takes = AskedEffect::Takes;
+
+std::vector<std::string> names_of_member_components(femoop::AnalysisKind kind, Takes takes)
 {
     std::vector<std::string> names;
-    for (const femoop::MemberComponent component : femoop::all_member_components)
-        if (!femoop::name(component, kind).empty()) names.emplace_back(femoop::name(component, kind));
+    for (const femoop::MemberComponent component : femoop::all_member_components) {
+        const bool is_taken = takes != (is_displacement(component) ? Takes::Forces : Takes::Displacements);
+        const std::string_view name = femoop::name(component, kind);
+        if (is_taken && !name.empty()) names.emplace_back(name);
+    }
     return names;
 }
 
-std::vector<std::string> node_components(femoop::AnalysisKind kind)
+std::vector<std::string> node_components(femoop::AnalysisKind kind, Takes takes)
 {
     std::vector<std::string> names;
-    for (const femoop::Dof dof : femoop::all_dofs)
-        if (dofs(kind).contains(dof)) names.emplace_back(force_name(dof));
-    for (const femoop::Dof dof : femoop::all_dofs)
-        if (dofs(kind).contains(dof)) names.emplace_back(femoop::name(dof));
+    if (takes != Takes::Displacements)
+        for (const femoop::Dof dof : femoop::all_dofs)
+            if (dofs(kind).contains(dof)) names.emplace_back(force_name(dof));
+    if (takes != Takes::Forces)
+        for (const femoop::Dof dof : femoop::all_dofs)
+            if (dofs(kind).contains(dof)) names.emplace_back(femoop::name(dof));
     return names;
 }
 
@@ -84,8 +92,9 @@ std::string AskedEffect::named(std::string_view key) const
 }
 
 /// An id may hold commas: what follows one is a part of its own where it begins with a key.
-void AskedEffect::set(std::string_view option, std::string_view text, const ui::Catalogue& tr)
+void AskedEffect::set(std::string_view option, std::string_view text, const ui::Catalogue& tr, Takes takes)
 {
+    takes_ = takes;
     within_ = option;
     const std::array<std::pair<std::string_view, std::optional<std::string>*>, 4> keys{
         {{"member", &member_}, {"node", &node_}, {"component", &component_}, {"at", &at_}}};
@@ -145,19 +154,19 @@ femoop::MovingEffect AskedEffect::effect(const Model& model, const ui::Catalogue
         if (!effect.member) throw unknown_choice(named("member"), *member_, ids_of(model.members), tr);
         effect.component = femoop::find_member_component(*component_, model.analysis);
         if (!effect.component)
-            throw unknown_choice(named("component"), *component_, names_of_member_components(model.analysis), tr);
+            throw unknown_choice(named("component"), *component_, names_of_member_components(model.analysis, takes_),
+                                 tr);
         if (at_) effect.at = place(model);
-        const bool is_displacement = *effect.component >= femoop::MemberComponent::u;
-        effect.quantity = is_displacement ? femoop::ExpectedQuantity::Displacement
-                                          : femoop::ExpectedQuantity::SectionForce;
+        effect.quantity = is_displacement(*effect.component) ? femoop::ExpectedQuantity::Displacement
+                                                             : femoop::ExpectedQuantity::SectionForce;
         if (!at_) effect.quantity = femoop::ExpectedQuantity::Extreme;
         return effect;
     }
     effect.node = model.find_node(*node_);
     if (!effect.node) throw unknown_choice(named("node"), *node_, ids_of(model.nodes), tr);
-    const std::vector<std::string> known = node_components(model.analysis);
+    const std::vector<std::string> known = node_components(model.analysis, Takes::Anything);
     if (std::ranges::find(known, *component_) == known.end())
-        throw unknown_choice(named("component"), *component_, known, tr);
+        throw unknown_choice(named("component"), *component_, node_components(model.analysis, takes_), tr);
     const auto force = femoop::find_force_dof(*component_);
     effect.quantity = force ? femoop::ExpectedQuantity::Reaction : femoop::ExpectedQuantity::Displacement;
     effect.dof = force ? force : femoop::find_dof(*component_);

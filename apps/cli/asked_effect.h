@@ -18,8 +18,10 @@ class AskedEffect {
 public:
     void declare(OptionParser& options, const ui::Catalogue& tr);
 
+    /// What the option that has it as a text takes: messages offer no other components.
+    enum class Takes { Anything, Forces, Displacements };
     /// The same in one text: member=M,at=X,component=C or node=N,component=C. \throws UsageError naming `option`
-    void set(std::string_view option, std::string_view text, const ui::Catalogue& tr);
+    void set(std::string_view option, std::string_view text, const ui::Catalogue& tr, Takes takes = Takes::Anything);
 
     bool is_asked() const { return member_ || node_ || component_ || at_; }
     bool is_place_alone() const { return at_ && !member_ && !node_ && !component_; }
@@ -40,6 +42,7 @@ private:
 
     std::string named(std::string_view key) const; ///< "--member", or "--why member" in one text
 
+    Takes takes_ = Takes::Anything;
     std::string within_; ///< the option whose text it is; empty where each part has an option of its own
     std::optional<std::string> member_, node_, component_, at_;
 };

@@ -44,7 +44,7 @@ std::vector<femoop::MovingEffect> AskedRedundants::redundants(const femoop::Mode
             throw UsageError(
                 tr("{option}: automatic chooses every redundant; name none beside it", {{"option", option}}));
         AskedEffect asked;
-        asked.set(option, one, tr);
+        asked.set(option, one, tr, AskedEffect::Takes::Forces);
         asked.require_sensible(tr);
         all.push_back(asked.sound_effect(model, tr));
     }

@@ -307,7 +307,7 @@ try {
 std::string Solve::virtual_work(const Model& model, const Results& results, const ui::Catalogue& tr) const
 {
     AskedEffect asked;
-    asked.set("--virtual-work", *worked_displacement_, tr);
+    asked.set("--virtual-work", *worked_displacement_, tr, AskedEffect::Takes::Displacements);
     asked.require_sensible(tr);
     const femoop::MovingEffect displacement = asked.sound_effect(model, tr);
     if (displacement.quantity != femoop::ExpectedQuantity::Displacement)

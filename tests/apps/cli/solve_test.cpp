@@ -320,6 +320,12 @@ TEST_CASE("--virtual-work asks for a displacement, and refuses what goes with so
     CHECK(has(both.err, "--virtual-work and --describe print different things"));
 }
 
+    const Run of_node = cremona({"solve", "-", "--virtual-work", "node=B,component=uz"}, cantilever());
+    CHECK(has(of_node.err, "choose from: ux, uy, rz\n"));
+    const Run of_member = cremona({"solve", "-", "--virtual-work", "member=AB,at=1,component=rz"}, cantilever());
+    CHECK(has(of_member.err, "choose from: u, v\n"));
+    const Run released = cremona({"solve", "-", "--force-method", "member=AB,at=1,component=rz"}, cantilever());
+    CHECK(has(released.err, "choose from: N, V, M\n"));
 /// A beam clamped at A on a roller at B, under q.
 std::string propped_cantilever()
 {
