@@ -11,6 +11,7 @@
 #include "apps/plane/view/plate_scene.h"
 #include "femoop/io/train/train_table.h"
 #include "femoop/methods/influence/load_components.h"
+#include "femoop/model/fault/fault.h"
 #include "femoop/model/quantity/in_units.h"
 
 namespace cli {
@@ -107,8 +108,15 @@ std::string with_unit(std::string_view words, std::string_view unit, std::string
 ui::UnitChoices AskedUnits::choices(const ui::Catalogue& tr) const
 {
     ui::UnitChoices choices;
+    std::vector<std::string> chosen;
     for (const std::string& words : words_)
-        for (const std::string& word : comma_list(words)) choose(choices, word, tr);
+        for (const std::string& word : comma_list(words)) {
+            choose(choices, word, tr);
+            const std::string quantity = word.substr(0, word.find('='));
+            if (std::ranges::find(chosen, quantity) != chosen.end())
+                throw femoop::ModelError({femoop::Fault{femoop::FaultKind::RepeatedComponent, {"--unit", quantity}}});
+            chosen.push_back(quantity);
+        }
     return choices;
 }
 

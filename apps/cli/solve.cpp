@@ -245,7 +245,9 @@ void Solve::require_one_output(const ui::Catalogue& tr) const
     const bool is_explained = asked_number_ || worked_displacement_ || redundants_.are_asked() || body_.is_asked() ||
                               funicular_.is_asked();
     if (is_latex_ && !is_explained)
-        throw needs_too("--latex", "--why, --virtual-work, --force-method, --free-body, --funicular", tr);
+        throw UsageError(
+            tr("{a} needs one of {list} too; add it",
+               {{"a", "--latex"}, {"list", "--why, --virtual-work, --force-method, --free-body, --funicular"}}));
     for (std::size_t i = 0; i < outputs.size(); ++i) {
         const auto& [is_given, option, is_of_a_case, has_csv, has_envelope] = outputs[i];
         for (std::size_t j = i + 1; j < outputs.size(); ++j)

@@ -81,6 +81,14 @@ TEST_CASE("--unit, given again or with commas, chooses the units of tables quant
     CHECK(has(cremona({"solve", "-", "--unit", "moment=kN*cm", "--trace-solver"}, cantilever()).err,
               "--trace-solver counts in the units of the file"));
     CHECK(has(cremona({"solve", "-", "--unit", "moment=kN*m2"}, cantilever()).err, "choose from: N·mm"));
+    for (const std::vector<std::string>& again : {std::vector<std::string>{"--unit", "moment=kN*cm,moment=kN*m"},
+                                                  {"--unit", "moment=kN*cm", "--unit", "moment=kN*cm"}}) {
+        std::vector<std::string> arguments{"solve", "-"};
+        arguments.insert(arguments.end(), again.begin(), again.end());
+        const Run twice = cremona(arguments, cantilever());
+        CHECK(twice.status == 2);
+        CHECK(has(twice.err, "--unit: moment is given twice; keep one"));
+    }
 }
 
 TEST_CASE("--stations N gives N even places and every load point, twice where the result jumps")
@@ -304,7 +312,7 @@ TEST_CASE("--latex prints virtual work and funiculars as the body of a document,
     CHECK(fault_of_latex(funicular.out) == "");
     const Run none = cremona({"solve", "-", "--describe", "--latex"}, cantilever());
     CHECK(none.status == 2);
-    CHECK(has(none.err, "--latex needs --why, --virtual-work, --force-method, --free-body, --funicular too"));
+    CHECK(has(none.err, "--latex needs one of --why, --virtual-work, --force-method, --free-body, --funicular too"));
 }
 
 TEST_CASE("--virtual-work asks for a displacement, and refuses what goes with something else")
