@@ -11,7 +11,7 @@
 #include "apps/cli/asked_units.h"
 #include "femoop/io/free_body/free_body_text.h"
 #include "femoop/io/json/model_json.h"
-#include "femoop/model/quantity/number_text.h"
+#include "femoop/model/quantity/six_digits.h"
 
 namespace cli {
 
@@ -57,7 +57,9 @@ Cut cut_named(const Model& model, const std::string& text, const ui::Catalogue& 
     const double x = place_named("--free-body", text.substr(at + 1), length, model);
     if (x < 0.0 || x > length)
         throw UsageError(tr("--free-body: found the cut {found}; wanted a place from 0 to {length} along the member",
-                            {{"found", text}, {"length", femoop::localized(femoop::number_text(length), tr)}}));
+                            {{"found", text},
+                             {"length", femoop::six_digits(length, tr) + " " +
+                                            femoop::unit_text(femoop::dimension::length, model.units)}}));
     return {member, x};
 }
 

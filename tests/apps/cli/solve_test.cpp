@@ -320,6 +320,12 @@ TEST_CASE("--virtual-work asks for a displacement, and refuses what goes with so
     const Run force = cremona({"solve", "-", "--virtual-work", "node=A,component=fy"}, cantilever());
     CHECK(force.status == 2);
     CHECK(has(force.err, "--virtual-work finds displacements"));
+    const Run of_node = cremona({"solve", "-", "--virtual-work", "node=B,component=uz"}, cantilever());
+    CHECK(has(of_node.err, "choose from: ux, uy, rz\n"));
+    const Run of_member = cremona({"solve", "-", "--virtual-work", "member=AB,at=1,component=rz"}, cantilever());
+    CHECK(has(of_member.err, "choose from: u, v\n"));
+    const Run released = cremona({"solve", "-", "--force-method", "member=AB,at=1,component=rz"}, cantilever());
+    CHECK(has(released.err, "choose from: N, V, M\n"));
     const Run nowhere = cremona({"solve", "-", "--virtual-work", "node=C,component=uy"}, cantilever());
     CHECK(nowhere.status == 2);
     CHECK(has(nowhere.err, "--virtual-work node: there is no \"C\""));
@@ -328,12 +334,6 @@ TEST_CASE("--virtual-work asks for a displacement, and refuses what goes with so
     CHECK(has(both.err, "--virtual-work and --describe print different things"));
 }
 
-    const Run of_node = cremona({"solve", "-", "--virtual-work", "node=B,component=uz"}, cantilever());
-    CHECK(has(of_node.err, "choose from: ux, uy, rz\n"));
-    const Run of_member = cremona({"solve", "-", "--virtual-work", "member=AB,at=1,component=rz"}, cantilever());
-    CHECK(has(of_member.err, "choose from: u, v\n"));
-    const Run released = cremona({"solve", "-", "--force-method", "member=AB,at=1,component=rz"}, cantilever());
-    CHECK(has(released.err, "choose from: N, V, M\n"));
 /// A beam clamped at A on a roller at B, under q.
 std::string propped_cantilever()
 {
@@ -644,12 +644,16 @@ TEST_CASE("What names no body, and what is not of the model, is refused with wha
     CHECK(uncut.status == 2);
     CHECK(uncut.err == "cremona solve: --free-body: the cut does not part the structure: it still hangs together by "
                        "U2L3 and L3U3; let the cut go right through it\n");
-    refused({"--free-body", "cut=AB@900,beside=A"}, "wanted a place from 0 to ");
+    refused({"--free-body", "cut=AB@900,beside=A"}, "wanted a place from 0 to 4 m along the member");
     refused({"--free-body", "cut=AB@5x%,beside=A"}, "--free-body");
     refused({"--free-body", "cut=AB@nan,beside=A"}, "--free-body: \"nan\" does not begin with a number");
     refused({"--free-body", "node=A", "--about", "1"}, "--about: found 1; wanted 2 lengths with commas between them");
     refused({"--free-body", "node=A", "--about", "1e308,-1e308"}, "--about: found 1e308,-1e308; wanted lengths up to ");
     refused({"--about", "1,2"}, "--about needs --free-body too; add it");
+    std::string skew = cantilever(); // of length sqrt(4^2 + 2.1^2)
+    skew.replace(skew.find("[4, 0]"), 6, "[4, 2.1]");
+    CHECK(has(cremona({"solve", "-", "--free-body", "cut=AB@99,beside=A"}, skew).err,
+              "found the cut AB@99; wanted a place from 0 to 4.51774 m along the member"));
     refused({"--free-body", "node=A", "--describe"}, "--free-body and --describe print different things");
     refused({"--free-body", "node=A", "--case", "envelope"}, "--free-body and --case envelope print different things");
 }
