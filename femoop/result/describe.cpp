@@ -415,6 +415,9 @@ std::string indeterminacy_text(const Indeterminacy& degree, const Words& words)
     if (degree.has_foundation)
         return words.tr("The structure is statically indeterminate: members stand on a continuous foundation");
     if (degree.total() == 0) return words.tr("The structure is statically determinate");
+    if (degree.internal < 0)
+        return fill(words.tr("The structure is statically indeterminate to degree {0}"),
+                    {std::to_string(degree.total())});
     return fill(words.tr("The structure is statically indeterminate to degree {0} (external {1}, internal {2})"),
                 {std::to_string(degree.total()), std::to_string(degree.external), std::to_string(degree.internal)});
 }

@@ -67,10 +67,12 @@ std::string indeterminacy_text(const femoop::Results& results, const ui::Catalog
     const femoop::Indeterminacy& degree = results.indeterminacy();
     if (degree.has_foundation) return tr("on an elastic foundation");
     if (degree.total() == 0) return tr("statically determinate");
+    const std::string total = std::to_string(degree.total());
+    if (degree.internal < 0) return tr("statically indeterminate, degree {total}", {{"total", total}});
     return tr("statically indeterminate, degree {total} (external {external}, internal {internal})",
-              {{"total", with_minus(std::to_string(degree.total()))},
-               {"external", with_minus(std::to_string(degree.external))},
-               {"internal", with_minus(std::to_string(degree.internal))}});
+              {{"total", total},
+               {"external", std::to_string(degree.external)},
+               {"internal", std::to_string(degree.internal)}});
 }
 
 void join(std::string& line, const std::string& part)

@@ -15,16 +15,16 @@ namespace frame {
 
 namespace {
 
-// As the second of two: hinges take more from the whole than the supports give.
-std::string summand(int number) { return number < 0 ? "(−" + std::to_string(-number) + ")" : std::to_string(number); }
-
 std::string degree_text(const femoop::Indeterminacy& degree, const ui::Catalogue& tr)
 {
     if (degree.has_foundation) return tr("on an elastic foundation");
+    const std::string total = std::to_string(degree.total());
+    if (degree.internal < 0)
+        return tr("degree of indeterminacy {total}", {{"total", total}}); // hinges take from the whole
     return tr("degree of indeterminacy {total} = {external} external + {internal} internal",
-              {{"total", std::to_string(degree.total())},
+              {{"total", total},
                {"external", std::to_string(degree.external)},
-               {"internal", summand(degree.internal)}});
+               {"internal", std::to_string(degree.internal)}});
 }
 
 // While members are drawn the picture does not say it, since the structure is not complete yet.

@@ -126,7 +126,9 @@ std::vector<std::string> sum_lines(const Counting& counting, const Model& model,
         lines.push_back(line(tr("Degree of indeterminacy"), terms.total(), degree.total()));
         lines.push_back(line(tr("External"), terms.external(), degree.external));
     }
-    lines.push_back(line(tr("Internal"), terms.internal(), degree.internal));
+    const std::string internal = line(tr("Internal"), terms.internal(), degree.internal);
+    const bool is_taken = !degree.has_foundation && degree.internal < 0 && degree.total() >= 0;
+    lines.push_back(is_taken ? fill(tr("{0}, taken from what the supports give"), {internal}) : internal);
     if (counting.n_motions != 0) lines.push_back(motion_text(counting, tr));
     if (!counting.loose_nodes.empty())
         lines.push_back(fill(tr("Nodes without members do not count: {0}"), {names_text(counting.loose_nodes, model)}));

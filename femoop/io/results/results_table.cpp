@@ -65,7 +65,10 @@ std::string indeterminacy_text(const Indeterminacy& degree, const Translator& tr
         return tr("Degree of static indeterminacy: infinite, since members stand on a continuous foundation");
     const std::vector<std::string> numbers{std::to_string(degree.total()), std::to_string(degree.external),
                                            std::to_string(degree.internal)};
-    std::string text = fill(tr("Degree of static indeterminacy: {0} (external {1}, internal {2})"), numbers);
+    std::string text = fill(degree.internal >= 0
+                                ? tr("Degree of static indeterminacy: {0} (external {1}, internal {2})")
+                                : tr("Degree of static indeterminacy: {0}"),
+                            numbers);
     if (degree.total() == 0) text += ": " + tr("statically determinate");
     return text;
 }

@@ -8,6 +8,7 @@
 #include "tests/apps/cli/run_cremona.h"
 #include "tests/latex_document.h"
 #include "tests/source_folder.h"
+#include "tests/text_of.h"
 
 using cli_test::cantilever;
 using cli_test::cremona;
@@ -230,6 +231,16 @@ TEST_CASE("Numbers beyond the range of arithmetic end with status 2 and the plac
     refused("\"A\": 0.01", "\"A\": 1e-200", "A: \"1e-200 m^2\" is beyond the range of numbers"); // no mechanism
     refused("\"Iz\": 1e-4", "\"Iz\": 1e-200", "Iz: \"1e-200 m^4\" is beyond the range of numbers");
     refused("\"E\": 2e8", "\"E\": 1e-250", "E: \"1e-250 kN/m^2\" is beyond the range of numbers");
+}
+
+TEST_CASE("Where a hinge takes from what the supports give, the degree is not split into external and internal")
+{
+    const Run arch = cremona({"solve", source_folder() + "/examples/three_hinged_arch.json"});
+    CHECK(has(arch.out, "Degree of static indeterminacy: 0: statically determinate\n"));
+    json portal = json::parse(text_of_source("examples/portal.json"));
+    portal["members"][1]["start"]["release"] = {"rz"};
+    CHECK(has(cremona({"solve", "-"}, portal.dump()).out, "Degree of static indeterminacy: 2\n"));
+    CHECK(has(cremona({"solve", "-", "--describe"}, portal.dump()).out, "statically indeterminate to degree 2."));
 }
 
 TEST_CASE("--csv writes five files whose first line names columns and units")

@@ -60,6 +60,16 @@ TEST_CASE("What moves although the count allows it not to is said, and what coun
     CHECK(text.find("Nodes without members do not count: X") != std::string::npos);
 }
 
+TEST_CASE("What hinges take from what the supports give is said beside the negative internal degree")
+{
+    FrameMaker made; // an arch of three hinges
+    made.node("A", 0, 0, Pin).node("B", 3, 2).node("C", 7, 0, Pin).member("A", "B").member("B", "C");
+    made.model.nodes[1].hinge = true;
+    const std::string text = text_of(made.model);
+    CHECK(text.find("\nInternal: 0 rings × 3 − 1 release = −1, taken from what the supports give\n") !=
+          std::string::npos);
+}
+
 TEST_CASE("On a continuous foundation there is no sum of reactions, and what is internal is counted all the same")
 {
     FrameMaker made = closed_frame();
