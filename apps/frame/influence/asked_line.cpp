@@ -127,8 +127,7 @@ void AskedLine::clear()
 {
     asked_.reset();
     kept_.clear();
-    train_.place.reset();
-    train_.beside.reset();
+    train_ = {};
 }
 
 void AskedLine::keep(const Model& model)
@@ -235,6 +234,7 @@ const drawing::InfluencePicture* AskedLine::picture(const Model& model, std::uin
     const std::optional<MovingEffect> wanted = effect(model);
     if (!wanted || model.members.empty()) {
         found_.standing.reset();
+        found_.effect.reset(); // what is asked for next is found anew, with what stands on it
         return nullptr;
     }
     try {

@@ -164,6 +164,45 @@ TEST_SUITE("frame session")
         }
     }
 
+    TEST_CASE("A line that is asked for again at the place where one was closed stands alone, and a train whole")
+    {
+        Workspace workspace = workspace_with("bridge.json");
+        Session& session = workspace.session;
+        const auto ask = [&] { session.influence.ask(session.model(), drawing::Cut{MemberId(1), 40.0}); };
+        for (const char* beside : {"train.next", "view.influence.trace"}) {
+            CAPTURE(beside);
+            ask();
+            CHECK(!run(workspace, beside));
+            REQUIRE(line(session) != nullptr);
+            const std::size_t n_forces = line(session)->forces.size();
+            CHECK(!run(workspace, "view.influence.close"));
+            CHECK(line(session) == nullptr);
+            ask();
+            REQUIRE(line(session) != nullptr);
+            CHECK(session.influence.standing() == nullptr);
+            CHECK(line(session)->forces.empty());
+            CHECK(!line(session)->traced.has_value());
+            CHECK(!run(workspace, beside));
+            REQUIRE(line(session) != nullptr);
+            CHECK(session.influence.standing() != nullptr);
+            CHECK(line(session)->forces.size() == n_forces);
+            CHECK(!run(workspace, "view.influence.close"));
+        }
+    }
+
+    TEST_CASE("A look at a model that has not the line does not part it from its train")
+    {
+        Workspace workspace = workspace_with("bridge.json");
+        Session& session = workspace.session;
+        session.influence.ask(session.model(), drawing::Cut{MemberId(1), 40.0});
+        CHECK(!run(workspace, "train.next"));
+        REQUIRE(line(session) != nullptr);
+        const femoop::Model without{};
+        CHECK(session.influence.picture(without, session.generation(), session.view) == nullptr);
+        REQUIRE(line(session) != nullptr);
+        CHECK(session.influence.standing() != nullptr);
+    }
+
     TEST_CASE("A structure that can move has no influence lines, and the tool says why")
     {
         Workspace workspace = workspace_with("mechanism.json");
