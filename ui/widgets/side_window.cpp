@@ -59,10 +59,24 @@ void SideWindow::light_up(bool is_open)
     if (!is_open && dimming_) dimming = *std::exchange(dimming_, std::nullopt);
 }
 
+namespace {
+
+/// Whether a list was open over the window in the frame before: then keys are the list's, which has closed by now.
+bool had_list()
+{
+    ImGuiStorage& kept = *ImGui::GetStateStorage();
+    const ImGuiID id = ImGui::GetID("###list over it");
+    const bool had = kept.GetBool(id);
+    kept.SetBool(id, ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopupId));
+    return had;
+}
+
+} // namespace
+
 // Enter accepts wherever Tab has come to, but at the other button.
 FootAnswer foot_buttons(const FootButtons& buttons, const Catalogue& tr, TabStops& stops)
 {
-    const bool has_keys = !buttons.is_typing && !ImGui::GetIO().WantTextInput;
+    const bool has_keys = !had_list() && !buttons.is_typing && !ImGui::GetIO().WantTextInput;
     const auto is_pressed = [&](int key) { return has_keys && ImGui::IsKeyPressed(ImGui::GetKeyIndex(key), false); };
     ImGui::BeginDisabled(!buttons.may_accept);
     const bool is_clicked = ImGui::Button(buttons.accept.c_str());
