@@ -34,6 +34,12 @@ std::optional<ui::Message> why_no_distance(double length)
     return ui::Message(translatable("a distance is 0 or more"));
 }
 
+std::optional<ui::Message> why_no_factor(double factor)
+{
+    if (std::isfinite(factor) && factor >= 0.0) return std::nullopt;
+    return ui::Message(translatable("the factor of the axles is 0 or more"));
+}
+
 /// The axles of the chosen train, one a row: its place, its force, the distance behind it and how far that may vary.
 class AxleTable {
 public:
@@ -133,7 +139,14 @@ private:
     {
         const auto range = spacing_range(draft_.train(), i);
         Quantity longest = range ? range->max : draft_.train().spacings[i];
-        if (edit("longest", i, Measure::Length, longest, why_no_distance))
+        const double least = range ? range->min.value() : draft_.train().spacings[i].value();
+        const auto why_not = [&](double length) -> std::optional<ui::Message> {
+            if (auto reason = why_no_distance(length)) return reason;
+            if (length >= least) return std::nullopt;
+            return ui::Message(translatable("d max is no less than d = {distance}"),
+                               {{"distance", units_.text(least, Measure::Length)}});
+        };
+        if (edit("longest", i, Measure::Length, longest, why_not))
             change([&](Train& train) { set_longest_spacing(train, i, longest); });
     }
 
@@ -182,7 +195,8 @@ public:
         if (!rows.is_open()) return;
         rows.name(tr_("Factor of the axles"));
         Quantity impact = draft_.train().impact;
-        if (edit("impact", Measure::Plain, impact)) change([&](Train& train) { train.impact = impact.value(); });
+        if (edit("impact", Measure::Plain, impact, why_no_factor))
+            change([&](Train& train) { train.impact = impact.value(); });
         show_uniform(rows);
         if (draft_.train().uniform) show_extent(rows);
         show_forces(rows);
@@ -401,7 +415,7 @@ void TrainWindow::show_name(Workspace& workspace, ui::TabStops& stops)
     ImGui::SameLine();
     ImGui::SetNextItemWidth(-1.0F);
     if (std::exchange(named_, draft.chosen()) != draft.chosen()) reason_.reset();
-    if (!is_naming_) name_ = draft.train().id; // another's was typed before
+    if (!is_naming_) old_name_ = name_ = draft.train().id; // another's was typed before
     if (ImGui::InputText("###name", &name_)) reason_ = draft.set_name(workspace.session, name_);
     stops.add(ui::TabStops::Kind::Text);
     is_naming_ = ImGui::IsItemActive();
@@ -414,6 +428,7 @@ void TrainWindow::show_picture(const Workspace& workspace, ui::ImGuiSession& gui
     const float width = ImGui::GetContentRegionAvail().x, height = 10.0F * ImGui::GetFontSize();
     const ImVec2 corner = ImGui::GetCursorScreenPos();
     ImGui::Dummy({width, height});
+    if (!is_naming_ && reason_) draft.set_name(workspace.session, old_name_); // what was typed of it is no name
     ui::Painter painter({static_cast<double>(width) / gui.scale(), static_cast<double>(height) / gui.scale()}, fonts_);
     draw_train(painter, workspace.trains.train(),
                {.theme = ui::Theme(workspace.session.view.theme),

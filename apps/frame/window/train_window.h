@@ -31,6 +31,7 @@ private:
     const ui::Fonts& fonts_;
     ui::SideWindow window_;
     std::string name_;                  ///< as it is typed
+    std::string old_name_;              ///< before
     bool is_naming_ = false;            ///< it has the keyboard
     std::optional<ui::Message> reason_; ///< why it is not taken
     std::size_t named_ = 0;             ///< the train that it is of
