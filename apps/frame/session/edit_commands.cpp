@@ -111,7 +111,10 @@ void give_up(Workspace& workspace)
     if (std::exchange(workspace.refused_release, std::nullopt)) return;
     if (is_predicting(workspace) && !workspace.tool_controller.is_sketching())
         return workspace.session.prediction.clear();
-    if (workspace.tool_controller.kind() == ToolKind::Influence) workspace.session.influence.clear();
+    if (workspace.tool_controller.kind() == ToolKind::Influence) {
+        if (workspace.tool_controller.tool().escape()) return;
+        workspace.session.influence.clear();
+    }
     if (workspace.tool_controller.kind() == ToolKind::FreeBody) workspace.session.free_body.clear();
     if (workspace.tool_controller.kind() == ToolKind::Funicular) workspace.session.funicular.clear();
     if (workspace.tool_controller.kind() == ToolKind::VirtualWork) workspace.session.virtual_work.clear();

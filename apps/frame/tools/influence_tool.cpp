@@ -1,8 +1,8 @@
 #include "apps/frame/tools/influence_tool.h"
 
 #include <cmath>
+#include <utility>
 
-#include "apps/frame/influence/asked_line.h"
 #include "apps/frame/tools/snap.h"
 #include "femoop/geometry/member_geometry.h"
 
@@ -10,9 +10,16 @@ namespace frame {
 
 std::optional<Change> InfluenceTool::press(const Work& work, const Aim& at)
 {
+    if (at.is_on_train) pull_ = pull_of(*work.influence, at);
+    else ask(work, at);
+    pressed_ = work.influence;
+    before_ = *pressed_;
+    return std::nullopt;
+}
+
+void InfluenceTool::ask(const Work& work, const Aim& at)
+{
     const femoop::Model& model = work.document.model;
-    pull_ = at.is_on_train ? pull_of(*work.influence, at) : std::nullopt;
-    if (at.is_on_train) return std::nullopt;
     if (at.node) work.influence->ask(model, *at.node);
     else if (at.support) work.influence->ask(model, at.support->node);
     else if (at.cut) {
@@ -20,7 +27,15 @@ std::optional<Change> InfluenceTool::press(const Work& work, const Aim& at)
         const double length = femoop::geometry_of(model, model[*held_]).length;
         work.influence->ask(model, drawing::Cut{*held_, round_section(at.cut->x, length, at)});
     }
-    return std::nullopt;
+}
+
+bool InfluenceTool::escape()
+{
+    if (pressed_ == nullptr) return false;
+    *std::exchange(pressed_, nullptr) = before_;
+    held_.reset();
+    pull_.reset();
+    return true;
 }
 
 bool InfluenceTool::takes_hold(const Work&, const Aim& at) const { return at.is_on_train || at.points_at_section(); }
@@ -63,6 +78,7 @@ std::optional<Change> InfluenceTool::release(const Work&, const Aim&)
 {
     held_.reset();
     pull_.reset();
+    pressed_ = nullptr;
     return std::nullopt;
 }
 

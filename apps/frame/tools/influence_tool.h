@@ -2,6 +2,7 @@
 
 #include <optional>
 
+#include "apps/frame/influence/asked_line.h"
 #include "apps/frame/tools/tool.h"
 
 namespace frame {
@@ -13,6 +14,7 @@ public:
     std::optional<Change> press(const Work& work, const Aim& at) override;
     std::optional<Change> move(const Work& work, const Aim& to) override;
     std::optional<Change> release(const Work& work, const Aim& at) override;
+    bool escape() override; ///< a drag: the line is as it was when the button went down
     bool takes_hold(const Work& work, const Aim& at) const override;
     bool snaps() const override { return false; }
 
@@ -22,10 +24,13 @@ private:
         double ahead = 0.0;
     };
     static std::optional<Pull> pull_of(const AskedLine& line, const Aim& at);
+    void ask(const Work& work, const Aim& at);
     static void pull_train(AskedLine& line, const Pull& pull, const Aim& to);
 
     std::optional<femoop::MemberId> held_; ///< whose section the hand moves
     std::optional<Pull> pull_;             ///< of the train that it moves
+    AskedLine* pressed_ = nullptr;         ///< while the button is held
+    AskedLine before_;                     ///< it as that went down
 };
 
 } // namespace frame
