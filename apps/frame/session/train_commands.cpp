@@ -235,6 +235,13 @@ constexpr std::array library_entries{
 
 } // namespace
 
+std::string chosen_train(const Session& session)
+{
+    const std::string& name = session.influence.train().name;
+    const std::vector<Train>& all = trains_of(session);
+    return std::ranges::find(all, name, &Train::id) != all.end() ? name : std::string();
+}
+
 void ask_governing(Workspace& workspace, const femoop::MovingEffect& effect, std::optional<ExtremeKind> which)
 {
     Session& session = workspace.session;

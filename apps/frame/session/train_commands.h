@@ -1,6 +1,7 @@
 #pragma once
 
 #include <optional>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -11,6 +12,9 @@ namespace frame {
 
 /// What is done with the train that stands on the influence line, and the trains that can be taken from the library.
 void add_train_commands(CommandTable& table);
+
+/// The train of the model that is chosen to stand on the influence line; empty: none, or it is gone.
+std::string chosen_train(const Session& session);
 
 /// Asks for the influence line of a section force or a reaction in the envelope of trains, with the train that governs
 /// where it is worst. \param which  nothing: the value of the greater magnitude \pre the envelope is shown and has values

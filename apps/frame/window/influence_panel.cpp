@@ -11,6 +11,7 @@
 #include "apps/drawing/results/influence_picture.h"
 #include "apps/drawing/results/line_diagram.h"
 #include "apps/drawing/sketch/scene.h"
+#include "apps/frame/session/train_commands.h"
 #include "apps/frame/window/result_list.h"
 #include "apps/frame/window/show_panel.h"
 #include "femoop/methods/influence/effect_name.h"
@@ -58,7 +59,7 @@ void show_kept(Workspace& workspace, const CommandTable& commands)
 void choose_train(Session& session)
 {
     AskedLine& line = session.influence;
-    const std::string now = line.train().name;
+    const std::string now = chosen_train(session);
     const std::vector<femoop::Train>& trains = session.model().moving_loads.trains;
     if (ImGui::RadioButton((session.tr()("no train") + "###no train").c_str(), now.empty() && !line.is_traced()))
         line.choose_train({});

@@ -93,7 +93,7 @@ void list_trains(Workspace& workspace, const CommandTable& commands)
 {
     Session& session = workspace.session;
     const ui::Catalogue& tr = session.view.tr;
-    const std::string now = session.influence.train().name;
+    const std::string now = chosen_train(session);
     if (ImGui::Selectable((tr(no_train) + "###none").c_str(), now.empty() && !session.influence.is_traced()))
         session.influence.choose_train({});
     if (ImGui::Selectable((tr(unit_load) + "###unit load").c_str(), session.influence.is_traced()))
@@ -131,7 +131,7 @@ void train_settings(Workspace& workspace, const CommandTable& commands)
 {
     Session& session = workspace.session;
     const ui::Catalogue& tr = session.view.tr;
-    const std::string& name = session.influence.train().name;
+    const std::string name = chosen_train(session);
     constexpr float least = least_train_width, most = 11.0F; // [em]
     const drawing::StandingTrain* const standing = session.influence.standing();
     const bool has_ways = standing != nullptr && !session.influence.is_traced();

@@ -205,6 +205,23 @@ TEST_SUITE("frame session")
         CHECK(session.influence.standing() == nullptr);
     }
 
+    TEST_CASE("A train that is undone or deleted is chosen no longer, and is again where it comes back")
+    {
+        Workspace workspace = bridge();
+        Session& session = workspace.session;
+        CHECK(chosen_train(session).empty());
+        CHECK(!run(workspace, "train.tb450"));
+        CHECK(chosen_train(session) == "TB-450");
+        session.undo();
+        CHECK(chosen_train(session).empty());
+        session.redo();
+        CHECK(chosen_train(session) == "TB-450");
+        workspace.trains.open(session);
+        workspace.trains.erase(session);
+        workspace.trains.accept(session);
+        CHECK(chosen_train(session) != "TB-450");
+    }
+
     TEST_CASE("Every train of the library can be taken, and stands on a beam")
     {
         Workspace workspace = bridge();
