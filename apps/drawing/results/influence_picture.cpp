@@ -379,6 +379,12 @@ std::string areas_text(const ui::DisplayUnits& units, const InfluencePicture& pi
         return with_minus(units.number(area * unit.factor * length.factor, ui::Measure::Plain));
     };
     const double rounding = written_as_zero * std::max(areas.positive, -areas.negative);
+bool is_of_displacement(const MovingEffect& effect)
+{
+    return effect.quantity != ExpectedQuantity::Reaction &&
+           (!effect.component || femoop::is_displacement(*effect.component));
+}
+
     std::string both = areas.positive > rounding ? "+" + text(areas.positive) : "";
     if (areas.negative < -rounding) both += (both.empty() ? "" : ", ") + text(areas.negative);
     return tr("areas {areas} {unit}", {{"areas", both}, {"unit", area_unit(unit.name, length.name)}});
@@ -403,8 +409,12 @@ std::string_view released_by(const MovingEffect& effect)
                    ? ui::translatable(
                          "The support gives way and turns by 1; the path moves by the line: M · 1 = 1 · η(s).")
                    : ui::translatable("The support gives way by 1; the path moves by the line: R · 1 = 1 · η(s).");
-    if (!effect.component || is_displacement(*effect.component))
-        return ui::translatable("A unit load stands there; the path moves by the line (Maxwell): 1 · u = 1 · η(s).");
+    if (is_of_displacement(effect) && measure_of(effect) == ui::Measure::Rotation)
+        return ui::translatable(
+            "A unit couple stands there; the path moves by the line (Maxwell): 1 · {component} = 1 · η(s).");
+    if (is_of_displacement(effect))
+        return ui::translatable(
+            "A unit load stands there; the path moves by the line (Maxwell): 1 · {component} = 1 · η(s).");
     switch (*effect.component) {
     case MemberComponent::N:
         return ui::translatable("The member parts by 1 at the section; the path moves by the line: N · 1 = 1 · η(s).");
@@ -422,7 +432,9 @@ std::string_view released_by(const MovingEffect& effect)
 
 std::string principle(const femoop::Model& model, const MovingEffect& effect, const ui::Catalogue& tr)
 {
-    return zero_by_support(model, effect, tr).value_or(tr(released_by(effect)));
+    if (const auto zero = zero_by_support(model, effect, tr)) return *zero;
+    const std::string component = femoop::influence::component_name(model.analysis, effect);
+    return tr(released_by(effect), {{"component", component}});
 }
 
 std::optional<std::string> zero_by_support(const femoop::Model& model, const MovingEffect& effect,

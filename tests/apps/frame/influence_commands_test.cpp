@@ -190,6 +190,21 @@ TEST_SUITE("frame session")
         }
     }
 
+    TEST_CASE("A line of a displacement is by Maxwell's theorem what a unit load or a unit couple there moves")
+    {
+        Workspace workspace = workspace_with("bridge.json");
+        Session& session = workspace.session;
+        const auto principle_of = [&](femoop::Dof dof) {
+            const femoop::MovingEffect effect{
+                .quantity = femoop::ExpectedQuantity::Displacement, .node = NodeId(1), .dof = dof};
+            return drawing::principle(session.model(), effect, session.tr());
+        };
+        CHECK(principle_of(femoop::Dof::ux) ==
+              "A unit load stands there; the path moves by the line (Maxwell): 1 · ux = 1 · η(s).");
+        CHECK(principle_of(femoop::Dof::rz) ==
+              "A unit couple stands there; the path moves by the line (Maxwell): 1 · rz = 1 · η(s).");
+    }
+
     TEST_CASE("A look at a model that has not the line does not part it from its train")
     {
         Workspace workspace = workspace_with("bridge.json");
