@@ -300,7 +300,8 @@ void Canvas::fit(Session& session)
 
 bool Canvas::FittedFor::serves(const FittedFor& wanted) const
 {
-    const bool has_room = (has_pencil || !wanted.has_pencil) && (has_train || !wanted.has_train) &&
+    const bool is_line_closed = has_line && !wanted.has_line;
+    const bool has_room = !is_line_closed && (has_pencil || !wanted.has_pencil) && (has_train || !wanted.has_train) &&
                           free_body == wanted.free_body && funicular == wanted.funicular && work == wanted.work &&
                           n_lines == wanted.n_lines && lent <= wanted.lent;
     const bool is_tight = std::ranges::equal(factors, wanted.factors, std::ranges::less_equal());
@@ -316,6 +317,7 @@ Canvas::FittedFor Canvas::wanted_fit(const Session& session, const DrawOptions& 
             options.theme,
             is_seen_in_space(session.model().analysis),
             is_sketched(session),
+            session.influence.is_on(session.model()),
             session.influence.standing() != nullptr,
             lifted_body(session) != nullptr ? session.free_body.number() : 0,
             options.show.contains(Show::ForcePolygon) ? session.funicular.number() : 0,

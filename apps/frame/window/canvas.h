@@ -86,7 +86,8 @@ private:
         ui::ThemeName theme;
         bool is_in_space;
         bool has_pencil;               ///< a guess needs room beside the structure
-        bool has_train;                ///< and a standing train for its forces and its curve
+        bool has_line;                 ///< what it took gives its room back when it is closed
+        bool has_train;                ///< a train on it needs room for its forces and its curve
         std::size_t free_body;         ///< and each free body for its forces: its number, 0 where none is lifted
         std::size_t funicular;         ///< likewise
         std::size_t work;              ///< likewise
