@@ -118,6 +118,7 @@ void write_largest(const Scene& scene, const SolvedCase& solved, double factor)
 LargestDisplacement largest_displacement(const SolvedCase& solved)
 {
     LargestDisplacement largest;
+    double longest = 0.0;
     for (std::size_t i = 0; i < solved.curves.size(); ++i) {
         const Curve& curve = solved.curves[i];
         std::vector<double> places{0.0, curve.length()};
@@ -131,8 +132,10 @@ LargestDisplacement largest_displacement(const SolvedCase& solved)
             // The same place seen from two members is told from the first.
             if (value > largest.value * (1.0 + 1e-9)) largest = {value, femoop::MemberId{i}, x};
         }
+        longest = std::max(longest, curve.length());
     }
-    return largest;
+    constexpr double round_off = 1e-15; // of the longest member
+    return largest.value > round_off * longest ? largest : LargestDisplacement{};
 }
 
 double deformation_scale(const Scene& scene, const SolvedCase& solved, ui::Size panel)
