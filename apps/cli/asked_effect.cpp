@@ -235,8 +235,12 @@ femoop::LoadPathReference path_named(const Model& model, const std::string& name
         const auto member = model.find_member(part);
         if (member) members.push_back(*member);
         if (member) continue;
-        std::vector<std::string> known = ids_of(paths);
-        std::ranges::move(ids_of(model.members), std::back_inserter(known));
+        if (std::ranges::find(paths, part, &femoop::LoadPath::id) != paths.end())
+            throw UsageError(
+                tr("--path: \"{path}\" is a path of the file and stands alone; name it alone, or members instead",
+                   {{"path", part}}));
+        std::vector<std::string> known = ids_of(model.members);
+        if (part == name) std::ranges::move(ids_of(paths), std::back_inserter(known));
         throw unknown_choice("--path", part, known, tr);
     }
     if (auto fault = why_no_path(model, members, "--path")) throw femoop::ModelError({std::move(*fault)});

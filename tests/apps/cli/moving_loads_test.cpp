@@ -244,6 +244,19 @@ TEST_CASE("Of a train of 500 axles the first and the last are told, and how many
     CHECK(in_words.out.size() < 2000);
 }
 
+TEST_CASE(
+    "A path of the file stands alone: in a list it is named as what it is, and what is unknown is told of members")
+{
+    const auto complaint = [](const char* path) {
+        return cremona({"influence", "examples/influence.json", "--path", path}).err;
+    };
+    CHECK(has(complaint("deck,nope"), "--path: \"deck\" is a path of the file and stands alone"));
+    CHECK(!has(complaint("deck,nope"), "did you mean"));
+    CHECK(has(complaint("AB,decq"), "--path: there is no \"decq\""));
+    CHECK(!has(complaint("AB,decq"), "deck\""));
+    CHECK(has(complaint("decq"), "did you mean \"deck\"?"));
+}
+
 TEST_CASE("An answer that stands off its path is refused with the units of both lengths")
 {
     json model = json::parse(beam_of_8_m);
