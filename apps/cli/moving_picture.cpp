@@ -11,6 +11,7 @@
 #include "apps/drawing/draw.h"
 #include "apps/drawing/results/influence_picture.h"
 #include "apps/drawing/results/influence_words.h"
+#include "apps/drawing/results/line_motion.h"
 #include "apps/drawing/results/train_picture.h"
 #include "apps/drawing/sketch/scene.h"
 #include "femoop/analysis/linear_static.h"
@@ -222,11 +223,11 @@ ExitStatus draw_line(const Model& model, const InfluenceLineDefinition& definiti
     femoop::influence::InfluenceAnalysis analysis(model);
     const PathLayout path = femoop::influence::lay_out(model, femoop::influence::members_of(model, definition.path));
     const femoop::NodeVector load = femoop::influence::unit_load(model.analysis, definition.load);
-    const drawing::InfluencePicture picture{.path = path,
-                                            .load = load,
-                                            .line = analysis.line(path, load, definition.effect),
-                                            .motion = analysis.motion(definition.effect),
-                                            .sentences = {drawing::principle(model, definition.effect, order.view.tr)}};
+    drawing::InfluencePicture picture{.path = path,
+                                      .load = load,
+                                      .line = analysis.line(path, load, definition.effect),
+                                      .motion = analysis.motion(definition.effect)};
+    picture.sentences = motion_sentences(model, picture, order.view.tr);
     console.report(file, analysis.warnings());
     if (!shows_own) order.view.show = drawing::labels;
     order.view.show.insert(Show::Influence);

@@ -2,6 +2,7 @@
 
 #include "apps/drawing/results/diagram.h"
 #include "apps/drawing/results/line_diagram.h"
+#include "apps/drawing/results/line_motion.h"
 #include "femoop/load/place_along.h"
 #include "femoop/methods/influence/effect_name.h"
 #include "femoop/methods/influence/load_components.h"
@@ -97,23 +98,6 @@ private:
     double begin_, end_;
     std::vector<const LinePiece*> pieces_; ///< \pre at least one
 };
-
-constexpr std::array shares_of_piece{0.0, 0.25, 0.5, 0.75, 1.0}; // where a motion is looked at
-
-/// The farthest that a place of the structure moves while the line is drawn by it.
-double largest_motion(const InfluencePicture& picture)
-{
-    double largest = 0.0;
-    for (const femoop::influence::MemberMotion& motion : picture.motion)
-        for (const MotionPiece& piece : motion)
-            for (const double share : shares_of_piece) {
-                const auto along = [&](LocalAxis axis) {
-                    return piece.along[femoop::index(axis)](share * piece.length());
-                };
-                largest = std::max(largest, std::hypot(along(LocalAxis::x), along(LocalAxis::y), along(LocalAxis::z)));
-            }
-    return largest;
-}
 
 /// Draws one line and what stands on it.
 class InfluenceDrawing {
@@ -305,11 +289,10 @@ InfluenceScale influence_scale(const Scene& scene, const InfluencePicture& pictu
     InfluenceScale scale{.largest = picture.line.ordinates.largest()};
     if (!(scale.largest > 0.0)) return scale;
     constexpr double share = 0.2;
-    constexpr double most_motion = 2.0;   // ordinate heights: a frame that sways would leave the sheet
-    constexpr double most_of_line = 10.0; // and what moves farther would leave the line flat
-    const double moved = largest_motion(picture);
-    scale.shows_motion = moved <= most_of_line * scale.largest;
-    const double shown = scale.shows_motion ? std::max(scale.largest, moved / most_motion) : scale.largest;
+    constexpr double most_motion = 2.0; // ordinate heights: a frame that sways would leave the sheet
+    scale.shows_motion = is_motion_drawn(picture);
+    const double moved = scale.shows_motion ? largest_motion(picture) : 0.0;
+    const double shown = std::max(scale.largest, moved / most_motion);
     scale.pixels_per_unit = ordinate_height(scene, share, panel) * scene.options.diagram_factor / shown;
     return scale;
 }
@@ -379,12 +362,6 @@ std::string areas_text(const ui::DisplayUnits& units, const InfluencePicture& pi
         return with_minus(units.number(area * unit.factor * length.factor, ui::Measure::Plain));
     };
     const double rounding = written_as_zero * std::max(areas.positive, -areas.negative);
-bool is_of_displacement(const MovingEffect& effect)
-{
-    return effect.quantity != ExpectedQuantity::Reaction &&
-           (!effect.component || femoop::is_displacement(*effect.component));
-}
-
     std::string both = areas.positive > rounding ? "+" + text(areas.positive) : "";
     if (areas.negative < -rounding) both += (both.empty() ? "" : ", ") + text(areas.negative);
     return tr("areas {areas} {unit}", {{"areas", both}, {"unit", area_unit(unit.name, length.name)}});
@@ -401,6 +378,12 @@ std::string effect_text(const femoop::Model& model, const ui::DisplayUnits& unit
 }
 
 namespace {
+
+bool is_of_displacement(const MovingEffect& effect)
+{
+    return effect.quantity != ExpectedQuantity::Reaction &&
+           (!effect.component || femoop::is_displacement(*effect.component));
+}
 
 std::string_view released_by(const MovingEffect& effect)
 {

@@ -1,9 +1,12 @@
 #include "apps/drawing/results/train_picture.h"
 
+#include "apps/drawing/results/line_motion.h"
 #include "apps/drawing/sketch/scene.h"
 #include "femoop/methods/influence/train/standing_train.h"
 
+#include <algorithm>
 #include <cstddef>
+#include <iterator>
 #include <utility>
 
 namespace drawing {
@@ -107,7 +110,7 @@ std::vector<std::string> trace_sentences(const femoop::Model& model, const DrawO
                     {"ordinate", ordinate_text(units, ordinate_unit(units, picture), load.ordinate)}})};
     if (picture.traced)
         sentences.push_back(options.tr("Move the load along the path: it draws the line, place by place."));
-    else sentences.push_back(principle(model, picture.line.effect, options.tr));
+    else std::ranges::move(motion_sentences(model, picture, options.tr), std::back_inserter(sentences));
     return sentences;
 }
 

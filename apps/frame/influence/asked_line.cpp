@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "apps/drawing/results/influence_words.h"
+#include "apps/drawing/results/line_motion.h"
 #include "apps/drawing/sketch/scene.h"
 #include "apps/frame/document/fault/sentence.h"
 #include "femoop/analysis/linear_static.h"
@@ -233,8 +234,8 @@ const drawing::InfluencePicture* AskedLine::picture(const Model& model, std::uin
 {
     const std::optional<MovingEffect> wanted = effect(model);
     if (!wanted || model.members.empty()) {
-        found_.standing.reset();
         found_.effect.reset(); // what is asked for next is found anew, with what stands on it
+        found_.standing.reset();
         return nullptr;
     }
     try {
@@ -445,7 +446,7 @@ std::vector<std::string> AskedLine::sentences(const drawing::DrawOptions& option
         if (train_.beside) said.push_back(sum_with_permanent(options));
         return said;
     }
-    std::vector<std::string> sentences{drawing::principle(*found_.model, found_.picture->line.effect, options.tr)};
+    std::vector<std::string> sentences = drawing::motion_sentences(*found_.model, *found_.picture, options.tr);
     for (const femoop::Fault& fault : found_.faults) sentences.push_back(sentence(fault, options.tr));
     return sentences;
 }
