@@ -3,6 +3,7 @@
 #include <imgui.h>
 #include <imgui_stdlib.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <utility>
@@ -132,15 +133,19 @@ NumberFieldEvent NumberFields::drag(double start)
     return {.kind = NumberFieldEvent::Kind::Dragged, .value = tidy};
 }
 
-// A row has no room beneath it.
+// A row has no room beneath it; the window of the reason stays on the screen.
 void NumberFields::show_reason(bool is_in_row) const
 {
     if (!is_in_row) return wrapped_text(reason_);
     const float em = ImGui::GetFontSize();
-    const ImVec2 corner(ImGui::GetItemRectMin().x, ImGui::GetItemRectMax().y + 0.3F * em);
-    ImGui::SetNextWindowPos(corner);
+    const float most = 25.0F * em, padding = ImGui::GetStyle().WindowPadding.x;
+    const float width = std::min(ImGui::CalcTextSize(reason_.c_str()).x, most) + 2.0F * padding;
+    const ImGuiViewport& screen = *ImGui::GetMainViewport();
+    const float right = screen.WorkPos.x + screen.WorkSize.x - width;
+    const float left = std::max(std::min(ImGui::GetItemRectMin().x, right), screen.WorkPos.x);
+    ImGui::SetNextWindowPos({left, ImGui::GetItemRectMax().y + 0.3F * em});
     ImGui::BeginTooltip();
-    wrapped_text(reason_, 25.0F * em);
+    wrapped_text(reason_, most);
     ImGui::EndTooltip();
 }
 

@@ -114,7 +114,8 @@ private:
         Quantity force = draft_.train().axles[i];
         const bool begins = begun_ == i;
         if (begins) begun_.reset();
-        if (edit_quantity(workspace_, fields_, {.id = id, .measure = Measure::Force, .begins = begins}, force))
+        if (edit_quantity(workspace_, fields_,
+                          {.id = id, .measure = Measure::Force, .width = column_width(), .begins = begins}, force))
             change([&](Train& train) { train.axles[i] = force; });
         const std::size_t n = draft_.train().axles.size();
         if (!fields_.is_entered(id) || i + 1 < n) return;
@@ -153,8 +154,12 @@ private:
     bool edit(const std::string& what, std::size_t i, Measure measure, Quantity& value,
               const std::function<std::optional<ui::Message>(double)>& why_not)
     {
-        return edit_quantity(workspace_, fields_, {what + std::to_string(i), measure, 0.0F, why_not}, value);
+        const std::string id = what + std::to_string(i);
+        return edit_quantity(workspace_, fields_, {id, measure, column_width(), why_not}, value);
     }
+
+    // Of a field as wide as its column: as in a row, a reason stands in a window of its own.
+    static float column_width() { return ImGui::GetContentRegionAvail().x; }
 
     void change(const std::function<void(Train&)>& how) { draft_.change(workspace_.session, how); }
 
