@@ -114,7 +114,25 @@ void list_trains(Workspace& workspace, const CommandTable& commands)
     }
 }
 
-constexpr float least_train_width = 5.0F; ///< [em] of the list of trains
+/// What the list of trains shows while it is closed.
+std::string shown_train(const Session& session)
+{
+    const std::string name = chosen_train(session);
+    return !name.empty() ? name : session.tr()(session.influence.is_traced() ? unit_load : no_train);
+}
+
+constexpr float most_train_width = 11.0F; ///< [em] of the list of trains
+
+float width_beside_text() { return ImGui::GetFrameHeight() + 2.0F * ImGui::GetStyle().FramePadding.x; }
+
+/// Of the list of trains, at the least: its text, but for the rest of a very long name.
+float least_train_width(const Session& session)
+{
+    constexpr float least = 5.0F; // [em]
+    const float em = ImGui::GetFontSize();
+    const float of_text = ImGui::CalcTextSize(shown_train(session).c_str()).x + width_beside_text();
+    return std::clamp(of_text, least * em, most_train_width * em);
+}
 
 /// Of round buttons with these names, one beside the other.
 float buttons_width(std::span<const std::string> names)
@@ -131,13 +149,15 @@ void train_settings(Workspace& workspace, const CommandTable& commands)
 {
     Session& session = workspace.session;
     const ui::Catalogue& tr = session.view.tr;
-    const std::string name = chosen_train(session);
-    constexpr float least = least_train_width, most = 11.0F; // [em]
     const drawing::StandingTrain* const standing = session.influence.standing();
     const bool has_ways = standing != nullptr && !session.influence.is_traced();
     const float em = ImGui::GetFontSize(), of_ways = has_ways ? 9.0F * em : 0.0F; // the two buttons behind it
-    ImGui::SetNextItemWidth(std::clamp(ImGui::GetContentRegionAvail().x - of_ways, least * em, most * em));
-    const std::string shown = !name.empty() ? name : tr(session.influence.is_traced() ? unit_load : no_train);
+    const float room = std::max(ImGui::GetContentRegionAvail().x, 2.0F * width_beside_text());
+    const float width = std::clamp(room - of_ways, std::min(least_train_width(session), room), most_train_width * em);
+    const std::string shown = ui::shortened_to_fit(shown_train(session), 1, [&](const std::string& text) {
+        return ImGui::CalcTextSize(text.c_str()).x <= width - width_beside_text();
+    });
+    ImGui::SetNextItemWidth(width);
     if (ImGui::BeginCombo("###train", shown.c_str(), ImGuiComboFlags_HeightLargest)) {
         list_trains(workspace, commands);
         ImGui::EndCombo();
@@ -167,7 +187,7 @@ void influence_settings(Workspace& workspace, const CommandTable& commands)
     std::vector<std::string> names;
     for (const femoop::MovingEffect& choice : choices)
         names.push_back(femoop::influence::component_name(model.analysis, choice));
-    const float of_trains = least_train_width * ImGui::GetFontSize();
+    const float of_trains = now ? least_train_width(workspace.session) : 0.0F;
     const bool have_room = buttons_width(names) + of_trains <= ImGui::GetContentRegionAvail().x;
     for (std::size_t i = 0; have_room && i < choices.size(); ++i) {
         if (ImGui::RadioButton(names[i].c_str(), choices[i] == now)) line.choose(choices[i]);

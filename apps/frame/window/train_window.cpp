@@ -399,8 +399,12 @@ void TrainWindow::show_new(Workspace& workspace, ui::TabStops& stops) const
     stops.add();
     ImGui::EndDisabled();
     ImGui::SameLine();
+    const std::string library = tr("Take from the library");
+    const float width = ImGui::CalcTextSize(library.c_str()).x + ImGui::GetFrameHeight() +
+                        2.0F * ImGui::GetStyle().FramePadding.x;
+    if (ImGui::GetContentRegionAvail().x < width) ImGui::NewLine();
     ImGui::SetNextItemWidth(-1.0F);
-    if (!ImGui::BeginCombo("###library", tr("Take from the library").c_str(), ImGuiComboFlags_HeightLargest)) return;
+    if (!ImGui::BeginCombo("###library", library.c_str(), ImGuiComboFlags_HeightLargest)) return;
     for (const LibraryCommand& entry : library_commands()) {
         if (ImGui::Selectable((tr(entry.label) + "###" + std::string(entry.id)).c_str()))
             draft.add(session, *entry.train);
@@ -424,6 +428,7 @@ void TrainWindow::show_name(Workspace& workspace, ui::TabStops& stops)
     if (ImGui::InputText("###name", &name_)) reason_ = draft.set_name(workspace.session, name_);
     stops.add(ui::TabStops::Kind::Text);
     is_naming_ = ImGui::IsItemActive();
+    if (!is_naming_ && reason_) draft.set_name(workspace.session, old_name_); // what was typed of it is no name
     if (!is_naming_) reason_.reset();
     if (reason_) ui::wrapped_text(tr(*reason_));
 }
@@ -433,7 +438,6 @@ void TrainWindow::show_picture(const Workspace& workspace, ui::ImGuiSession& gui
     const float width = ImGui::GetContentRegionAvail().x, height = 10.0F * ImGui::GetFontSize();
     const ImVec2 corner = ImGui::GetCursorScreenPos();
     ImGui::Dummy({width, height});
-    if (!is_naming_ && reason_) draft.set_name(workspace.session, old_name_); // what was typed of it is no name
     ui::Painter painter({static_cast<double>(width) / gui.scale(), static_cast<double>(height) / gui.scale()}, fonts_);
     draw_train(painter, workspace.trains.train(),
                {.theme = ui::Theme(workspace.session.view.theme),
