@@ -5,6 +5,7 @@
 
 #include <array>
 
+#include "apps/drawing/draw.h"
 #include "femoop/analysis/linear_static.h"
 #include "femoop/methods/force_method/force_steps.h"
 #include "tests/apps/drawing/view_model.h"
