@@ -6,6 +6,7 @@
 
 #include "apps/euler/document/drawing/drawn_line.h"
 #include "tests/apps/euler/first_solid.h"
+#include "tests/samples.h"
 #include "topology/halfedge/check/validate.h"
 #include "topology/planar/planar_figure.h"
 #include "ui/text/catalogue.h"
@@ -131,7 +132,7 @@ TEST_SUITE("drawn line")
 
     TEST_CASE("Whatever lines are drawn, the figure stays a planar subdivision, and undo comes back to nothing")
     {
-        for (unsigned seed = 1; seed <= 40; ++seed) {
+        for (unsigned seed = 1; seed <= samples(40, 6); ++seed) {
             CAPTURE(seed);
             std::mt19937 random(seed);
             const auto coordinate = [&] { return static_cast<double>(random() % 8); };

@@ -102,8 +102,9 @@ TEST_CASE("A structure that can move is counted alike, and its motions too")
 
 TEST_CASE("The degree of a plane frame is its states of self-stress less its motions, loose members among them")
 {
+    const std::size_t n = samples(600, 100);
     std::size_t n_loose = 0;
-    for (unsigned seed = 1; seed <= 600; ++seed) {
+    for (unsigned seed = 1; seed <= n; ++seed) {
         CAPTURE(seed);
         const Model model = random_linkage(AnalysisKind::Frame2d, seed);
         if (!mobility(model).is_clear) continue;
@@ -112,7 +113,7 @@ TEST_CASE("The degree of a plane frame is its states of self-stress less its mot
         CHECK(counting.degree().total() == n_self_stresses(model) - static_cast<int>(*counting.n_motions));
         n_loose += std::ranges::count_if(model.members, is_loose);
     }
-    CHECK(n_loose > 100);
+    CHECK(n_loose > n / 6);
 }
 
 TEST_CASE("Each release of a member that they leave loose takes one, and the member's motion is told")
