@@ -588,10 +588,10 @@ void Canvas::press(Workspace& workspace, const Aim& aim)
 {
     is_working_ = true;
     workspace.session.settle();
-    const bool is_beside = !aim.part() && !aim.is_on_train;
     const ToolKind kind = workspace.tool_controller.kind();
     const bool asks_for_section = kind == ToolKind::Influence || kind == ToolKind::VirtualWork;
-    if (asks_for_section && is_beside) return ask_at_diagram(workspace, aim);
+    const bool is_on_structure = aim.node || aim.cut || aim.support || aim.is_on_train; // not on a load or a dimension
+    if (asks_for_section && !is_on_structure) return ask_at_diagram(workspace, aim);
     if (const auto reason = why_not_press(workspace, aim)) workspace.session.notify(*reason);
     else carry_out(workspace.session, workspace.tool_controller.tool().press(work_of(workspace.session), aim));
 }
