@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <utility>
 
 #include "femoop/methods/influence/train/train_library.h"
@@ -27,6 +28,12 @@ void erase_spacing(Train& train, std::size_t spacing)
     train.spacings.erase(train.spacings.begin() + static_cast<std::ptrdiff_t>(spacing));
 }
 
+double one_digit(double value)
+{
+    const double power = std::pow(10.0, std::floor(std::log10(value)));
+    return std::round(value / power) * power;
+}
+
 } // namespace
 
 Train usual_train(const femoop::Units& units, femoop::LoadPathReference path)
@@ -39,7 +46,10 @@ Train usual_train(const femoop::Units& units, femoop::LoadPathReference path)
         .units = {.length = femoop::LengthUnit::m, .force = femoop::ForceUnit::kN},
         .axles = axles,
         .spacings = spacings};
-    return train_from(pair, units, std::move(path));
+    Train train = train_from(pair, units, std::move(path));
+    for (Quantity& axle : train.axles) axle = one_digit(axle);
+    for (Quantity& spacing : train.spacings) spacing = one_digit(spacing);
+    return train;
 }
 
 void add_axle(Train& train, const femoop::Units& units)

@@ -9,7 +9,7 @@
 
 namespace frame {
 
-/// Two axles of 100 kN, 2 m apart: what one's own train begins with.
+/// Two axles of some 100 kN, some 2 m apart, in round numbers of the units: what one's own train begins with.
 femoop::Train usual_train(const femoop::Units& units, femoop::LoadPathReference path);
 
 /// Behind the last axle, of its force and as far from it as that is from the one before; the first one as in the usual

@@ -24,6 +24,16 @@ Train lorry()
 
 TEST_SUITE("frame session")
 {
+    TEST_CASE("A train of one's own begins with round numbers in any units")
+    {
+        const Train in_feet = usual_train({femoop::LengthUnit::ft, femoop::ForceUnit::kip}, femoop::PathId(0));
+        CHECK(in_feet.axles.at(1) == 20.0);
+        CHECK(in_feet.spacings.at(0) == 7.0);
+        const Train in_metres = usual_train({femoop::LengthUnit::m, femoop::ForceUnit::kN}, femoop::PathId(0));
+        CHECK(in_metres.axles.at(1) == 100.0);
+        CHECK(in_metres.spacings.at(0) == 2.0);
+    }
+
     TEST_CASE("An axle that is taken out leaves the others where they stand")
     {
         for (std::size_t axle = 1; axle < 4; ++axle) {
