@@ -290,9 +290,9 @@ InfluenceScale influence_scale(const Scene& scene, const InfluencePicture& pictu
     if (!(scale.largest > 0.0)) return scale;
     constexpr double share = 0.2;
     constexpr double most_motion = 2.0; // ordinate heights: a frame that sways would leave the sheet
-    scale.shows_motion = is_motion_drawn(picture);
-    const double moved = scale.shows_motion ? largest_motion(picture) : 0.0;
-    const double shown = std::max(scale.largest, moved / most_motion);
+    const std::optional<double> moved = drawn_motion(picture);
+    scale.shows_motion = moved.has_value();
+    const double shown = std::max(scale.largest, moved.value_or(0.0) / most_motion);
     scale.pixels_per_unit = ordinate_height(scene, share, panel) * scene.options.diagram_factor / shown;
     return scale;
 }

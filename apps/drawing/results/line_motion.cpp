@@ -5,7 +5,7 @@
 
 namespace drawing {
 
-double largest_motion(const InfluencePicture& picture)
+std::optional<double> drawn_motion(const InfluencePicture& picture)
 {
     double largest = 0.0;
     for (const femoop::influence::MemberMotion& motion : picture.motion)
@@ -17,20 +17,15 @@ double largest_motion(const InfluencePicture& picture)
                 largest = std::max(largest, std::hypot(along(femoop::LocalAxis::x), along(femoop::LocalAxis::y),
                                                        along(femoop::LocalAxis::z)));
             }
-    return largest;
-}
-
-bool is_motion_drawn(const InfluencePicture& picture)
-{
     constexpr double most_of_line = 10.0; // what moves farther would leave the line flat
-    return largest_motion(picture) <= most_of_line * picture.line.ordinates.largest();
+    return largest <= most_of_line * picture.line.ordinates.largest() ? std::optional(largest) : std::nullopt;
 }
 
 std::vector<std::string> motion_sentences(const femoop::Model& model, const InfluencePicture& picture,
                                           const ui::Catalogue& tr)
 {
     std::vector<std::string> sentences{principle(model, picture.line.effect, tr)};
-    if (picture.line.ordinates.largest() > 0.0 && !is_motion_drawn(picture))
+    if (picture.line.ordinates.largest() > 0.0 && !drawn_motion(picture))
         sentences.push_back(tr("This motion is not drawn: it is more than ten times as large as the line."));
     return sentences;
 }
