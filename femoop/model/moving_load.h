@@ -41,6 +41,12 @@ struct MovingEffect {
     friend bool operator==(const MovingEffect&, const MovingEffect&) = default;
 };
 
+/// The size of a reaction in the plane: both of its force components are one. It is derived; no load moves for it.
+inline bool is_resultant(const MovingEffect& effect)
+{
+    return effect.quantity == ExpectedQuantity::Reaction && effect.node && !effect.dof;
+}
+
 /// An influence line that the model asks for.
 struct InfluenceLineDefinition {
     std::string id;

@@ -454,7 +454,7 @@ Show show_of(const MovingEffect& effect, femoop::AnalysisKind kind)
 ui::Measure measure_of(const MovingEffect& effect)
 {
     if (effect.component) return measure_of(*effect.component);
-    const bool turns = is_rotation(*effect.dof);
+    const bool turns = !femoop::is_resultant(effect) && is_rotation(*effect.dof);
     if (effect.quantity == ExpectedQuantity::Reaction) return turns ? ui::Measure::Moment : ui::Measure::Force;
     return turns ? ui::Measure::Rotation : ui::Measure::Displacement;
 }

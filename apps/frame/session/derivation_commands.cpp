@@ -99,9 +99,7 @@ void explain_meant(Workspace& workspace)
     if (is_on_line(workspace)) return explain_on_line(workspace);
     const std::optional<PointedNumber> number = under_pointer(workspace);
     if (is_of_trains(workspace)) return ask_governing(workspace, number->effect, number->extreme);
-    explain(workspace, *meant_number(workspace), number ? number->of : std::nullopt);
-    if (number && number->is_resultant)
-        workspace.notify(translatable("the steps are those of the larger component; R is the root of fx² + fy²"));
+    explain(workspace, number.value_or(PointedNumber{*meant_number(workspace)}));
 }
 
 Reason why_not_explain(const Workspace& workspace)
@@ -111,7 +109,6 @@ Reason why_not_explain(const Workspace& workspace)
         if (under_pointer(workspace) || workspace.session.influence.standing() != nullptr) return std::nullopt;
         return translatable("point at an ordinate of the line, or put a load on it (U, R)");
     }
-    if (const auto& number = under_pointer(workspace); number && number->why_no_steps) return number->why_no_steps;
     if (is_of_trains(workspace) && has_train_number(workspace)) return std::nullopt;
     if (is_of_trains(workspace))
         return translatable("an envelope of trains has section forces and reactions; point at one of them first");
@@ -155,9 +152,20 @@ bool is_same_force(const femoop::Model& model, const femoop::MovingEffect& a, co
     return !a.at || !b.at || std::abs(place_along(model, a) - place_along(model, b)) <= same_section;
 }
 
-/// Of a member's largest force that force at the section where it stands.
-femoop::MovingEffect where_it_stands(const Workspace& workspace, const femoop::MovingEffect& force)
+/// Of both components of a slanting support, which are one force.
+femoop::MovingEffect larger_component(const Session& session, femoop::MovingEffect resultant)
 {
+    using femoop::Dof;
+    const auto reaction = (*session.solution().results)[session.view.load_case].reaction(*resultant.node);
+    const double fx = std::abs(reaction[femoop::index(Dof::ux)]), fy = std::abs(reaction[femoop::index(Dof::uy)]);
+    resultant.dof = fx > fy ? Dof::ux : Dof::uy;
+    return resultant;
+}
+
+/// Of a member's largest force that force at the section where it stands; of a resultant its larger component.
+femoop::MovingEffect released_force(const Workspace& workspace, const femoop::MovingEffect& force)
+{
+    if (is_resultant(force)) return larger_component(workspace.session, force);
     if (force.quantity != femoop::ExpectedQuantity::Extreme) return force;
     const Session& session = workspace.session;
     const auto& number = under_pointer(workspace);
@@ -177,7 +185,7 @@ femoop::MovingEffect where_it_is_cut(const femoop::Model& model, femoop::MovingE
 void release_or_hold(Workspace& workspace)
 {
     const femoop::MovingEffect force = where_it_is_cut(workspace.session.model(),
-                                                       where_it_stands(workspace, *meant_number(workspace)));
+                                                       released_force(workspace, *meant_number(workspace)));
     workspace.asked_number = NamedEffect(workspace.session.model(), force);
     std::vector<femoop::MovingEffect> redundants;
     if (shows_derivation(workspace)) redundants = workspace.derivation.redundants();
@@ -210,11 +218,11 @@ std::function<void(Workspace&)> asks_for(Request request)
 
 } // namespace
 
-void explain(Workspace& workspace, const femoop::MovingEffect& effect, std::optional<femoop::CaseId> of)
+void explain(Workspace& workspace, const PointedNumber& number)
 {
     workspace.refused_release.reset();
-    workspace.asked_number = NamedEffect(workspace.session.model(), effect);
-    workspace.derivation.ask(workspace.session, effect, of);
+    workspace.asked_number = NamedEffect(workspace.session.model(), number.effect);
+    workspace.derivation.ask(workspace.session, number);
     open_player(workspace);
 }
 

@@ -12,7 +12,7 @@ void add_derivation_commands(CommandTable& table);
 
 /// Opens the player for a number of the results. \param of  its case; nothing: what is shown, of an envelope the one
 /// that governs
-void explain(Workspace& workspace, const femoop::MovingEffect& effect, std::optional<femoop::CaseId> of = {});
+void explain(Workspace& workspace, const PointedNumber& number);
 /// Opens it for the force method with these redundants; none: those that the program chooses.
 void explain_force_method(Workspace& workspace, std::span<const femoop::MovingEffect> redundants);
 /// Closes the panel, where it shows one.

@@ -5,6 +5,8 @@
 #include "apps/drawing/results/envelope_cases.h"
 #include "apps/drawing/results/influence_picture.h"
 #include "apps/drawing/sketch/counted_units.h"
+#include "femoop/geometry/member_geometry.h"
+#include "femoop/load/place_along.h"
 #include "femoop/methods/force_method/force_steps.h"
 #include "femoop/methods/influence/effect_name.h"
 #include "femoop/methods/influence/usual_path.h"
@@ -117,10 +119,22 @@ std::vector<MovingEffect> scaled(std::span<const MovingEffect> effects, double l
 /// What the force method sums: moments, of trusses normal forces.
 ui::Measure summed(femoop::AnalysisKind kind) { return is_truss(kind) ? ui::Measure::Force : ui::Measure::Moment; }
 
-/// Of the session, or of its model counted anew.
-femoop::Results results_of(const Session& session, const femoop::Model& model)
+/// The same number of the model that results were kept of, where its member may have another length. Nothing where it has
+/// no such part.
+std::optional<MovingEffect> effect_kept(const femoop::Model& kept, const femoop::Model& now, const MovingEffect& effect)
 {
-    return model.units == session.model().units ? *session.solution().results : femoop::analyse(model);
+    std::optional<MovingEffect> of_kept = effect_in(kept, NamedEffect(now, effect));
+    if (!of_kept || !of_kept->at) return of_kept;
+    const double length = femoop::geometry_of(now, now[*effect.member]).length;
+    const double share = femoop::along(*effect.at, length) / length;
+    of_kept->at = femoop::Quantity(share * femoop::geometry_of(kept, kept[*of_kept->member]).length);
+    return of_kept;
+}
+
+/// The case of the results that were kept which what is shown is compared with.
+std::optional<femoop::CaseId> kept_case(const Session& session)
+{
+    return session.reference ? session.reference->counterpart(session.model(), session.view.load_case) : std::nullopt;
 }
 
 } // namespace
@@ -147,7 +161,10 @@ std::optional<RefusedRelease> refused_release(const Session& session, std::span<
 
 std::vector<MovingEffect> numbers_beside(const femoop::Model& model, const MovingEffect& effect)
 {
-    return effect.member ? numbers_of_member(model, effect) : numbers_of_node(model, *effect.node);
+    std::vector<MovingEffect> numbers = effect.member ? numbers_of_member(model, effect)
+                                                      : numbers_of_node(model, *effect.node);
+    if (is_resultant(effect)) numbers.insert(numbers.begin(), effect);
+    return numbers;
 }
 
 std::optional<femoop::CaseId> DerivationShow::asked_case(const femoop::Model& model) const
@@ -155,11 +172,17 @@ std::optional<femoop::CaseId> DerivationShow::asked_case(const femoop::Model& mo
     return asked_case_ ? model.find_case(*asked_case_) : std::nullopt;
 }
 
-void DerivationShow::ask(const Session& session, const MovingEffect& effect, std::optional<femoop::CaseId> of)
+PointedNumber DerivationShow::beside(const femoop::Model& model, const MovingEffect& effect) const
+{
+    return {.effect = effect, .of = asked_case(model), .compared = compared_};
+}
+
+void DerivationShow::ask(const Session& session, const PointedNumber& number)
 {
     clear();
-    if (of) asked_case_ = session.model().case_name(*of);
-    asked_ = NamedEffect(session.model(), effect);
+    if (number.of) asked_case_ = session.model().case_name(*number.of);
+    asked_ = NamedEffect(session.model(), number.effect);
+    compared_ = number.compared;
     begin(session);
 }
 
@@ -192,6 +215,8 @@ std::optional<ui::Message> DerivationShow::why_not_derive(const Session& session
     if (!is_asked()) return translatable("Point at a number of the results and press W.");
     if (session_ != session.number()) return translatable("The number that is explained belongs to another tab.");
     if (redundants_) return why_no_states(session);
+    if (compared_ != Compared::Now && !kept_case(session))
+        return translatable("What this number was compared with is gone.");
     if (!is_of_standing_) return why_no_numbers(session);
     if (standing_on(session) != nullptr) return std::nullopt;
     return translatable("The load is gone from the influence line; point at an ordinate and press W.");
@@ -208,7 +233,8 @@ DerivationShow::MadeFor DerivationShow::state_of(const Session& session) const
             session.view.is_envelope,
             session.hidden.has_value(),
             standing,
-            ChosenUnits{session.view.units, session.view.unit_choices}};
+            ChosenUnits{session.view.units, session.view.unit_choices},
+            session.reference};
 }
 
 void DerivationShow::follow(const Session& session)
@@ -217,6 +243,7 @@ void DerivationShow::follow(const Session& session)
     made_for_ = state_of(session);
     derivation_.reset();
     derived_of_.reset();
+    is_of_kept_model_ = false;
     length_factor_ = 1.0;
     force_method_.reset();
     choices_.clear();
@@ -231,6 +258,14 @@ void DerivationShow::follow(const Session& session)
         why_none_ = sentences(error.faults(), session.tr());
     }
     if (n_steps() > 0) go_to(step_); // else it waits for the steps to come back
+}
+
+DerivationShow::Solved DerivationShow::solved_of(const Session& session, ui::Measure result)
+{
+    derived_of_.reset();
+    const femoop::Model solved = solved_model(session.model(), session.solution());
+    const femoop::Model& model = counted(session, solved, result);
+    return {model, model.units == solved.units ? *session.solution().results : femoop::analyse(model)};
 }
 
 const femoop::Model& DerivationShow::counted(const Session& session, const femoop::Model& model, ui::Measure result)
@@ -248,6 +283,7 @@ void DerivationShow::derive_number(const Session& session)
     is_lost_ = !effect || std::ranges::find(choices_, *effect) == choices_.end();
     if (is_lost_ || why_none_) return;
     if (is_of_standing_) derive_standing(session, *effect);
+    else if (compared_ != Compared::Now) derive_compared(session, *effect);
     else derive_of_cases(session, *effect);
 }
 
@@ -262,15 +298,45 @@ void DerivationShow::derive_standing(const Session& session, const MovingEffect&
 
 void DerivationShow::derive_of_cases(const Session& session, const MovingEffect& effect)
 {
-    const femoop::Model solved = solved_model(session.model(), session.solution());
-    const femoop::Model& model = counted(session, solved, drawing::measure_of(effect));
-    const femoop::Results results = results_of(session, model);
+    const auto [model, results] = solved_of(session, drawing::measure_of(effect));
     const MovingEffect number = scaled(effect, length_factor_);
     const auto of = asked_case(model);
     if (of || !session.view.is_envelope)
         derivation_ = femoop::derivation::derive(model, results, of.value_or(session.view.load_case), number);
     else
         derivation_ = femoop::derivation::derive_governing(model, results, envelope_cases(model, session.view), number);
+}
+
+void DerivationShow::derive_compared(const Session& session, const MovingEffect& effect)
+{
+    using femoop::derivation::derive_difference;
+    if (!effect_kept(session.reference->model, session.model(), effect)) {
+        why_none_ = translatable("What this number is compared with has no such part.");
+        return;
+    }
+    const bool is_of_now = session.reference->model == session.model();
+    if (compared_ == Compared::Kept && !is_of_now) {
+        derivation_ = derived_of_kept(session, effect);
+        is_of_kept_model_ = true;
+        return;
+    }
+    const femoop::CaseId now = session.view.load_case, kept = *kept_case(session);
+    const double value_kept = is_of_now ? 0.0 : derived_of_kept(session, effect).value;
+    const auto [model, results] = solved_of(session, drawing::measure_of(effect));
+    const MovingEffect number = scaled(effect, length_factor_);
+    if (!is_of_now) derivation_ = derive_difference(model, results, now, value_kept, number);
+    else if (compared_ == Compared::Change) derivation_ = derive_difference(model, results, now, kept, number);
+    else derivation_ = femoop::derivation::derive(model, results, kept, number);
+}
+
+femoop::derivation::Derivation DerivationShow::derived_of_kept(const Session& session, const MovingEffect& effect)
+{
+    const drawing::ReferenceResults& reference = *session.reference;
+    const MovingEffect kept = *effect_kept(reference.model, session.model(), effect);
+    derived_of_ = reference.model;
+    const femoop::Model& model = counted(session, reference.model, drawing::measure_of(effect));
+    const femoop::Results results = model.units == reference.model.units ? reference.results : femoop::analyse(model);
+    return femoop::derivation::derive(model, results, *kept_case(session), scaled(kept, length_factor_));
 }
 
 void DerivationShow::derive_force_method(const Session& session)
@@ -287,10 +353,9 @@ void DerivationShow::derive_force_method(const Session& session)
     const auto faults = femoop::force_method::check_redundants(session.model(), redundants,
                                                                session.tr()("force method"));
     if (!faults.empty()) throw femoop::ModelError(faults);
-    const femoop::Model solved = solved_model(session.model(), session.solution());
-    const femoop::Model& model = counted(session, solved, summed(solved.analysis));
-    force_method_ = std::make_shared<const femoop::force_method::ForceMethod>(femoop::force_method::solve(
-        model, results_of(session, model), session.view.load_case, scaled(redundants, length_factor_)));
+    const auto [model, results] = solved_of(session, summed(session.model().analysis));
+    force_method_ = std::make_shared<const femoop::force_method::ForceMethod>(
+        femoop::force_method::solve(model, results, session.view.load_case, scaled(redundants, length_factor_)));
     derivation_ = femoop::force_method::steps(*force_method_, model);
 }
 

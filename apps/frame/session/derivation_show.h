@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "apps/frame/document/named_effect.h"
+#include "apps/frame/session/pointed_number.h"
 #include "apps/frame/session/session.h"
 #include "femoop/analysis/mechanism.h"
 #include "femoop/methods/derivation/derivation.h"
@@ -21,13 +22,14 @@ namespace frame {
 /// by step. It follows the document and the load case that is shown; a step that is no more there becomes the last one.
 class DerivationShow {
 public:
-    /// From its first step. \param of  its case; nothing: that which is shown, of an envelope the one that governs
+    /// From its first step. Of no case: of that which is shown, of an envelope of the one that governs.
     /// \pre the effect is one of the session's model
-    void ask(const Session& session, const femoop::MovingEffect& effect, std::optional<femoop::CaseId> of = {});
+    void ask(const Session& session, const PointedNumber& number);
     /// Of the effect that the influence line is of, as it is under what stands on the line; it follows that load.
     /// \pre something stands on the session's line
     void ask_standing(const Session& session);
-    std::optional<femoop::CaseId> asked_case(const femoop::Model& model) const; ///< if one was named
+    /// Another number of the same place, asked as this one was.
+    PointedNumber beside(const femoop::Model& model, const femoop::MovingEffect& effect) const;
     /// The force method with these redundants, from its first step; none: those that the program chooses.
     /// \pre they are forces of the session's model
     void ask_force_method(const Session& session, std::span<const femoop::MovingEffect> redundants);
@@ -41,9 +43,11 @@ public:
 
     /// Null where nothing is explained: `why_none` says why.
     const femoop::derivation::Derivation* derivation() const { return derivation_ ? &*derivation_ : nullptr; }
-    /// What it was derived of: the session's model, or that with what stands on the influence line as its one load case;
-    /// counted in the units of the picture.
+    /// What it was derived of: the session's model, that with what stands on the influence line as its one load case, or
+    /// that of the results that were kept; counted in the units of the picture.
     const femoop::Model& model(const Session& session) const { return derived_of_ ? *derived_of_ : session.model(); }
+    /// Its nodes and members are not those of the session's model, but have names of theirs.
+    bool is_of_kept_model() const { return is_of_kept_model_; }
     /// With its states, in those units; null where a number is explained, or nothing.
     const femoop::force_method::ForceMethod* force_method() const { return force_method_.get(); }
     /// Of the session's model; none where a number is explained, or nothing.
@@ -75,9 +79,10 @@ private:
     using Standing = std::tuple<std::string, std::optional<double>, bool>;
     /// What it is counted in.
     using ChosenUnits = std::tuple<std::optional<ui::UnitSystem>, ui::UnitChoices>;
-    /// What it was derived from: session, generation, case, envelope, whether results are hidden, what stands on the line.
-    using MadeFor =
-        std::tuple<std::uint64_t, std::uint64_t, std::size_t, bool, bool, std::optional<Standing>, ChosenUnits>;
+    /// What it was derived from: session, generation, case, envelope, whether results are hidden, what stands on the
+    /// line, units, what was kept.
+    using MadeFor = std::tuple<std::uint64_t, std::uint64_t, std::size_t, bool, bool, std::optional<Standing>,
+                               ChosenUnits, std::shared_ptr<const drawing::ReferenceResults>>;
 
     MadeFor state_of(const Session& session) const;
     void begin(const Session& session); ///< with what is asked, at its first step
@@ -85,13 +90,25 @@ private:
     std::optional<ui::Message> why_not_derive(const Session& session);
     /// Counts the model in the units of the picture, where these are others. \returns it, or the one that is given
     const femoop::Model& counted(const Session& session, const femoop::Model& model, ui::Measure result);
+    /// What the session's numbers come from, counted so.
+    struct Solved {
+        femoop::Model model;
+        femoop::Results results;
+    };
+    Solved solved_of(const Session& session, ui::Measure result);
     void derive_number(const Session& session);
     void derive_standing(const Session& session, const femoop::MovingEffect& effect);
     void derive_of_cases(const Session& session, const femoop::MovingEffect& effect);
+    void derive_compared(const Session& session, const femoop::MovingEffect& effect);
+    /// Of the model that results were kept of. \pre it has such a number
+    femoop::derivation::Derivation derived_of_kept(const Session& session, const femoop::MovingEffect& effect);
+    std::optional<femoop::CaseId> asked_case(const femoop::Model& model) const; ///< if one was named
     void derive_force_method(const Session& session);
     void choose(std::size_t forward);
 
     std::optional<NamedEffect> asked_;
+    Compared compared_ = Compared::Now;                  ///< with the session's reference
+    bool is_of_kept_model_ = false;                      ///< of another state, or another model, than the session's
     bool is_of_standing_ = false;                        ///< of the load on the influence line, not of a case
     std::optional<femoop::Model> derived_of_;            ///< where that is not the session's model
     double length_factor_ = 1.0;                         ///< of lengths of the session's model, to those of that one

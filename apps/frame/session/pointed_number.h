@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <optional>
 
 #include "apps/frame/influence/asked_line.h"
@@ -7,7 +8,6 @@
 #include "femoop/model/ids.h"
 #include "femoop/model/moving_load.h"
 #include "femoop/result/components.h"
-#include "ui/text/message.h"
 
 namespace frame {
 
@@ -19,14 +19,16 @@ struct LoadOnLine {
     friend bool operator==(const LoadOnLine&, const LoadOnLine&) = default;
 };
 
+/// Which of the numbers of a comparison it is.
+enum class Compared : std::uint8_t { Now, Kept, Change };
+
 /// A number under the pointer, and what it is of where that is not what is shown.
 struct PointedNumber {
-    femoop::MovingEffect effect;
+    femoop::MovingEffect effect;                  ///< or the resultant of a reaction
     std::optional<femoop::CaseId> of{};           ///< its case, where a table or an envelope says so
     std::optional<femoop::ExtremeKind> extreme{}; ///< of an envelope; nothing: that of the greater magnitude
     std::optional<LoadOnLine> under{};            ///< of an influence line: under this load it is the effect's value
-    bool is_resultant = false;                    ///< of reactions, the larger of which is the effect
-    std::optional<ui::Message> why_no_steps{};    ///< such as that it is a difference of two numbers
+    Compared compared = Compared::Now;
 };
 
 /// A section force or a reaction, which could be released.

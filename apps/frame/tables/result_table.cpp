@@ -191,7 +191,8 @@ private:
     void add_resultant(NodeId node, const NodeVector& reaction)
     {
         if (!drawing::slanting_normal(shown_.model, node)) return table_.rows.back().cells.push_back({});
-        add(drawing::resultant(reaction), Measure::Force, shown_.load_case);
+        add(drawing::resultant(reaction), Measure::Force, shown_.load_case,
+            MovingEffect{.quantity = ExpectedQuantity::Reaction, .node = node});
     }
 
     void add(const GoverningExtreme& extreme, MemberId member, MemberComponent component)

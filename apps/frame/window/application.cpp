@@ -172,8 +172,9 @@ void Application::copy_derivation(DerivationWriter* writer)
     ImGui::SetClipboardText(writer(*derivation, model, session().tr()).c_str());
     if (workspace().derivation.force_method() != nullptr)
         return workspace().notify(translatable("the steps of the force method were copied"));
+    const std::string effect = femoop::influence::effect_name(model, derivation->effect, session().tr());
     workspace().notify({translatable("the steps of {number} were copied"),
-                        {{"number", femoop::influence::effect_name(model, derivation->effect, session().tr())}}});
+                        {{"number", femoop::derivation::number_name(*derivation, effect)}}});
 }
 
 // ---- other programs

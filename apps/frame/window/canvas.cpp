@@ -686,7 +686,7 @@ DrawState Canvas::state(const Workspace& workspace) const
     DrawState state = session.draw_state;
     state.camera = session.draw_state.camera.value_or(plan_.camera);
     state.selection = highlight(session.selection);
-    if (const auto* const step = explained_step(workspace)) light(state.selection, *step);
+    light_step(state.selection, workspace);
     return state;
 }
 

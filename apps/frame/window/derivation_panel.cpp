@@ -53,7 +53,7 @@ void show_numbers(Workspace& workspace)
     if (ImGui::BeginCombo("###number", chosen.c_str())) {
         for (const femoop::MovingEffect& one : show.choices())
             if (ImGui::Selectable(femoop::influence::component_name(model.analysis, one).c_str(), one == asked))
-                explain(workspace, one, show.asked_case(model));
+                explain(workspace, show.beside(model, one));
         ImGui::EndCombo();
     }
     ImGui::SameLine();

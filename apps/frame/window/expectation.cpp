@@ -10,6 +10,7 @@
 #include "apps/drawing/sketch/scene.h"
 #include "apps/frame/session/edit_commands.h"
 #include "apps/frame/session/tabs.h"
+#include "femoop/io/derivation/derivation_text.h"
 #include "femoop/methods/influence/effect_name.h"
 #include "ui/app/expectation.h"
 #include "ui/app/headless.h"
@@ -123,8 +124,10 @@ std::string derivation_of(const Workspace& workspace)
 {
     const femoop::derivation::Derivation* const derivation = workspace.derivation.derivation();
     if (!workspace.bottom.shows(BottomContent::Derivation) || derivation == nullptr) return "nothing";
+    const femoop::Model& model = workspace.derivation.model(workspace.session);
     return std::to_string(workspace.derivation.step() + 1) + " of " + std::to_string(workspace.derivation.n_steps()) +
-           ", " + femoop::influence::effect_name(workspace.derivation.model(workspace.session), derivation->effect);
+           ", " +
+           femoop::derivation::number_name(*derivation, femoop::influence::effect_name(model, derivation->effect));
 }
 
 std::size_t n_loads(const femoop::Model& model)

@@ -32,8 +32,9 @@ std::vector<NodeNumbers> node_numbers(const Workspace& workspace)
 {
     const auto* const step = explained_step(workspace);
     const femoop::Model& model = workspace.session.model();
-    if (step == nullptr || workspace.derivation.force_method() != nullptr || model.nodes.size() > most_numbered)
-        return {};
+    const DerivationShow& show = workspace.derivation;
+    const bool has_numbers = step != nullptr && show.force_method() == nullptr && !show.is_of_kept_model();
+    if (!has_numbers || model.nodes.size() > most_numbered) return {};
     const std::span<const femoop::Dof> dofs = femoop::model_dofs(model.analysis);
     std::vector<std::string> texts(model.nodes.size() * dofs.size(), "0");
     const auto& unknowns = workspace.derivation.derivation()->system.unknowns;
@@ -51,10 +52,17 @@ std::vector<NodeNumbers> node_numbers(const Workspace& workspace)
     return numbers;
 }
 
-void light(Highlight& highlight, const femoop::derivation::Step& step)
+void light_step(Highlight& highlight, const Workspace& workspace)
 {
-    if (step.member) highlight.members.push_back(*step.member);
-    else if (step.node) highlight.nodes.push_back(*step.node);
+    const auto* const step = explained_step(workspace);
+    if (step == nullptr) return;
+    const femoop::Model& shown = workspace.session.model();
+    const femoop::Model& of = workspace.derivation.model(workspace.session);
+    const bool is_same = !workspace.derivation.is_of_kept_model();
+    const auto member = is_same || !step->member ? step->member : shown.find_member(of[*step->member].id);
+    const auto node = is_same || !step->node ? step->node : shown.find_node(of[*step->node].id);
+    if (member) highlight.members.push_back(*member);
+    else if (node && !step->member) highlight.nodes.push_back(*node);
 }
 
 } // namespace frame

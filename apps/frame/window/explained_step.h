@@ -16,7 +16,7 @@ const femoop::derivation::Step* explained_step(const Workspace& workspace);
 /// explained.
 std::vector<NodeNumbers> node_numbers(const Workspace& workspace);
 
-/// Adds the member and the node that a step speaks of.
-void light(Highlight& highlight, const femoop::derivation::Step& step);
+/// Adds the member or the node that this step speaks of, as far as it is in the picture.
+void light_step(Highlight& highlight, const Workspace& workspace);
 
 } // namespace frame

@@ -19,24 +19,12 @@ namespace {
 
 constexpr double reach = 3.0; // [px] beside what is written
 
-/// Of a slanting support both components are one force: the larger of them is what can be derived.
-PointedNumber larger_component(const Session& session, MovingEffect resultant)
-{
-    using femoop::Dof;
-    const auto reaction = (*session.shown_results())[session.view.load_case].reaction(*resultant.node);
-    const double fx = std::abs(reaction[femoop::index(Dof::ux)]), fy = std::abs(reaction[femoop::index(Dof::uy)]);
-    resultant.dof = fx > fy ? Dof::ux : Dof::uy;
-    return {.effect = resultant, .is_resultant = true};
-}
-
 /// Of an envelope of cases it is a number of the case that makes it.
 std::optional<PointedNumber> written_number(const Session& session, const Grips& grips, ui::Point at)
 {
     const auto under = [&](const NumberMark& mark) { return mark.box.grown(reach).contains(at); };
     const auto found = std::ranges::find_if(grips.numbers, under);
     if (found == grips.numbers.end()) return std::nullopt;
-    const bool is_resultant = found->number.node && !found->number.dof;
-    if (is_resultant) return larger_component(session, found->number);
     PointedNumber number{found->number};
     if (!found->end) return number;
     number.extreme = found->end->kind;

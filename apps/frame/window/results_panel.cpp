@@ -81,7 +81,10 @@ void reactions(const ShownCase& shown)
                        {{.quantity = ExpectedQuantity::Reaction, .node = supported[i], .dof = dof}}, supported[i]);
         if (!has_slanting) return;
         const bool is_slanting = drawing::slanting_normal(shown.model(), supported[i]).has_value();
-        row.number(is_slanting ? shown.numbers.number(drawing::resultant(r), ui::Measure::Force) : "");
+        if (is_slanting)
+            row.number(shown.workspace, shown.numbers.number(drawing::resultant(r), ui::Measure::Force),
+                       {{.quantity = ExpectedQuantity::Reaction, .node = supported[i]}}, supported[i]);
+        else row.number("");
     });
 }
 
@@ -203,19 +206,8 @@ femoop::MovingEffect effect_of(const ShownCase& shown, const Difference& one)
     return number_at_section({member, *one.share * length}, std::get<MemberComponent>(one.component), length);
 }
 
-/// The numbers of a row, in its order. \param kept_case  that the kept results are of, where it is of the present model
-std::array<PointedNumber, 3> numbers_of(const ShownCase& shown, const Difference& one, std::optional<CaseId> kept_case)
-{
-    const PointedNumber now{.effect = effect_of(shown, one)};
-    PointedNumber kept = now, change = now;
-    if (kept_case) kept.of = kept_case;
-    else kept.why_no_steps = ui::translatable("what was kept is of another state of the model; point at what is now");
-    change.why_no_steps = ui::translatable("Δ is now less kept; point at one of these two");
-    return {now, kept, change};
-}
-
 /// "BC (3.2 m): M [kN·m]", the value, that of what is compared with, and the change.
-void difference_row(ResultRow& row, const ShownCase& shown, const Difference& one, std::optional<CaseId> kept_case)
+void difference_row(ResultRow& row, const ShownCase& shown, const Difference& one)
 {
     const Measure measure = measure_of_difference(one);
     const auto part = std::visit([](auto id) { return Part(id); }, one.part);
@@ -223,10 +215,11 @@ void difference_row(ResultRow& row, const ShownCase& shown, const Difference& on
     const std::string component = shown.units.label(component_name(one, shown.model().analysis), measure);
     row.part(shown.session(), part, id + section_text(shown, one) + ": " + component);
     const std::array values{std::optional(one.now), one.then, one.change()};
-    const auto numbers = numbers_of(shown, one, kept_case);
+    constexpr std::array of_column{Compared::Now, Compared::Kept, Compared::Change};
     for (std::size_t i = 0; i < values.size(); ++i) {
         if (values[i])
-            row.number(shown.workspace, with_minus(shown.units.number(*values[i], measure)), numbers[i], part);
+            row.number(shown.workspace, with_minus(shown.units.number(*values[i], measure)),
+                       {.effect = effect_of(shown, one), .compared = of_column[i]}, part);
         else row.number("");
     }
 }
@@ -242,9 +235,8 @@ void show_differences(const ShownCase& shown)
     if (!result_section(tr("Compared with {name}", {{"name", name}}), "differences")) return;
     const Differences all({&shown.model(), shown.result}, {&reference.model, reference.results[*counterpart]});
     const std::vector<std::string> headings{tr("Part"), tr("now"), tr("kept"), "Δ"};
-    const auto kept_case = reference.model == shown.model() ? counterpart : std::nullopt;
     result_list("differences", headings, all.size(),
-                [&](ResultRow& row, std::size_t i) { difference_row(row, shown, all[i], kept_case); });
+                [&](ResultRow& row, std::size_t i) { difference_row(row, shown, all[i]); });
     ImGui::PushStyleColor(ImGuiCol_Text, ImGui::GetStyleColorVec4(ImGuiCol_TextDisabled));
     ui::wrapped_text(tr("Of a section force where it differs most"));
     ImGui::PopStyleColor();

@@ -15,11 +15,14 @@ namespace {
 using Layout = JsonWriter::Layout;
 
 constexpr std::array<std::string_view, n_step_kinds> step_names{
-    "governing",  "combination",     "extreme",       "member",       "local_stiffness",     "transformation",
-    "stiffness",  "fixed_end",       "stiffness_row", "load_row",     "equations",           "end_displacements",
-    "end_forces", "node_forces",     "superposition", "reaction",     "turned_support",      "held",
-    "numbering",  "right_hand_side", "ties",          "imposed_ties", "reduced_equations",   "tied_displacement",
-    "tie_forces", "redundants",      "state",         "flexibility",  "redundant_equations", "state_superposition"};
+    // of a structure with members that stretch
+    "governing", "combination", "extreme", "member", "local_stiffness", "transformation", "stiffness", "fixed_end",
+    "stiffness_row", "load_row", "equations", "end_displacements", "end_forces", "node_forces", "superposition",
+    "reaction", "turned_support", "held", "numbering", "right_hand_side", "resultant", "difference",
+    // of ties
+    "ties", "imposed_ties", "reduced_equations", "tied_displacement", "tie_forces",
+    // of the force method
+    "redundants", "state", "flexibility", "redundant_equations", "state_superposition"};
 
 void write_names(JsonWriter& json, std::string_view key, const std::vector<std::string>& names)
 {

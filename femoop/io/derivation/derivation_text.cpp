@@ -28,7 +28,7 @@ constexpr std::array words{translatable("data"),       translatable("entries"), 
                            translatable("sum"),        translatable("number"),  translatable("given"),
                            translatable("solver's"),   translatable("profile"), translatable("half bandwidth"),
                            translatable("supports"),   translatable("ground"),  translatable("entries of L"),
-                           translatable("envelope")};
+                           translatable("envelope"),   translatable("now"),     translatable("-kept")};
 
 constexpr std::size_t indent = 2;
 constexpr double trusted = 1e-6; // of the numbers that a sum is made of
@@ -150,10 +150,12 @@ Notation notation_of(const Step& step, const NamedMatrix& matrix)
     case StepKind::Superposition:
     case StepKind::TiedDisplacement:
     case StepKind::TurnedSupport:
+    case StepKind::Difference:
     case StepKind::Flexibility: return Notation::Sum;
     case StepKind::Governing:
     case StepKind::Extreme:
     case StepKind::Member:
+    case StepKind::Resultant:
     case StepKind::Numbering:
     case StepKind::RightHandSide:
     case StepKind::TieForces:
@@ -233,6 +235,13 @@ std::string sum_of_states(std::size_t n_redundants)
     if (is_short) sum += " + ..";
     if (is_short) add(n_redundants);
     return sum;
+}
+
+std::string difference_sentence(const Step& step, const Model& model, const Translator& tr)
+{
+    if (step.load_case) return fill(tr("What is now, less what was kept: {0}."), {model.case_name(*step.load_case)});
+    return tr("What is now, less what was kept. That is of another state of the model, or of another model, and has "
+              "steps of its own.");
 }
 
 std::string redundants_sentence(const Step& step, const Translator& tr)
@@ -339,6 +348,10 @@ std::string sentence(const Step& step, const Model& model, const Translator& tr)
     case StepKind::Reaction: return reaction_sentence(step, node, tr);
     case StepKind::TurnedSupport:
         return fill(tr("From the axes of the support of node {0}, which is turned, to the global ones."), {node});
+    case StepKind::Resultant:
+        return fill(tr("Both components of the reaction at node {0} are one force: R is the root of fx² + fy²."),
+                    {node});
+    case StepKind::Difference: return difference_sentence(step, model, tr);
     case StepKind::Redundants: return redundants_sentence(step, tr);
     case StepKind::State:
         if (step.state == 0)
@@ -360,13 +373,19 @@ std::string sentence(const Step& step, const Model& model, const Translator& tr)
     return fill(tr("Node {0} is held in this direction: no unknown, but what its support imposes."), {node});
 }
 
+std::string number_name(const Derivation& derivation, const std::string& effect_name)
+{
+    const bool is_difference = !derivation.steps.empty() && derivation.steps.back().kind == StepKind::Difference;
+    return is_difference ? "Δ" + effect_name : effect_name;
+}
+
 std::string derivation_title(const Derivation& derivation, const Model& model, const Translator& tr)
 {
     if (!derivation.redundants.empty()) return fill(tr("Force method in {0}"), {model.case_name(derivation.load_case)});
     const std::string unit = printed_unit(influence::dimension_of(derivation.effect), model.units);
     return fill(tr("{0} = {1} in {2}: where it comes from"),
-                {influence::effect_name(model, derivation.effect, tr), six_digits(derivation.value, tr) + " " + unit,
-                 model.case_name(derivation.load_case)});
+                {number_name(derivation, influence::effect_name(model, derivation.effect, tr)),
+                 six_digits(derivation.value, tr) + " " + unit, model.case_name(derivation.load_case)});
 }
 
 std::string derivation_units(const Model& model, const Translator& tr)

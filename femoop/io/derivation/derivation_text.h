@@ -16,6 +16,8 @@ namespace femoop::derivation {
 /// What a step does, in a sentence or two.
 std::string sentence(const Step& step, const Model& model, const Translator& tr);
 
+/// What is derived, whose effect bears a name: "M(BC, 50%)", of a difference "ΔM(BC, 50%)".
+std::string number_name(const Derivation& derivation, const std::string& effect_name);
 /// "M(BC, 50%) = 12.5 kN·m in wind: where it comes from", or "Force method in wind"
 std::string derivation_title(const Derivation& derivation, const Model& model, const Translator& tr);
 /// In which units its matrices are.

@@ -447,10 +447,61 @@ bool ends_with_sum(const Derivation& derivation)
     return last != StepKind::Equations && last != StepKind::ReducedEquations && last != StepKind::Held;
 }
 
+/// Of a combination case by case. What is the same in all cases comes if it is the first of the derivation.
+std::vector<Step> steps_of(const NumberSteps& number, const Model& model, CaseId load_case, bool is_first)
+{
+    std::vector<Step> steps;
+    const CaseTerms terms = terms_of(model, load_case);
+    for (const CaseTerms::Term& term : terms.terms)
+        append(steps, number.steps(CaseId(term.load_case), is_first && &term == &terms.terms.front()));
+    if (load_case.index >= model.load_cases.size()) steps.push_back(number.combination(terms));
+    return steps;
+}
+
+/// R = sqrt(fx^2 + fy^2), from the steps of both components.
+Derivation derive_resultant(const Model& model, const Results& results, CaseId load_case, const MovingEffect& resultant)
+{
+    MovingEffect fx = resultant, fy = resultant;
+    fx.dof = Dof::ux;
+    fy.dof = Dof::uy;
+    Derivation derivation = derive(model, results, load_case, fx);
+    std::vector<Step> along_y = steps_of(NumberSteps(model, results, fy), model, load_case, false);
+    std::erase_if(along_y, [](const Step& step) { // the way there is that of fx
+        return step.kind != StepKind::Reaction && step.kind != StepKind::Combination;
+    });
+    append(derivation.steps, std::move(along_y));
+    const Eigen::Vector2d components(derivation.value, value_of(fy, results[load_case]));
+    derivation.effect = resultant;
+    derivation.value = components.norm();
+    const std::string symbol = influence::effect_name(model, resultant);
+    NamedMatrix sum{symbol, {influence::effect_name(model, fx), influence::effect_name(model, fy), symbol}, {""}, {}};
+    sum.values = Eigen::Vector3d(components[0], components[1], derivation.value);
+    derivation.steps.push_back({.kind = StepKind::Resultant, .node = resultant.node, .matrices = {std::move(sum)}});
+    return derivation;
+}
+
+/// \param size       of the numbers whose round-off the difference may be
+/// \param kept_case  where it is one of the model
+Derivation less_kept(Derivation now, double kept, double size, std::optional<CaseId> kept_case, const Model& model)
+{
+    Sum sum;
+    sum.add("now", now.value);
+    sum.add("-kept", -kept);
+    const std::string symbol = "Δ" + influence::effect_name(model, now.effect);
+    now.value = without_rounding(now.value - kept, size);
+    now.steps.push_back({.kind = StepKind::Difference,
+                         .member = now.effect.member,
+                         .node = now.effect.node,
+                         .load_case = kept_case,
+                         .matrices = {sum.as(symbol)}});
+    return now;
+}
+
 } // namespace
 
 Derivation derive(const Model& model, const Results& results, CaseId load_case, const MovingEffect& effect)
 {
+    if (is_resultant(effect)) return derive_resultant(model, results, load_case, effect);
     Derivation derivation{.effect = effect, .load_case = load_case, .steps = {}};
     if (effect.quantity == ExpectedQuantity::Extreme) {
         FoundExtreme found = extreme_of(results[load_case], effect);
@@ -459,16 +510,30 @@ Derivation derive(const Model& model, const Results& results, CaseId load_case, 
         derivation.effect = found.effect;
     }
     derivation.value = value_of(derivation.effect, results[load_case]);
-    NumberSteps number(model, results, derivation.effect);
-    const CaseTerms terms = terms_of(model, load_case);
-    for (const CaseTerms::Term& term : terms.terms)
-        append(derivation.steps, number.steps(CaseId(term.load_case), &term == &terms.terms.front()));
-    if (load_case.index >= model.load_cases.size()) derivation.steps.push_back(number.combination(terms));
+    const NumberSteps number(model, results, derivation.effect);
+    append(derivation.steps, steps_of(number, model, load_case, true));
     derivation.system = number.system();
     if (ends_with_sum(derivation))
         derivation.closing_error = std::abs(derivation.steps.back().matrices.back().values.bottomRows(1)(0, 0) -
                                             derivation.value);
     return derivation;
+}
+
+Derivation derive_difference(const Model& model, const Results& results, CaseId now, CaseId kept,
+                             const MovingEffect& effect)
+{
+    Derivation derivation = derive(model, results, now, effect);
+    const NumberSteps number(model, results, derivation.effect);
+    append(derivation.steps, steps_of(number, model, kept, false));
+    const double value = value_of(derivation.effect, results[kept]);
+    const double size = std::max(size_of(derivation.effect, results[now]), size_of(derivation.effect, results[kept]));
+    return less_kept(std::move(derivation), value, size, kept, model);
+}
+
+Derivation derive_difference(const Model& model, const Results& results, CaseId now, double kept,
+                             const MovingEffect& effect)
+{
+    return less_kept(derive(model, results, now, effect), kept, size_of(effect, results[now]), std::nullopt, model);
 }
 
 Derivation derive_governing(const Model& model, const Results& results, const std::vector<CaseId>& cases,

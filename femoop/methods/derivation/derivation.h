@@ -36,6 +36,8 @@ enum class StepKind : std::uint8_t {
     Held,             ///< a displacement that a support imposes
     Numbering,        ///< of the unknowns: as given, and as the solver eliminates
     RightHandSide,    ///< what loads on nodes and on members, and supports, bring to rows of f
+    Resultant,        ///< of the components of a reaction, by their squares
+    Difference,       ///< what is now, less what was kept
     // of inextensible and rigid members, which tie displacements to one another
     Ties,             ///< C u = c, and u = G y + u0 of the displacements y that are left
     ImposedTies,      ///< c and u0 of a load case: what settlements and heat impose through them
@@ -49,7 +51,7 @@ enum class StepKind : std::uint8_t {
     RedundantEquations, ///< delta X = c - delta_0
     StateSuperposition  ///< S = S0 + X1 S1 + ..
 };
-inline constexpr std::size_t n_step_kinds = 30;
+inline constexpr std::size_t n_step_kinds = 32;
 
 /// Numbers as on paper, with what stands beside their rows and above their columns: names of displacements ("B.ux",
 /// "B.ux'"), of members, or symbols that courseware/reference/command-line.md explains.
@@ -91,12 +93,20 @@ inline constexpr std::size_t most_unknowns_shown = 12;
 
 /// Through the same code that solves: femoop/analysis/trace.h, and `analyse` for a member between held ends.
 /// \param results  of the model
-/// \pre   the effect is sound (femoop/model/check/check.h, check_effect)
+/// \pre   the effect is sound (femoop/model/check/check.h, check_effect), or the resultant of a reaction in the plane
 Derivation derive(const Model& model, const Results& results, CaseId load_case, const MovingEffect& effect);
 
 /// The same of an envelope over these cases: of that whose value is the largest in magnitude; of equal ones the first.
 /// \pre   at least one case
 Derivation derive_governing(const Model& model, const Results& results, const std::vector<CaseId>& cases,
                             const MovingEffect& effect);
+
+/// The number of one case less that of another. \pre it is none along a whole member, and no resultant
+Derivation derive_difference(const Model& model, const Results& results, CaseId now, CaseId kept,
+                             const MovingEffect& effect);
+
+/// The same number less one that was kept of another model, or of another state of this one: it has no steps here.
+Derivation derive_difference(const Model& model, const Results& results, CaseId now, double kept,
+                             const MovingEffect& effect);
 
 } // namespace femoop::derivation

@@ -21,6 +21,7 @@ std::string place_text(const Position& at, const Units& units, const Translator&
 std::string component_name(AnalysisKind kind, const MovingEffect& effect)
 {
     if (effect.component) return std::string(name(*effect.component, kind));
+    if (is_resultant(effect)) return "R";
     if (!effect.dof) return {};
     return std::string(effect.quantity == ExpectedQuantity::Reaction ? force_name(*effect.dof) : name(*effect.dof));
 }

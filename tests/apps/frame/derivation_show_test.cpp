@@ -74,14 +74,14 @@ TEST_SUITE("frame session")
     TEST_CASE("The numbers of one place follow one another round")
     {
         Workspace workspace = workspace_with("portal.json");
-        explain(workspace, moment(workspace.session, "BC", 3.0));
+        explain(workspace, {moment(workspace.session, "BC", 3.0)});
         for (const char* const next : {"u(BC, 3 m)", "v(BC, 3 m)", "N(BC, 3 m)", "V(BC, 3 m)", "M(BC, 3 m)"}) {
             CHECK(!run(workspace, "derivation.next_number"));
             CHECK(explained(workspace) == next);
         }
         CHECK(!run(workspace, "derivation.previous_number"));
         CHECK(explained(workspace) == "V(BC, 3 m)");
-        explain(workspace, reaction(workspace.session, "A", femoop::Dof::rz));
+        explain(workspace, {reaction(workspace.session, "A", femoop::Dof::rz)});
         CHECK(!run(workspace, "derivation.next_number"));
         CHECK(explained(workspace) == "ux(A)");
     }
@@ -92,7 +92,7 @@ TEST_SUITE("frame session")
         MovingEffect extreme = moment(workspace.session, "BC", 0.0);
         extreme.quantity = ExpectedQuantity::Extreme;
         extreme.at.reset();
-        explain(workspace, extreme);
+        explain(workspace, {extreme});
         CHECK(!run(workspace, "derivation.previous_number"));
         CHECK(explained(workspace) == "V(BC, 4 m)");
         CHECK(!run(workspace, "derivation.next_number"));
@@ -103,7 +103,7 @@ TEST_SUITE("frame session")
     {
         Workspace workspace = workspace_with("portal.json");
         Session& session = workspace.session;
-        explain(workspace, moment(session, "BC", 3.0));
+        explain(workspace, {moment(session, "BC", 3.0)});
         const double before = workspace.derivation.derivation()->value;
         session.change({"Double it", [](Document& document) {
                             for (femoop::MemberLoad& load : document.model.load_cases[0].members)
@@ -137,7 +137,7 @@ TEST_SUITE("frame session")
                         }});
         workspace.derivation.follow(session);
         CHECK(show.force_method()->n_redundants() == 1);
-        explain(workspace, moment(session, "BC", 3.0));
+        explain(workspace, {moment(session, "BC", 3.0)});
         CHECK(show.force_method() == nullptr);
     }
 
@@ -243,7 +243,7 @@ TEST_SUITE("frame session")
         Session& session = workspace.session;
         const MovingEffect section = moment(session, "BC", 3.0);
         const DerivationShow& show = workspace.derivation;
-        explain(workspace, section);
+        explain(workspace, {section});
         const double value = show.derivation()->value; // kN·m
         REQUIRE(session.view.unit_choices.choose("moment", "kN*cm"));
         workspace.derivation.follow(session);
@@ -292,13 +292,13 @@ TEST_SUITE("frame session")
     {
         Workspace workspace = workspace_with("portal.json");
         Session& session = workspace.session;
-        explain(workspace, moment(session, "BC", 7.5));
+        explain(workspace, {moment(session, "BC", 7.5)});
         const femoop::NodeId c = *session.model().find_node("C");
         session.change(
             {"Nearer", [&](Document& document) { document.model.nodes[c.index].at[0] = femoop::Quantity(6.0); }});
         workspace.derivation.follow(session);
         CHECK(explained(workspace) == "M(BC, 6 m)");
-        explain(workspace, reaction(session, "A", femoop::Dof::uy));
+        explain(workspace, {reaction(session, "A", femoop::Dof::uy)});
         session.change({"Free", [](Document& document) { document.model.nodes[0].support.reset(); }});
         workspace.derivation.follow(session);
         CHECK(workspace.derivation.is_lost());
@@ -311,7 +311,7 @@ TEST_SUITE("frame session")
         Session& session = workspace.session;
         session.view.is_envelope = true;
         const MovingEffect corner = moment(session, "BC", 0.0);
-        explain(workspace, corner);
+        explain(workspace, {corner});
         REQUIRE(workspace.derivation.derivation() != nullptr);
         CHECK(workspace.derivation.derivation()->steps.front().kind == StepKind::Governing);
         const femoop::Results& results = *session.solution().results;
@@ -321,23 +321,53 @@ TEST_SUITE("frame session")
         CHECK(std::abs(workspace.derivation.derivation()->value) == largest);
 
         const femoop::CaseId wind = *session.model().find_case("W");
-        explain(workspace, corner, wind);
+        explain(workspace, {.effect = corner, .of = wind});
         CHECK(workspace.derivation.derivation()->load_case == wind);
         CHECK(workspace.derivation.derivation()->steps.front().kind == StepKind::Member);
         CHECK(run(workspace, "view.force_method")->starts_with("an envelope has the numbers of several cases"));
+    }
+
+    TEST_CASE("What was kept is followed in its own model, and a difference from it is followed from what is now")
+    {
+        Workspace workspace = workspace_with("portal.json");
+        Session& session = workspace.session;
+        CHECK(!run(workspace, "view.compare"));
+        session.change({"Lengthen", [](Document& document) {
+                            for (femoop::Node& node : document.model.nodes)
+                                node.at[0] = femoop::Quantity(2.0 * node.at[0].value());
+                        }});
+        const MovingEffect middle = moment(session, "BC", 8.0);
+        const MovingEffect middle_kept = moment(session, "BC", 4.0); // of a member half as long
+        const auto value = [&](Compared compared) {
+            explain(workspace, {.effect = middle, .compared = compared});
+            REQUIRE(workspace.derivation.derivation() != nullptr);
+            return workspace.derivation.derivation()->value;
+        };
+        const femoop::Results& results = *session.solution().results;
+        const double now = femoop::influence::effect_in(middle, results[femoop::CaseId(0)]);
+        const double kept = femoop::influence::effect_in(middle_kept, session.reference->results[femoop::CaseId(0)]);
+        CHECK(value(Compared::Now) == doctest::Approx(now));
+        CHECK(value(Compared::Kept) == doctest::Approx(kept));
+        CHECK(workspace.derivation.is_of_kept_model());
+        CHECK(workspace.derivation.model(session) == session.reference->model);
+        CHECK(value(Compared::Change) == doctest::Approx(now - kept));
+        CHECK_FALSE(workspace.derivation.is_of_kept_model());
+        CHECK(workspace.derivation.derivation()->steps.back().kind == StepKind::Difference);
+        CHECK(!run(workspace, "view.compare"));
+        CHECK(refusal(workspace) == "What this number was compared with is gone.");
     }
 
     TEST_CASE("Asked of a table, the player goes back to it")
     {
         Workspace workspace = workspace_with("portal.json");
         workspace.bottom = {.is_open = true, .table = TableKind::Reactions};
-        explain(workspace, moment(workspace.session, "BC", 3.0));
-        explain(workspace, moment(workspace.session, "BC", 2.0));
+        explain(workspace, {moment(workspace.session, "BC", 3.0)});
+        explain(workspace, {moment(workspace.session, "BC", 2.0)});
         CHECK(workspace.bottom.shows(BottomContent::Derivation));
         close_derivation(workspace);
         CHECK(workspace.bottom.shows(BottomContent::Table));
         CHECK(workspace.bottom.table == TableKind::Reactions);
-        explain(workspace, moment(workspace.session, "BC", 3.0));
+        explain(workspace, {moment(workspace.session, "BC", 3.0)});
         workspace.bottom.is_open = true;
         close_derivation(workspace);
         CHECK(workspace.bottom.shows(BottomContent::Table));
@@ -357,7 +387,7 @@ TEST_SUITE("frame session")
     {
         Workspace workspace = workspace_with("portal.json");
         Session& session = workspace.session;
-        explain(workspace, moment(session, "BC", 3.0));
+        explain(workspace, {moment(session, "BC", 3.0)});
         session.hidden = ShowSet{Show::M};
         CHECK(refusal(workspace) == "The results are hidden; H reveals them.");
         session.hidden.reset();

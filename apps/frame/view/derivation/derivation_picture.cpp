@@ -114,7 +114,8 @@ private:
         const auto& tr = look_.tr;
         if (has_no_map()) return tr("Force method in {case}", {{"case", model_.case_name(derivation_.load_case)}});
         return tr("{number} = {value} in {case}",
-                  {{"number", drawing::effect_text(model_, look_.units, derivation_.effect)},
+                  {{"number", femoop::derivation::number_name(
+                                  derivation_, drawing::effect_text(model_, look_.units, derivation_.effect))},
                    {"value",
                     ui::with_minus_signs(look_.units.text(derivation_.value, drawing::measure_of(derivation_.effect)))},
                    {"case", model_.case_name(derivation_.load_case)}});

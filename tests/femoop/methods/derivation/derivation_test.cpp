@@ -394,6 +394,49 @@ TEST_SUITE("derivation")
             }
     }
 
+    TEST_CASE("The resultant of a slanting support has the steps of both components and is their root")
+    {
+        Model model = propped_beam();
+        model.nodes[1].support->angle = Quantity(30.0);
+        model.load_cases[0].nodes.push_back({NodeId(1), {{Dof::ux, Quantity(5.0)}}});
+        const MovingEffect resultant{.quantity = ExpectedQuantity::Reaction, .node = NodeId(1)};
+        const Derivation derivation = derived(model, resultant);
+        const Derivation fx = derived(model, of_node(NodeId(1), ExpectedQuantity::Reaction, Dof::ux));
+        const Derivation fy = derived(model, of_node(NodeId(1), ExpectedQuantity::Reaction, Dof::uy));
+        CHECK(fy.value == doctest::Approx(-fx.value * std::sqrt(3.0))); // along the normal of the support
+        CHECK(derivation.value == doctest::Approx(std::hypot(fx.value, fy.value)));
+        CHECK(derivation.steps.size() == fx.steps.size() + 2);
+        const NamedMatrix& sum = step_of(derivation, StepKind::Resultant).matrices[0];
+        CHECK(sum.rows == std::vector<std::string>{"fx(B)", "fy(B)", "R(B)"});
+        CHECK(sum.values(2, 0) == derivation.value);
+        CHECK(derivation_title(derivation, model, english).starts_with("R(B) = "));
+    }
+
+    TEST_CASE("A difference has the steps of both cases, what is common but once, and of another model its value")
+    {
+        FrameMaker made;
+        made.node("A", 0, 0, SupportKind::Fixed).node("B", L, 0, SupportKind::Roller).member("A", "B");
+        made.uniform("AB", -q);
+        Model model = made.model;
+        model.load_cases.push_back(model.load_cases[0]);
+        model.load_cases[1].id = "half";
+        auto& half = std::get<DistributedLoad>(model.load_cases[1].members[0].load).values[0];
+        half.start = Quantity(-0.5 * q);
+        half.end = half.start;
+        const MovingEffect middle = along(MemberComponent::Mz, Percent{50.0});
+        const Results results = analyse(model);
+        const double now = q * L * L / 16.0; // of a propped beam in the middle
+        const Derivation both = derive_difference(model, results, CaseId(0), CaseId(1), middle);
+        CHECK(both.value == doctest::Approx(0.5 * now));
+        CHECK(std::ranges::count(both.steps, StepKind::Superposition, &Step::kind) == 2);
+        CHECK(std::ranges::count(both.steps, StepKind::LocalStiffness, &Step::kind) == 1);
+        CHECK(both.steps.back().matrices[0].values(2, 0) == doctest::Approx(0.5 * now));
+        const Derivation other = derive_difference(model, results, CaseId(0), 0.25 * now, middle);
+        CHECK(other.value == doctest::Approx(0.75 * now));
+        CHECK(std::ranges::count(other.steps, StepKind::Superposition, &Step::kind) == 1);
+        CHECK(number_name(both, "M(AB, 50%)") == "ΔM(AB, 50%)");
+    }
+
     TEST_CASE("A length keeps its digits beside a stiffness")
     {
         Model model = propped_beam();
