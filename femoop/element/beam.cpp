@@ -3,6 +3,7 @@
 #include <Eigen/LU>
 #include <cmath>
 #include <limits>
+#include <span>
 
 #include "femoop/element/polynomial_product.h"
 #include "femoop/element/strain_form.h"
@@ -242,18 +243,31 @@ struct Transfer {
     Eigen::Vector4d load;
 };
 
+Eigen::Vector4d column(const Beam::State& s) { return {s.v, s.phi, s.V, s.M}; }
+
 Transfer transfer(const Beam& beam, const SpanPiece& piece, BendingPlane plane, double curvature)
 {
     const SpanPiece bare{.begin = piece.begin, .end = piece.end};
-    const auto column = [](const Beam::State& s) { return Eigen::Vector4d(s.v, s.phi, s.V, s.M); };
     const double h = piece.length();
     Transfer t;
     t.A.col(0) = column(beam.series({.v = 1.0}, bare, plane, 0.0).at(h));
     t.A.col(1) = column(beam.series({.phi = 1.0}, bare, plane, 0.0).at(h));
     t.A.col(2) = column(beam.series({.V = 1.0}, bare, plane, 0.0).at(h));
     t.A.col(3) = column(beam.series({.M = 1.0}, bare, plane, 0.0).at(h));
-    t.load = column(beam.series({}, piece, plane, curvature).at(h));
+    const Beam::State begin = Beam::after_jump({}, piece.jump, plane);
+    t.load = column(beam.series(begin, piece, plane, curvature).at(h));
     return t;
+}
+
+/// Through one after the other.
+Transfer transfer(const Beam& beam, std::span<const SpanPiece> pieces, BendingPlane plane, double curvature)
+{
+    Transfer through = transfer(beam, pieces.front(), plane, curvature);
+    for (const SpanPiece& piece : pieces.subspan(1)) {
+        const Transfer next = transfer(beam, piece, plane, curvature);
+        through = {next.A * through.A, next.A * through.load + next.load};
+    }
+    return through;
 }
 
 struct Ends {
@@ -297,15 +311,30 @@ Ends settled_ends(const Beam& beam, const SpanPiece& piece, BendingPlane plane, 
     return e;
 }
 
-Ends ends(const Beam& beam, const SpanPiece& piece, BendingPlane plane, double curvature)
+Ends ends(const Beam& beam, std::span<const SpanPiece> pieces, BendingPlane plane, double curvature)
 {
-    return piece.is_settled ? settled_ends(beam, piece, plane, curvature)
-                            : ends(transfer(beam, piece, plane, curvature));
+    return pieces.front().is_settled ? settled_ends(beam, pieces.front(), plane, curvature)
+                                     : ends(transfer(beam, pieces, plane, curvature));
 }
 
-Eigen::Vector2d joint_load(const std::array<double, n_local_axes>& jump, BendingPlane plane)
+/// Where each link ends: a settled piece is one by itself, others follow one another until they are half as long as a
+/// piece may be; what is left before a settled piece, or at the end, goes to the link before.
+std::vector<std::size_t> link_ends(const std::vector<SpanPiece>& pieces, double longest)
 {
-    return {jump[index(force_axis(plane))], moment_sign(plane) * jump[index(moment_axis(plane))]};
+    std::vector<std::size_t> ends;
+    double length = 0.0;
+    bool is_after_link = false; // of pieces that are not settled
+    for (std::size_t i = 0; i < pieces.size(); ++i) {
+        length += pieces[i].length();
+        const bool is_last = i + 1 == pieces.size() || pieces[i].is_settled || pieces[i + 1].is_settled;
+        const bool is_long = length >= 0.5 * longest || pieces[i].is_settled;
+        if (!is_long && !is_last) continue;
+        if (!is_long && is_after_link) ends.back() = i + 1;
+        else ends.push_back(i + 1);
+        is_after_link = !is_last;
+        length = 0.0;
+    }
+    return ends;
 }
 
 } // namespace
@@ -313,50 +342,58 @@ Eigen::Vector2d joint_load(const std::array<double, n_local_axes>& jump, Bending
 FoundationBeam::FoundationBeam(const Beam& beam, const SpanLoading& loading, BendingPlane plane, double curvature)
     : beam_(beam), plane_(plane), curvature_(curvature), pieces_(loading.pieces())
 {
-    for (std::size_t i = 0; i < pieces_.size(); ++i) {
-        Ends piece = ends(beam_, pieces_[i], plane_, curvature_);
-        piece.fixed.head<2>() -= joint_load(pieces_[i].jump, plane_);
-        if (i == 0) {
-            K_ = piece.K;
-            fixed_ = piece.fixed;
+    std::size_t begin = 0;
+    for (const std::size_t end : link_ends(pieces_, beam.longest_piece())) {
+        const Ends of_link = ends(beam_, std::span(pieces_).subspan(begin, end - begin), plane_, curvature_);
+        const Link& link = links_.emplace_back(Link{begin, end, of_link.K, of_link.fixed});
+        begin = end;
+        if (links_.size() == 1) {
+            K_ = link.K;
+            fixed_ = link.fixed;
             continue;
         }
-        // Eliminate the joint between the chain so far and this piece.
-        const Eigen::Matrix2d middle = (K_.bottomRightCorner<2, 2>() + piece.K.topLeftCorner<2, 2>()).inverse();
+        // Eliminate the joint between the chain so far and this link.
+        const Eigen::Matrix2d middle = (K_.bottomRightCorner<2, 2>() + link.K.topLeftCorner<2, 2>()).inverse();
         const Joint joint{.G = -middle * K_.bottomLeftCorner<2, 2>(),
-                          .H = -middle * piece.K.topRightCorner<2, 2>(),
-                          .g = -middle * (fixed_.tail<2>() + piece.fixed.head<2>())};
+                          .H = -middle * link.K.topRightCorner<2, 2>(),
+                          .g = -middle * (fixed_.tail<2>() + link.fixed.head<2>())};
         const Eigen::Matrix2d chain_to_joint = K_.topRightCorner<2, 2>();
-        const Eigen::Matrix2d piece_to_joint = piece.K.bottomLeftCorner<2, 2>();
+        const Eigen::Matrix2d link_to_joint = link.K.bottomLeftCorner<2, 2>();
         Eigen::Matrix4d K;
         K.topLeftCorner<2, 2>() = K_.topLeftCorner<2, 2>() + chain_to_joint * joint.G;
         K.topRightCorner<2, 2>() = chain_to_joint * joint.H;
         K.bottomLeftCorner<2, 2>() = K.topRightCorner<2, 2>().transpose();
-        K.bottomRightCorner<2, 2>() = piece.K.bottomRightCorner<2, 2>() + piece_to_joint * joint.H;
+        K.bottomRightCorner<2, 2>() = link.K.bottomRightCorner<2, 2>() + link_to_joint * joint.H;
         const Eigen::Vector2d first = fixed_.head<2>() + chain_to_joint * joint.g;
-        const Eigen::Vector2d last = piece.fixed.tail<2>() + piece_to_joint * joint.g;
+        const Eigen::Vector2d last = link.fixed.tail<2>() + link_to_joint * joint.g;
         K_ = K;
         fixed_ << first, last;
         joints_.push_back(joint);
     }
-    fixed_.tail<2>() -= joint_load(loading.last_jump(), plane_);
+    const auto& last = loading.last_jump();
+    fixed_.tail<2>() -= Eigen::Vector2d(last[index(force_axis(plane))],
+                                        moment_sign(plane) * last[index(moment_axis(plane))]);
 }
 
 std::vector<Beam::State> FoundationBeam::states(const Eigen::Vector4d& d) const
 {
-    std::vector<Eigen::Vector2d> at(pieces_.size() + 1);
+    std::vector<Eigen::Vector2d> at(links_.size() + 1);
     at.front() = d.head<2>();
     at.back() = d.tail<2>();
     for (std::size_t i = joints_.size(); i-- > 0;)
         at[i + 1] = joints_[i].G * at.front() + joints_[i].H * at[i + 2] + joints_[i].g;
 
     std::vector<Beam::State> states;
-    for (std::size_t i = 0; i < pieces_.size(); ++i) {
-        const Ends piece = ends(beam_, pieces_[i], plane_, curvature_);
+    for (std::size_t i = 0; i < links_.size(); ++i) {
+        const Link& link = links_[i];
         Eigen::Vector4d between;
         between << at[i], at[i + 1];
-        const Eigen::Vector2d near = (piece.K * between + piece.fixed).head<2>() - joint_load(pieces_[i].jump, plane_);
+        const Eigen::Vector2d near = (link.K * between + link.fixed).head<2>();
         states.push_back({.v = at[i][0], .phi = at[i][1], .V = near[0], .M = -near[1]});
+        for (std::size_t k = link.begin; k + 1 < link.end; ++k) {
+            const Beam::State begin = Beam::after_jump(states.back(), pieces_[k].jump, plane_);
+            states.push_back(beam_.series(begin, pieces_[k], plane_, curvature_).at(pieces_[k].length()));
+        }
     }
     return states;
 }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <cstddef>
 #include <vector>
 
 #include "femoop/element/polynomial.h"
@@ -127,7 +128,14 @@ public:
         const Eigen::Vector4d& d) const; ///< at the beginning of each piece, before its jump
 
 private:
-    /// A joint between two pieces, as a function of the first end and of the next joint: d = G d1 + H next + g.
+    /// Pieces that follow one another, long enough together to be a beam between two joints: of a shorter one the forces
+    /// would drown in the rounding of what its ends do.
+    struct Link {
+        std::size_t begin, end; ///< of pieces
+        Eigen::Matrix4d K;
+        Eigen::Vector4d fixed;
+    };
+    /// A joint between two links, as a function of the first end and of the next joint: d = G d1 + H next + g.
     struct Joint {
         Eigen::Matrix2d G, H;
         Eigen::Vector2d g;
@@ -136,6 +144,7 @@ private:
     BendingPlane plane_;
     double curvature_;
     std::vector<SpanPiece> pieces_;
+    std::vector<Link> links_;
     std::vector<Joint> joints_;
     Eigen::Matrix4d K_;
     Eigen::Vector4d fixed_;

@@ -1,7 +1,6 @@
 #include "femoop/methods/influence/dislocation.h"
 
 #include <Eigen/Geometry>
-#include <Eigen/LU>
 #include <algorithm>
 
 #include "femoop/element/analysis_model.h"
@@ -18,25 +17,12 @@ double held(double x, double L)
     return x >= L - end_of_member * L ? L : x;
 }
 
-FoundationBeam chain(const Beam& beam, double length, BendingPlane plane)
+SpanLoading loading_of(const Beam& beam, double length, std::span<const SpanLoad> loads = {})
 {
-    SpanLoading bare;
-    bare.assign(length, {}, beam.longest_piece(), beam.settling());
-    return {beam, bare, plane, 0.0};
-}
-
-std::vector<SpanPiece> pieces_of(const Beam& beam, double length)
-{
-    SpanLoading bare;
-    bare.assign(length, {}, beam.longest_piece(), beam.settling());
-    return bare.pieces();
-}
-
-Eigen::Vector4d joined(const Eigen::Vector2d& first, const Eigen::Vector2d& second)
-{
-    Eigen::Vector4d both;
-    both << first, second;
-    return both;
+    SpanLoading loading;
+    const SpanLoading::Scaled term{loads};
+    beam.cut(loading, length, {&term, 1});
+    return loading;
 }
 
 void add(LocalDisplacement& d, const NodeVector& slip)
@@ -73,33 +59,6 @@ bool bends(AnalysisKind kind, BendingPlane plane)
 
 } // namespace
 
-/// A member on a foundation, cut at the section: how its joint there moves.
-struct Dislocation::Halves {
-    FoundationBeam left, right;
-    Eigen::Vector2d step;
-
-    Halves(const Beam& beam, double x, double L, BendingPlane plane, const Step& moved)
-        : left(chain(beam, x, plane)), right(chain(beam, L - x, plane)), step(moved.v, moved.phi)
-    {}
-
-    Eigen::Vector2d joint(const Eigen::Vector4d& ends) const
-    {
-        const Eigen::Matrix4d &K = left.stiffness(), &R = right.stiffness();
-        const Eigen::Vector2d forces = K.bottomLeftCorner<2, 2>() * ends.head<2>() +
-                                       R.topRightCorner<2, 2>() * ends.tail<2>() + R.topLeftCorner<2, 2>() * step;
-        const Eigen::Matrix2d sum = K.bottomRightCorner<2, 2>() + R.topLeftCorner<2, 2>();
-        return -(sum.inverse() * forces);
-    }
-
-    /// That hold the ends still.
-    Eigen::Vector4d fixed_end_forces() const
-    {
-        const Eigen::Vector2d middle = joint(Eigen::Vector4d::Zero());
-        return joined(left.stiffness().topRightCorner<2, 2>() * middle,
-                      right.stiffness().bottomLeftCorner<2, 2>() * (middle + step));
-    }
-};
-
 Dislocation::Dislocation(const Discretisation& structure, MemberId member, MemberComponent force, double x)
     : kind_(structure.kind),
       force_(force),
@@ -122,6 +81,26 @@ Dislocation::Step Dislocation::step(BendingPlane plane) const
     return {};
 }
 
+/// Its ends where the part beyond the section is moved and nothing strains.
+Dislocation::PlaneEnds Dislocation::rigid_ends(BendingPlane plane) const
+{
+    const Step moved = step(plane);
+    return {0.0, 0.0, moved.v + moved.phi * (L_ - x_), moved.phi};
+}
+
+/// What a foundation does to that part where nothing strains.
+std::vector<SpanLoad> Dislocation::held_back(BendingPlane plane) const
+{
+    if (is_at_end()) return {};
+    const double k = plane == BendingPlane::xy ? xy_.foundation : xz_.foundation;
+    return {{.kind = SpanLoad::Kind::Distributed,
+             .axis = force_axis(plane),
+             .from = x_,
+             .to = L_,
+             .start = -k * step(plane).v,
+             .end = -k * rigid_ends(plane)[2]}};
+}
+
 bool Dislocation::is_simple(BendingPlane plane) const { return is_bar_ || !bends(kind_, plane); }
 
 Eigen::Vector4d Dislocation::end_forces(BendingPlane plane) const
@@ -129,11 +108,9 @@ Eigen::Vector4d Dislocation::end_forces(BendingPlane plane) const
     const Step moved = step(plane);
     if (is_simple(plane) || (moved.v == 0.0 && moved.phi == 0.0)) return PlaneEnds::Zero();
     const Beam& beam = plane == BendingPlane::xy ? xy_ : xz_;
-    if (beam.foundation <= 0.0)
-        return beam.stiffness(L_) * PlaneEnds(0.0, 0.0, moved.v + moved.phi * (L_ - x_), moved.phi);
-    if (is_at_start()) return -(chain(beam, L_, plane).stiffness() * PlaneEnds(moved.v, moved.phi, 0.0, 0.0));
-    if (is_at_end()) return chain(beam, L_, plane).stiffness() * PlaneEnds(0.0, 0.0, moved.v, moved.phi);
-    return -Halves(beam, x_, L_, plane, moved).fixed_end_forces();
+    if (beam.foundation <= 0.0) return beam.stiffness(L_) * rigid_ends(plane);
+    const FoundationBeam founded(beam, loading_of(beam, L_, held_back(plane)), plane, 0.0);
+    return founded.stiffness() * rigid_ends(plane) - founded.fixed_end_forces();
 }
 
 /// That hold its ends still inside their joints, member axes.
@@ -219,7 +196,8 @@ std::vector<Dislocation::PlaneMotion> Dislocation::from_state(const Beam& beam, 
     std::vector<PlaneMotion> parts;
     Beam::State state = begin;
     const auto pass = [&](double from, double to) {
-        for (const SpanPiece& relative : pieces_of(beam, to - from)) {
+        const SpanLoading bare = loading_of(beam, to - from);
+        for (const SpanPiece& relative : bare.pieces()) {
             const SpanPiece piece{.begin = from + relative.begin, .end = from + relative.end};
             const Beam::Series series = beam.series(state, piece, plane, 0.0);
             parts.push_back({piece.begin, piece.end, series.v, series.phi});
@@ -236,38 +214,28 @@ std::vector<Dislocation::PlaneMotion> Dislocation::from_state(const Beam& beam, 
 std::vector<Dislocation::PlaneMotion> Dislocation::elastic_beam(BendingPlane plane, const PlaneEnds& ends) const
 {
     const Beam& beam = plane == BendingPlane::xy ? xy_ : xz_;
-    const Step moved = step(plane);
-    const PlaneEnds strained = ends - PlaneEnds(0.0, 0.0, moved.v + moved.phi * (L_ - x_), moved.phi);
-    const Eigen::Vector4d forces = beam.stiffness(L_) * strained;
+    const Eigen::Vector4d forces = beam.stiffness(L_) * (ends - rigid_ends(plane));
     return from_state(beam, {.v = ends[0], .phi = ends[1], .V = forces[0], .M = -forces[1]}, plane);
 }
 
+// The part beyond the section is moved as if nothing strained; what the foundation does to it bends the whole member.
 std::vector<Dislocation::PlaneMotion> Dislocation::on_foundation(BendingPlane plane, const PlaneEnds& ends) const
 {
-    const Beam& beam = xy_;
     const Step moved = step(plane);
+    const SpanLoading loading = loading_of(xy_, L_, held_back(plane));
+    const FoundationBeam founded(xy_, loading, plane, 0.0);
+    std::vector<Beam::State> states = founded.states(ends - rigid_ends(plane));
     std::vector<PlaneMotion> parts;
-    const auto add_chain = [&](const FoundationBeam& part, const PlaneEnds& d, double from, double length) {
-        const std::vector<SpanPiece> pieces = pieces_of(beam, length);
-        const std::vector<Beam::State> states = part.states(d);
-        for (std::size_t i = 0; i < pieces.size(); ++i) {
-            const Beam::Series series = beam.series(states[i], pieces[i], plane, 0.0);
-            const double end = i + 1 == pieces.size() ? from + length : from + pieces[i].end;
-            parts.push_back({from + pieces[i].begin, end, series.v, series.phi});
+    for (std::size_t i = 0; i < states.size(); ++i) {
+        const SpanPiece& loaded = loading.pieces()[i];
+        if (loaded.begin >= x_) {
+            states[i].v += moved.v + moved.phi * (loaded.begin - x_);
+            states[i].phi += moved.phi;
         }
-    };
-    const Eigen::Vector2d step(moved.v, moved.phi);
-    if (is_at_start() || is_at_end()) {
-        PlaneEnds d = ends;
-        if (is_at_start()) d.head<2>() += step;
-        else d.tail<2>() -= step;
-        add_chain(chain(beam, L_, plane), d, 0.0, L_);
-        return parts;
+        const SpanPiece bare{.begin = loaded.begin, .end = loaded.end, .is_settled = loaded.is_settled};
+        const Beam::Series series = xy_.series(states[i], bare, plane, 0.0);
+        parts.push_back({bare.begin, bare.end, series.v, series.phi});
     }
-    const Halves halves(beam, x_, L_, plane, moved);
-    const Eigen::Vector2d middle = halves.joint(ends);
-    add_chain(halves.left, joined(ends.head<2>(), middle), 0.0, x_);
-    add_chain(halves.right, joined(middle + step, ends.tail<2>()), x_, L_ - x_);
     return parts;
 }
 

@@ -48,12 +48,13 @@ private:
         Polynomial v, phi;
     };
     using PlaneEnds = Eigen::Vector4d; ///< v1, phi1, v2, phi2
-    struct Halves;
 
     bool is_at_start() const { return x_ == 0.0; }
     bool is_at_end() const { return x_ == L_; }
     bool is_simple(BendingPlane plane) const;
     Step step(BendingPlane plane) const;
+    PlaneEnds rigid_ends(BendingPlane plane) const;
+    std::vector<SpanLoad> held_back(BendingPlane plane) const;
     double gap() const { return force_ == MemberComponent::N ? 1.0 : 0.0; }
     double twist() const { return force_ == MemberComponent::T ? 1.0 : 0.0; }
     std::array<NodeVector, 2> fixed_end_forces() const;

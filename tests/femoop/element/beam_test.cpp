@@ -150,6 +150,26 @@ TEST_SUITE("beam")
         CHECK(loaded(loads, L, stiffest.longest_piece(), stiffest.settling()).pieces().size() < 400);
     }
 
+    TEST_CASE("On a foundation a load that comes near an end does what it does at the end")
+    {
+        for (const double shear : {0.0, 1.0 / GAs}) {
+            const Beam beam{.EI = EI, .shear_flexibility = shear, .foundation = 4200.0};
+            const auto held_by = [&](double x) {
+                const std::vector<SpanLoad> loads{point(LocalAxis::y, x, -P)};
+                return FoundationBeam(beam, loaded(loads, L, beam.longest_piece()), BendingPlane::xy, 0.0);
+            };
+            for (const double near : {1e-4, 1e-6, 1e-8, 1e-10}) {
+                const Eigen::Vector4d first = held_by(near * L).fixed_end_forces();
+                CHECK((first - Eigen::Vector4d(P, 0.0, 0.0, 0.0)).norm() < 10.0 * near * P * L);
+                const Eigen::Vector4d second = held_by(L - near * L).fixed_end_forces();
+                CHECK((second - Eigen::Vector4d(0.0, 0.0, P, 0.0)).norm() < 10.0 * near * P * L);
+                const Eigen::Vector4d d(0.0, 0.001, 0.0, 0.0);
+                const auto states = held_by(near * L).states(d);
+                CHECK(states[1].v == doctest::Approx(d[1] * near * L));
+            }
+        }
+    }
+
     TEST_CASE("A foundation beam under q sinks q / k when its ends go along")
     {
         const double k = 730.0;

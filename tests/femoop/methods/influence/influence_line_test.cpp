@@ -143,6 +143,27 @@ TEST_CASE("On a foundation a stretch is its member's closed form")
     CHECK(line.stretches[2].to == doctest::Approx(12.0));
 }
 
+TEST_CASE("On a foundation a section that comes near an end has the line of the end")
+{
+    FrameMaker made;
+    made.node("A", 0, 0).node("B", 4, 0).node("C", 8, 0).member("A", "B").member("B", "C");
+    made.model.nodes[1].support.emplace().fixed = {Dof::ux};
+    for (Member& member : made.model.members) member.foundation = 20000.0;
+    for (const double near : {1e-3, 1e-6, 1e-9, 1e-11}) {
+        CAPTURE(near);
+        const auto at = [&](const std::string& member, MemberComponent component, double x) {
+            return line_of(made.model, force(made.model, member, component, x)).ordinates;
+        };
+        CHECK(at("AB", MemberComponent::Mz, near).largest() <= 1.001 * near); // an end that is free
+        CHECK(at("BC", MemberComponent::Mz, 4.0 - near).largest() <= 1.001 * near);
+        const PiecewiseLine before = at("AB", MemberComponent::Vy, 4.0 - near),
+                            after = at("BC", MemberComponent::Vy, near);
+        for (const double s : {0.7, 2.9, 4.3, 7.1})
+            CHECK(std::abs(before.value(s) - after.value(s)) <= 5.0 * near); // nothing happens between them
+        CHECK(before.largest() <= 1.0);
+    }
+}
+
 TEST_CASE("A couple that moves over a simple beam bends it by its lever")
 {
     const Model model = simple_beam();

@@ -61,6 +61,19 @@ NodeVector random_load(const Model& model, Generator& dice)
     return load;
 }
 
+/// Anywhere within it, at its ends, or as near to them as one can still see.
+Percent random_section(Generator& dice, int i)
+{
+    const double near = std::pow(10.0, between(dice, -10.0, 0.0));
+    switch (i) {
+    case 4: return {near};
+    case 5: return {100.0 - near};
+    case 6: return {0.0};
+    case 7: return {100.0};
+    default: return {between(dice, 0.0, 100.0)};
+    }
+}
+
 std::vector<MovingEffect> random_effects(const Model& model, const std::vector<MemberId>& path, Generator& dice)
 {
     std::vector<MovingEffect> effects;
@@ -70,7 +83,7 @@ std::vector<MovingEffect> random_effects(const Model& model, const std::vector<M
                             ? any_of(dice, path)
                             : MemberId(std::uniform_int_distribution<std::size_t>(0, model.members.size() - 1)(dice));
         effect.component = any_of(dice, member_components(model.analysis));
-        effect.at = Percent{i == 6 ? 0.0 : i == 7 ? 100.0 : between(dice, 0.0, 100.0)};
+        effect.at = random_section(dice, i);
         effects.push_back(effect);
     }
     for (std::size_t n = 0; n < model.nodes.size(); n += 2) {
