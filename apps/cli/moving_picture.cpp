@@ -165,8 +165,9 @@ public:
         drawing::InfluencePicture picture = line_under(standing);
         picture.sentences = train_sentences(model_, order.view, picture, standing.train);
         Model loaded = analysis_.unloaded();
-        loaded.load_cases = {
-            standing_train(train_.id, picture.path, picture.load, standing.train.train, standing.train.placing)};
+        const drawing::StandingTrain& train = standing.train;
+        loaded.load_cases = {standing_train(train.name, picture.path, picture.load, train.train, train.placing,
+                                            picture.line, train.kind)};
         const femoop::Results results = femoop::analyse(loaded);
         console_.report(file_, results.warnings());
         write(loaded, &results, picture, order, console_);

@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <utility>
+#include <vector>
 
 #include "apps/cli/picture.h"
 #include "apps/drawing/results/influence_words.h"
@@ -34,6 +35,8 @@ struct Governing {
     double value; ///< with what stays
 };
 
+constexpr double same_value = 1e-6;
+
 class TrainWhy {
 public:
     TrainWhy(const Model& model, const TrainNumber& number) : model_(model), number_(number), analysis_(model)
@@ -50,7 +53,8 @@ public:
         permanent_ = number_.envelope != nullptr ? analysis_.permanent(*number_.envelope, number_.effect) : 0.0;
         loaded_ = analysis_.unloaded();
         load_ = femoop::influence::unit_load(model.analysis, governing_.train->load);
-        loaded_.load_cases = {standing_train(governing_.train->id, path_, load_, standing_.train, standing_.placing)};
+        loaded_.load_cases = {
+            standing_train(standing_.name, path_, load_, standing_.train, standing_.placing, *line_, standing_.kind)};
         loaded_.combinations.clear();
     }
 
@@ -96,10 +100,23 @@ private:
         const auto found = number_.train != nullptr ? analysis_.extreme(*number_.train, number_.effect)
                                                     : analysis_.extreme(*number_.envelope, number_.effect);
         const bool is_max = std::abs(found.max.placing.value) >= std::abs(found.min.placing.value);
-        const auto& sections = (is_max ? found.max : found.min).sections;
-        const double length = femoop::geometry_of(model_, model_[*number_.effect.member]).length;
-        number_.effect = femoop::influence::at_section(number_.effect, sections.empty() ? 0.0 : sections.front(),
-                                                       length);
+        const femoop::influence::WorstSection& worst = is_max ? found.max : found.min;
+        const MovingEffect along = number_.effect;
+        const double length = femoop::geometry_of(model_, model_[*along.member]).length;
+        for (const double x : places_in(worst.sections)) {
+            number_.effect = femoop::influence::at_section(along, x, length);
+            if (std::abs(governing().value - worst.placing.value) <= same_value * std::abs(worst.placing.value)) return;
+        }
+    }
+
+    /// Those sections, and where two of them may be the ends of a stretch, its middle: a stretch may end where the number
+    /// jumps.
+    static std::vector<double> places_in(const std::vector<double>& sections)
+    {
+        std::vector<double> places = sections;
+        for (std::size_t i = 0; i + 1 < sections.size(); ++i) places.push_back(0.5 * (sections[i] + sections[i + 1]));
+        if (places.empty()) places.push_back(0.0);
+        return places;
     }
 
     Governing governing()

@@ -414,8 +414,8 @@ void AskedLine::load_train() const
     const drawing::InfluencePicture& picture = *found_.picture;
     const drawing::StandingTrain& standing = *found_.standing;
     found_.loaded = found_.analysis->model();
-    found_.loaded->load_cases = {
-        femoop::influence::standing_train(standing.name, picture.path, picture.load, standing.train, standing.placing)};
+    found_.loaded->load_cases = {femoop::influence::standing_train(
+        standing.name, picture.path, picture.load, standing.train, standing.placing, picture.line, standing.kind)};
 }
 
 drawing::PositionCurve AskedLine::curve() const

@@ -1,8 +1,10 @@
 #include "femoop/methods/influence/train/standing_train.h"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
+#include "femoop/load/place_along.h"
 #include "femoop/methods/influence/load_components.h"
 #include "femoop/result/magnitudes.h"
 
@@ -10,7 +12,9 @@ namespace femoop::influence {
 
 namespace {
 
-constexpr double off_path = 1e-12; // of its length: so far beyond an end is the end
+constexpr double off_path = 1e-12;   // of its length: so far beyond an end is the end
+constexpr double hair = 1e-11;       // likewise: between a jump and what stands just beside it
+constexpr double equal_value = 1e-9; // of the largest ordinate: less is no jump
 
 using Forces = std::vector<StandingForce>;
 
@@ -41,7 +45,10 @@ double with_ordinates(Forces& forces, const PiecewiseLine& line, Side side)
     const double size = line.largest();
     double sum = 0.0;
     for (StandingForce& force : forces) {
-        force.ordinate = without_rounding(line.value(force.s, side), size);
+        const double before = line.value(force.s, Side::Before), after = line.value(force.s, Side::After);
+        force.ordinate = without_rounding(side == Side::Before ? before : after, size);
+        force.beside.reset();
+        if (std::abs(after - before) > equal_value * size) force.beside = side;
         sum += force.force * force.ordinate;
     }
     return sum;
@@ -54,10 +61,37 @@ void take_worse_side(Forces& forces, const PiecewiseLine& line, ExtremeKind kind
     if (kind == ExtremeKind::Max ? before > after : before < after) with_ordinates(forces, line, Side::Before);
 }
 
+/// Where the path is at the effect's own section.
+std::vector<double> own_places(const PathLayout& path, const MovingEffect& effect)
+{
+    if (!effect.member || !effect.at) return {};
+    const auto on = std::ranges::find(path.members, *effect.member, &PathMember::member);
+    if (on == path.members.end()) return {};
+    return path.places_of(on->member, femoop::along(*effect.at, on->length));
+}
+
+/// At the ends of the path there is but one side of a section.
+Forces beside_ends(Forces forces, const PathLayout& path, const MovingEffect& effect)
+{
+    const double length = path.length(), near = off_path * length;
+    for (const double own : own_places(path, effect))
+        for (StandingForce& force : forces) {
+            if (own <= near && force.s <= near) force.beside = Side::After;
+            if (own >= length - near && force.s >= length - near) force.beside = Side::Before;
+        }
+    return forces;
+}
+
+double place_of(const StandingForce& force, double length)
+{
+    if (!force.beside) return force.s;
+    return force.s + (*force.beside == Side::Before ? -hair : hair) * length;
+}
+
 void append(LoadCase& load_case, const PathLayout& path, const NodeVector& load, const Forces& forces)
 {
     for (const StandingForce& force : forces) {
-        const PathPlace place = path.place(force.s);
+        const PathPlace place = path.place(place_of(force, path.length()));
         load_case.members.push_back(
             {place.member, PointLoad{.at = Quantity(place.x), .components = components_of(load, force.force)}});
     }
@@ -106,11 +140,11 @@ std::vector<double> covered_areas(const Placing& placing, const PiecewiseLine& l
 }
 
 LoadCase standing_train(std::string id, const PathLayout& path, const NodeVector& load, const MovingTrain& train,
-                        const Placing& placing)
+                        const Placing& placing, const InfluenceLine& line, ExtremeKind kind)
 {
     LoadCase load_case{.id = std::move(id)};
-    append(load_case, path, load, axles_on_path(train, placing, path.length()));
-    append(load_case, path, load, concentrated_on_path(train, placing));
+    append(load_case, path, load,
+           beside_ends(standing_forces(train, placing, line.ordinates, kind), path, line.effect));
     for (const PathMember& on : path.members)
         for (const Stretch& stretch : placing.uniform) append(load_case, on, load, stretch, train.uniform);
     return load_case;

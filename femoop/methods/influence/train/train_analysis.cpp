@@ -311,8 +311,9 @@ MemberEnvelope TrainAnalysis::along_member(const MovingEnvelope& envelope, const
     MemberEnvelope found{extreme(envelope, effect), {}};
     const std::vector<double> jumps = load_points(envelope, *effect.member);
     std::vector<MovingEffect> asked;
+    const double hair = 1e-11 * length; // what stands at the very end of a path lies beyond the section
     for (const double x : section_places(found.extreme, jumps, length, n)) {
-        asked.push_back(at_section(effect, x, length));
+        asked.push_back(at_section(effect, std::clamp(x, hair, length - hair), length));
         if (!is_within(jumps, x, length)) continue;
         asked.push_back(asked.back());
         asked[asked.size() - 2].side = Side::Before;

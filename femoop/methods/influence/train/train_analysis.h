@@ -69,7 +69,7 @@ public:
     std::vector<TrainEffect> effects(const MovingEnvelope& envelope, std::span<const MovingEffect> effects);
     TrainExtreme extreme(const MovingEnvelope& envelope, const MovingEffect& effect);
     /// At `n` evenly spaced sections of a member, where the case that stays has its load points, and where the extremes
-    /// are. \param effect  without a place  \pre n >= 2
+    /// are; its ends a hair inside. \param effect  without a place  \pre n >= 2
     MemberEnvelope along_member(const MovingEnvelope& envelope, const MovingEffect& effect, std::size_t n);
     /// What the case that stays does to an effect; 0 where there is none.
     double permanent(const MovingEnvelope& envelope, const MovingEffect& effect);

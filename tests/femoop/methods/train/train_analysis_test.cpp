@@ -55,7 +55,18 @@ MovingEffect moment(std::size_t member, double x)
             .at = Quantity(x)};
 }
 
+MovingEffect shear(std::size_t member, double x)
+{
+    MovingEffect effect = moment(member, x);
+    effect.component = MemberComponent::Vy;
+    return effect;
+}
+
 const std::vector<MovingEffect> asked{moment(0, 3.1),
+                                      shear(0, 0.0),
+                                      shear(0, 3.1),
+                                      shear(1, 0.0),
+                                      shear(2, 4.0),
                                       moment(1, 4.4),
                                       moment(2, 0.0),
                                       moment(3, 2.5),
@@ -63,11 +74,12 @@ const std::vector<MovingEffect> asked{moment(0, 3.1),
                                       {.quantity = ExpectedQuantity::Displacement, .node = NodeId(2), .dof = Dof::rz}};
 
 /// The train as loads that stand where it was placed.
-Model under(Model model, const Train& train, const MovingEffect& effect, const Placing& placing)
+Model under(Model model, const Train& train, const MovingEffect& effect, const Placing& placing, ExtremeKind kind)
 {
     const PathLayout path = lay_out(model, members_of(model, train.path));
-    model.load_cases = {
-        standing_train("T", path, unit_load(model.analysis, train.load), moving_train(train, effect), placing)};
+    const NodeVector load = unit_load(model.analysis, train.load);
+    const InfluenceLine line = InfluenceAnalysis(model).line(path, load, effect);
+    model.load_cases = {standing_train("T", path, load, moving_train(train, effect), placing, line, kind)};
     return model;
 }
 
@@ -75,7 +87,9 @@ double read(const CaseResult& result, const MovingEffect& effect)
 {
     if (effect.quantity == ExpectedQuantity::Reaction) return result.reaction(*effect.node)[index(*effect.dof)];
     if (effect.node) return result.displacement(*effect.node)[index(*effect.dof)];
-    return result.curve(*effect.member).value(*effect.component, std::get<Quantity>(*effect.at).value());
+    const femoop::Curve curve = result.curve(*effect.member);
+    const double x = std::get<Quantity>(*effect.at).value();
+    return curve.value(*effect.component, x, x < curve.length() ? Side::After : Side::Before);
 }
 
 double solved(const Model& model, const MovingEffect& effect) { return read(analyse(model)[CaseId(0)], effect); }
@@ -87,6 +101,7 @@ TEST_CASE("Where a train is worst the structure under it has that effect")
     const Model model = bridge();
     Train train = lorry();
     SUBCASE("axles alone") {}
+    SUBCASE("against its members") { train.path = std::vector{MemberId(2), MemberId(1), MemberId(0)}; }
     SUBCASE("with a uniform load where it adds, and single forces")
     {
         train.uniform = 9.0;
@@ -104,8 +119,11 @@ TEST_CASE("Where a train is worst the structure under it has that effect")
         CAPTURE(of.min.value);
         REQUIRE(of.max.position);
         REQUIRE(of.min.position);
-        CHECK(solved(under(model, train, of.effect, of.max), of.effect) == Approx(of.max.value).epsilon(1e-9));
-        CHECK(solved(under(model, train, of.effect, of.min), of.effect) == Approx(of.min.value).epsilon(1e-9));
+        const auto found = [&](const Placing& worst, ExtremeKind kind) {
+            return solved(under(model, train, of.effect, worst, kind), of.effect);
+        };
+        CHECK(found(of.max, ExtremeKind::Max) == Approx(of.max.value).epsilon(1e-9));
+        CHECK(found(of.min, ExtremeKind::Min) == Approx(of.min.value).epsilon(1e-9));
     }
 }
 
