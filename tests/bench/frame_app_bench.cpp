@@ -1,5 +1,6 @@
 // What one frame of the frame app costs, off screen and drawn by software: `ninja bench`. While a number of a plane
-// frame of 200 members is dragged, the best of many frames counts; while the hand drags a node, their mean.
+// frame of 200 members is dragged, the best of many frames counts; while the hand drags a node, or a section with its
+// influence line, their mean.
 
 #include <imgui.h>
 
@@ -13,6 +14,8 @@
 #include "apps/drawing/geometry/structure_shape.h"
 #include "apps/frame/document/number.h"
 #include "apps/frame/window/application.h"
+#include "femoop/geometry/member_geometry.h"
+#include "femoop/load/place_along.h"
 #include "ui/context/draw_list_renderer.h"
 #include "ui/context/offscreen.h"
 
@@ -100,6 +103,30 @@ public:
         }
         return mean;
     }
+    /// Milliseconds of a frame while the section of an influence line is dragged along its beam.
+    double drag_section()
+    {
+        const frame::Session& session = application_.session();
+        const femoop::MemberId beam = *session.model().find_member("b4/3");
+        const double length = femoop::geometry_of(session.model(), session.model()[beam]).length;
+        const auto at = [&](double share) {
+            return *application_.canvas().in_window(frame::Cut{beam, share * length});
+        };
+        const auto frame_at = [&](double share, bool is_down) {
+            return milliseconds([&] {
+                application_.frame({.pointer = at(share), .is_button_down = {is_down}});
+                context_.gl().Finish();
+            });
+        };
+        application_.frame({.keys = {{ui::Key::I, true}, {ui::Key::I, false}}});
+        for (const bool is_down : {false, true, false, true}) frame_at(0.5, is_down);
+        double mean = 0.0;
+        for (int i = 1; i <= n_frames; ++i) mean += frame_at(0.5 + 0.4 * std::sin(0.2 * i), true) / n_frames;
+        const drawing::InfluencePicture* const line = session.shown_line();
+        const bool has_followed = line != nullptr && line->line.effect.at &&
+                                  femoop::along(*line->line.effect.at, length) < 0.4 * length; // where the last one is
+        return has_followed ? mean : std::nan("");
+    }
     int n_triangles() const { return ImGui::GetDrawData()->TotalIdxCount / 3; }
 
 private:
@@ -159,6 +186,15 @@ void print_drag(ui::PixelSize size, cli::FrameSize structure, frame::ShowSet sho
     std::fflush(stdout);
 }
 
+void print_section_drag(ui::PixelSize size, cli::FrameSize structure, frame::ShowSet show)
+{
+    DraggedFrame dragged(size, structure, show);
+    const double moving = dragged.drag_section();
+    std::printf("%5zu members          %8.2f   %6.1f frames/s\n", (2 * structure.bays + 1) * structure.storeys, moving,
+                1000.0 / moving);
+    std::fflush(stdout);
+}
+
 double first_frame(ui::PixelSize size, frame::ShowSet show)
 {
     return milliseconds([&] { DraggedFrame(size, {.bays = 1, .storeys = 1}, show); });
@@ -183,5 +219,7 @@ int main()
                 "               resting   moving                   raster of the whole\n");
     print_drag(size, {.bays = 7, .storeys = 4}, by_default);
     print_drag(size, {.bays = 12, .storeys = 40}, by_default);
+    std::printf("a section is dragged, its influence line follows [ms]\n");
+    print_section_drag(size, {.bays = 7, .storeys = 4}, by_default);
     std::printf("from the start to the third frame %.0f ms\n", first_frame(size, by_default));
 }
