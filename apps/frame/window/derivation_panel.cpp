@@ -67,6 +67,16 @@ void show_copying(Workspace& workspace, const CommandTable& commands)
     if (ImGui::Button("LaTeX###copy latex")) run(workspace, commands, "derivation.copy_latex");
 }
 
+/// Whose number it is, where it is none of the model that is drawn.
+void name_kept(const Workspace& workspace)
+{
+    const Session& session = workspace.session;
+    if (!workspace.derivation.is_of_kept_model() || !session.reference) return;
+    const std::string& name = session.reference->name;
+    ImGui::SameLine();
+    ImGui::TextDisabled("%s", name.empty() ? session.tr()("the results that were kept").c_str() : name.c_str());
+}
+
 /// At the right end of the bar.
 void show_close_button(Workspace& workspace)
 {
@@ -157,6 +167,7 @@ void derivation_panel(Workspace& workspace, const CommandTable& commands, ui::Im
         show_steps(workspace, commands);
         show_numbers(workspace);
         show_copying(workspace, commands);
+        name_kept(workspace);
     }
     show_close_button(workspace);
     if (!workspace.bottom.is_open) return;
