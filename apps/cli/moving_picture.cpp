@@ -12,6 +12,7 @@
 #include "apps/drawing/results/influence_picture.h"
 #include "apps/drawing/results/influence_words.h"
 #include "apps/drawing/results/line_motion.h"
+#include "apps/drawing/results/range_words.h"
 #include "apps/drawing/results/train_picture.h"
 #include "apps/drawing/sketch/scene.h"
 #include "femoop/analysis/linear_static.h"
@@ -182,6 +183,13 @@ public:
                train_words(model_, options, picture, standing.train, standing.worst);
     }
 
+    std::string proof(const Standing& standing, const drawing::DrawOptions& options)
+    {
+        const auto search = analysis_.search(train_, standing.effect);
+        return proof_words(model_, options, standing.effect,
+                           {search.proof(ExtremeKind::Max), search.proof(ExtremeKind::Min)});
+    }
+
 private:
     drawing::InfluencePicture line_under(const Standing& standing)
     {
@@ -267,11 +275,48 @@ void warn_of_zero_by_support(const Model& model, const MovingEffect& effect, con
                 {{"node", model[*node].id}, {"component", component}}));
 }
 
-std::string train_in_words(const Model& model, const femoop::Train& train, const std::optional<MovingEffect>& asked,
+std::string train_in_words(const Model& model, const femoop::Train& train, const TrainTold& told,
                            const drawing::DrawOptions& options, const std::string& file, const Console& console)
 {
     TrainDrawing drawing(model, train, file, console);
-    return drawing.words(drawing.standing(asked, {}, options), options);
+    const Standing standing = drawing.standing(told.effect, {}, options);
+    const std::string words = drawing.words(standing, options);
+    return told.is_proved ? words + drawing.proof(standing, options) : words;
+}
+
+std::string envelope_in_words(const Model& model, const femoop::MovingEnvelope& envelope,
+                              const std::optional<MovingEffect>& asked, const drawing::DrawOptions& options,
+                              const std::string& file, const Console& console)
+{
+    TrainAnalysis analysis(model);
+    femoop::influence::TrainResults results{.id = envelope.id, .is_envelope = true};
+    const auto add = [&](const MovingEffect& effect) {
+        if (effect.quantity == ExpectedQuantity::Extreme)
+            results.extremes.push_back(analysis.extreme(envelope, effect));
+        else results.effects.push_back(analysis.effects(envelope, {{effect}}).front());
+    };
+    if (asked) add(*asked);
+    else {
+        for (const MovingEffect& extreme : femoop::influence::default_extremes(model)) add(extreme);
+        for (std::size_t i = 0; i < model.nodes.size(); ++i)
+            for (const MovingEffect& reaction : femoop::influence::reactions_at(model, femoop::NodeId(i)))
+                if (!femoop::influence::is_unheld_reaction(model, reaction)) add(reaction);
+    }
+    const ui::Catalogue& tr = console.tr();
+    std::string words = range_words(
+        model, options, results,
+        tr("Envelope {name}: {loads}", {{"name", envelope.id}, {"loads", load_name(model, options, envelope)}}));
+    if (envelope.with && results.effects.size() == 1) {
+        const MovingEffect& effect = results.effects.front().effect;
+        const std::string value =
+            display_units(model, options).text(analysis.permanent(envelope, effect), drawing::measure_of(effect));
+        words += "  " +
+                 tr("{case} alone brings {value}",
+                    {{"case", model.case_name(*envelope.with)}, {"value", drawing::with_minus(value)}}) +
+                 ".\n";
+    }
+    console.report(file, analysis.warnings());
+    return words;
 }
 
 void MovingPicture::declare(OptionParser& options, const ui::Catalogue& tr)

@@ -17,11 +17,21 @@ namespace cli {
 std::string line_in_words(const femoop::Model& model, const femoop::InfluenceLineDefinition& definition,
                           const femoop::influence::InfluenceLine& line, const drawing::DrawOptions& options);
 
-/// A train likewise, with the line that it stands on: where it is worst for the effect, or for the one that `render`
-/// draws where none is asked for; what of it stands where, and what that comes to. \throws ModelError
-std::string train_in_words(const femoop::Model& model, const femoop::Train& train,
-                           const std::optional<femoop::MovingEffect>& asked, const drawing::DrawOptions& options,
-                           const std::string& file, const Console& console);
+/// What is told of a train.
+struct TrainTold {
+    std::optional<femoop::MovingEffect> effect; ///< none: the one that `render` draws
+    bool is_proved = false;                     ///< also how it was found
+};
+/// A train likewise, with the line that it stands on: where it is worst for the effect, what of it stands where, and
+/// what that comes to. \throws ModelError
+std::string train_in_words(const femoop::Model& model, const femoop::Train& train, const TrainTold& told,
+                           const drawing::DrawOptions& options, const std::string& file, const Console& console);
+
+/// An envelope: of one effect the largest and the least value, the train that makes each and how it stands; where none is
+/// asked, of each component the largest and the least of all members, and of each reaction. \throws ModelError
+std::string envelope_in_words(const femoop::Model& model, const femoop::MovingEnvelope& envelope,
+                              const std::optional<femoop::MovingEffect>& asked, const drawing::DrawOptions& options,
+                              const std::string& file, const Console& console);
 
 /// On stderr, where the support does not hold the reaction that is asked for, or holds the displacement: the zeros would
 /// be taken for an answer.

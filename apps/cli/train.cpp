@@ -51,7 +51,7 @@ private:
     std::vector<TrainResults> results(const Question& question, TrainAnalysis& analysis) const;
     void answer(const Model& model, Console& console) const;
     void explain(const Question& question, const Model& model, Console& console) const;
-    void describe(const Question& question, const Model& model, Console& console) const;
+    void describe(Question question, const Model& model, Console& console) const;
 
     std::string file_, stations_ = "11";
     std::vector<std::string> trains_, envelopes_;
@@ -107,7 +107,7 @@ void Train::declare(OptionParser& options, const ui::Catalogue& tr)
     options.add_flag(
         "--describe", is_described_,
         tr("print sentences instead of tables, for a screen reader: of the effect that is asked for, else of the "
-           "one that `render` draws"));
+           "one that `render` draws; of an envelope the largest and least of every component and reaction"));
 }
 
 void Train::choose_loads(Question& question, const Model& model,
@@ -208,14 +208,22 @@ void Train::explain(const Question& question, const Model& model, Console& conso
     console.print(train_why(model, number, is_json_, console));
 }
 
-void Train::describe(const Question& question, const Model& model, Console& console) const
+void Train::describe(Question question, const Model& model, Console& console) const
 {
-    if (question.trains.empty()) throw UsageError(console.tr()("--describe: asks for a train, not for an envelope"));
+    const ui::Catalogue& tr = console.tr();
+    const drawing::DrawOptions options = units_.of_pictures(draw_options(tr));
+    const std::string file = display_name(file_, tr);
     std::optional<MovingEffect> asked;
-    if (asked_.is_asked()) asked = asked_.sound_effect(model, console.tr());
+    if (asked_.is_asked()) asked = asked_.sound_effect(model, tr);
+    if (is_proved_ && asked && asked->quantity == ExpectedQuantity::Extreme) throw needs_too("--proof", "--at", tr);
+    question.extremes = femoop::influence::default_extremes(model);
+    if (asked) question.extremes.clear();
+    require_searchable(question, model, tr);
     for (const femoop::Train* train : question.trains)
-        console.print(train_in_words(model, *train, asked, units_.of_pictures(draw_options(console.tr())),
-                                     display_name(file_, console.tr()), console));
+        console.print(
+            train_in_words(model, *train, {.effect = asked, .is_proved = is_proved_}, options, file, console));
+    for (const MovingEnvelope* envelope : question.envelopes)
+        console.print(envelope_in_words(model, *envelope, asked, options, file, console));
 }
 
 void Train::answer(const Model& model, Console& console) const
@@ -247,7 +255,6 @@ ExitStatus Train::run(Console& console)
     if (why_ && asked_.is_asked()) throw ask_for_different_things("--why", asked_.option(), console.tr());
     if (is_json_ && is_described_) throw ask_for_different_things("--json", "--describe", console.tr());
     if (is_json_ && units_.are_given()) throw units_of_file("--json", console.tr());
-    if (is_proved_ && is_described_) throw ask_for_different_things("--proof", "--describe", console.tr());
     std::optional<Model> model = load_model(file_, console);
     if (!model) return ExitStatus::BadInput;
     if (why_ && units_.are_given()) {

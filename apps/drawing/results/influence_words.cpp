@@ -2,6 +2,8 @@
 
 #include "apps/drawing/results/line_diagram.h"
 #include "apps/drawing/sketch/scene.h"
+#include "femoop/methods/influence/line_shape.h"
+#include "femoop/result/magnitudes.h"
 
 #include <cstddef>
 #include <string_view>
@@ -47,6 +49,7 @@ public:
         if (max.value > rounding) lines.push_back(extreme(tr()("max"), max));
         if (min.value < -rounding) lines.push_back(extreme(tr()("min"), min));
         lines.push_back(areas_text(units_, picture_, tr()));
+        add_shape(lines);
         return lines;
     }
 
@@ -80,6 +83,66 @@ private:
         return tr()(
             "{which} {value} at s = {place}",
             {{"which", which}, {"value", ordinate_text(units_, unit_, extreme.value)}, {"place", places(extreme)}});
+    }
+
+    /// Where it is zero, where it jumps and breaks, and what it is between.
+    void add_shape(std::vector<std::string>& lines) const
+    {
+        const femoop::influence::LineShape shape = shape_of(picture_.line);
+        std::vector<std::string> zeros;
+        for (const double s : shape.zeros) zeros.push_back(length(s));
+        if (!zeros.empty()) lines.push_back(tr()("zero at s = {places}", {{"places", some_of(zeros)}}));
+        std::vector<std::string> jumps, kinks, stretches;
+        for (const auto& jump : shape.jumps)
+            jumps.push_back(tr()("{place} (from {before} to {after})",
+                                 {{"place", length(jump.s)},
+                                  {"before", ordinate_text(units_, unit_, without_noise(jump.before))},
+                                  {"after", ordinate_text(units_, unit_, without_noise(jump.after))}}));
+        if (!jumps.empty()) lines.push_back(tr()("jump at s = {places}", {{"places", some_of(jumps)}}));
+        for (const double s : shape.kinks) kinks.push_back(length(s));
+        if (!kinks.empty()) lines.push_back(tr()("kink at s = {places}", {{"places", some_of(kinks)}}));
+        for (const auto& stretch : shape.stretches)
+            stretches.push_back(
+                tr()(degree_text(stretch), {{"from", length(stretch.from)}, {"to", length(stretch.to)}}));
+        lines.push_back(some_of(stretches));
+    }
+
+    static std::string_view degree_text(const femoop::influence::LineShape::Stretch& stretch)
+    {
+        if (stretch.is_zero) return ui::translatable("zero on s = {from} to {to}");
+        if (stretch.is_series) return ui::translatable("curved, no polynomial, on s = {from} to {to}");
+        const bool has_pieces = stretch.n_pieces > 1;
+        switch (stretch.degree) {
+        case 0:
+            return has_pieces ? ui::translatable("constant piece by piece on s = {from} to {to}")
+                              : ui::translatable("constant on s = {from} to {to}");
+        case 1:
+            return has_pieces ? ui::translatable("straight piece by piece on s = {from} to {to}")
+                              : ui::translatable("straight on s = {from} to {to}");
+        case 2:
+            return has_pieces ? ui::translatable("of degree 2 piece by piece on s = {from} to {to}")
+                              : ui::translatable("of degree 2 on s = {from} to {to}");
+        default:
+            return has_pieces ? ui::translatable("of degree 3 piece by piece on s = {from} to {to}")
+                              : ui::translatable("of degree 3 on s = {from} to {to}");
+        }
+    }
+
+    /// "20 ft, 40 ft"; of many the first ones and the last.
+    std::string some_of(const std::vector<std::string>& all) const
+    {
+        constexpr std::size_t most_told = 12;
+        const std::size_t n = all.size() > most_told ? most_told - 2 : all.size();
+        std::string text;
+        for (std::size_t i = 0; i < n; ++i) text += (i > 0 ? ", " : "") + all[i];
+        if (n == all.size()) return text;
+        return text + ", " + tr()("{count} more between them", {{"count", std::to_string(all.size() - n - 1)}}) + ", " +
+               all.back();
+    }
+
+    double without_noise(double value) const
+    {
+        return femoop::without_rounding(value, picture_.line.ordinates.largest());
     }
 
     // "20 ft, 40 ft"; of a level stretch "20 ft to 40 ft".

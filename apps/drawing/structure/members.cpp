@@ -10,7 +10,7 @@ namespace drawing {
 
 namespace {
 
-ui::Role role_of(const Scene& scene, femoop::MemberId id)
+ui::Role role_of_member(const Scene& scene, femoop::MemberId id)
 {
     if (scene.model[id].rigid) return ui::Role::RigidPart;
     return is_bar(scene.model, id) ? ui::Role::Bar : ui::Role::Member;
@@ -103,7 +103,7 @@ void draw_member(const Scene& scene, femoop::MemberId id, Presence presence)
 {
     const MemberShape& shape = scene.shape[id];
     const bool is_subject = presence == Presence::Subject;
-    const ui::Stroke stroke = scene.sketch.stroke(is_subject ? role_of(scene, id) : ui::Role::Undeformed);
+    const ui::Stroke stroke = scene.sketch.stroke(is_subject ? role_of_member(scene, id) : ui::Role::Undeformed);
     const ui::Stroke arm = scene.sketch.stroke(is_subject ? ui::Role::RigidPart : ui::Role::Undeformed);
     const ui::Point a = scene.projection(shape.start);
     const ui::Point b = scene.projection(shape.end);

@@ -5,6 +5,7 @@
 #include <iterator>
 #include <utility>
 
+#include "apps/drawing/results/range_words.h"
 #include "apps/drawing/results/solved_case.h"
 #include "apps/drawing/sketch/scene.h"
 #include "apps/drawing/sketch/table_units.h"
@@ -82,16 +83,7 @@ MovingEnvelope AskedEnvelope::envelope(const Model& model) const
 
 std::string AskedEnvelope::title(const Model& model, const drawing::DrawOptions& options) const
 {
-    const ui::Catalogue& tr = options.tr;
-    const MovingEnvelope envelope = this->envelope(model);
-    std::string trains;
-    for (const femoop::TrainId id : envelope.trains)
-        trains += (trains.empty() ? "" : ", ") + model.moving_loads.trains[id.index].id;
-    if (envelope.factor != 1.0)
-        trains = ui::number_text(envelope.factor, options.numbers) + " × " +
-                 (envelope.trains.size() > 1 ? "(" + trains + ")" : trains);
-    if (!envelope.with) return tr("Envelope of {cases}", {{"cases", trains}});
-    return tr("Envelope of {cases}", {{"cases", model.case_name(*envelope.with) + " + " + trains}});
+    return options.tr("Envelope of {cases}", {{"cases", load_name(model, options, envelope(model))}});
 }
 
 const drawing::EnvelopePicture* AskedEnvelope::picture(const Model& model, std::uint64_t generation,
@@ -289,7 +281,7 @@ std::string AskedEnvelope::words(const drawing::DrawOptions& options) const
     for (const MemberComponent component : femoop::section_force_components(found_.model->analysis))
         for (const femoop::influence::MemberEnvelope& member : members(component))
             results.extremes.push_back(member.extreme);
-    return title(*found_.model, options) + "\n\n" +
+    return range_words(*found_.model, options, results, title(*found_.model, options)) + "\n" +
            femoop::influence::trains_text(*found_.model, {results},
                                           drawing::table_units(drawing::display_units(*found_.model, options)),
                                           options.tr);

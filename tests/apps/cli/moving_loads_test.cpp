@@ -31,6 +31,9 @@ TEST_CASE("A line is told in sentences, with the extremes of its table and their
     CHECK(has(told.out, "Influence line of M(BC"));
     CHECK(has(told.out, "max 2.106 m at s = 16.25 m"));
     CHECK(has(told.out, "areas"));
+    CHECK(has(told.out, "zero at s = 0 m, "));
+    CHECK(has(told.out, "kink at s = 16.25 m.\n"));
+    CHECK(has(told.out, "of degree 3 on s = 0 m to 10 m, of degree 2 piece by piece on s = 10 m to 22.5 m"));
     const Run portuguese = cremona({"--lang", "pt", "influence", "examples/influence.json", "--describe"});
     CHECK(has(portuguese.out, "Linha de influência de M(BC"));
 }
@@ -111,8 +114,41 @@ TEST_CASE("A train is told in sentences: where it is worst, and what stands wher
     CHECK(has(told.out, "s = 114 ft"));
     CHECK(cremona({"train", "examples/bridge.json", "--describe"}).status == 0); // the one that `render` draws
     CHECK(cremona({"train", "examples/bridge.json", "--describe", "--json"}).status == 2);
-    CHECK(has(cremona({"train", "examples/bridge.json", "--envelope", "deck + G", "--describe"}).err,
-              "asks for a train"));
+}
+
+TEST_CASE("An envelope is told in sentences: of each component and reaction both ends, where, and under which train")
+{
+    const std::vector<std::string> asked{"train", "examples/bridge.json", "--envelope", "deck + G", "--describe"};
+    const Run told = cremona(asked);
+    CHECK(told.status == 0);
+    CHECK(has(told.out, "Envelope deck + G: G + 1.35 × (HS20, lane).\n"));
+    CHECK(has(told.out, "N is zero wherever the loads stand.\n"));
+    CHECK(has(told.out, "V(BC, 0 ft) = 143.8 kip under HS20, its largest value: leading axle at s = 88 ft.\n"));
+    CHECK(has(told.out, "fy(A) = 109.1 kip under HS20, its largest value: leading axle at s = 28 ft.\n"));
+    CHECK_FALSE(has(told.out, "fx(B)")); // the roller does not hold it
+    std::vector<std::string> of_one = asked;
+    of_one.insert(of_one.end(), {"--member", "AB", "--at", "12 ft", "--component", "V"});
+    const Run one = cremona(of_one);
+    CHECK(has(one.out, "V(AB, 12 ft) = −1.583 kip under lane, its least value: uniform load on s = "));
+    CHECK(has(one.out, "G alone brings "));
+    std::vector<std::string> portuguese = asked;
+    portuguese.insert(portuguese.begin(), {"--lang", "pt"});
+    CHECK(has(cremona(portuguese).out, "N é nulo onde quer que as cargas estejam.\n"));
+}
+
+TEST_CASE("A proof is told in sentences: how many candidates, the best of them, and the next")
+{
+    const std::vector<std::string> asked{"train", "examples/bridge.json", "--train", "HS20",   "--member", "BC", "--at",
+                                         "50%",   "--component",          "M",       "--proof"};
+    std::vector<std::string> in_words = asked;
+    in_words.emplace_back("--describe");
+    const Run told = cremona(in_words);
+    CHECK(told.status == 0);
+    CHECK(has(told.out, "How the largest M(BC, 50%) was found.\n"));
+    CHECK(has(told.out, "candidates were looked at: "));
+    CHECK(has(told.out, "the largest: "));
+    CHECK(has(told.out, "leading axle at s = 114 ft"));
+    CHECK(has(told.out, "next to it: "));
 }
 
 TEST_CASE(
