@@ -1,7 +1,5 @@
 #include "apps/frame/session/predict_commands.h"
 
-#include "apps/drawing/draw.h"
-
 namespace frame {
 
 using ui::Key;
@@ -42,20 +40,10 @@ void hide_or_reveal(Workspace& workspace)
     else hide(workspace.session);
 }
 
-namespace {
-
-Reason why_not_sketch_line(const femoop::Model& model)
-{
-    if (!drawing::is_seen_in_space(model.analysis)) return std::nullopt;
-    return translatable("influence lines are guessed on plane structures only");
-}
-
-} // namespace
-
 Reason why_not_predict(const Workspace& workspace)
 {
     const Session& session = workspace.session;
-    if (session.shown_line() != nullptr) return why_not_sketch_line(session.model());
+    if (session.shown_line() != nullptr) return std::nullopt;
     if (session.model().analysis != femoop::AnalysisKind::Frame2d)
         return translatable("moments are guessed on plane frames only");
     if (!session.solution().results) return translatable("the model has no results");

@@ -107,7 +107,8 @@ struct Preview {
     std::vector<Carried> carried{};
     /// The rectangle of a selection on the sheet, from where the hand began to where it is.
     std::optional<std::pair<ui::Point, ui::Point>> window{};
-    std::span<const Eigen::Vector2d> stroke{}; ///< that is being sketched
+    std::span<const Eigen::Vector2d> stroke{}; ///< that is being sketched, in the plane of the model
+    bool is_stroke_on_sheet = false;           ///< its places are those of the sheet
     std::optional<femoop::MemberId> member{};  ///< that it is sketched on
     std::optional<DimensionLine> dimension{};
 };

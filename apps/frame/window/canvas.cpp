@@ -25,6 +25,7 @@
 #include "apps/frame/session/work.h"
 #include "apps/frame/tools/kept_settings.h"
 #include "apps/frame/tools/load_tool.h"
+#include "apps/frame/tools/predict_tool.h"
 #include "apps/frame/tools/tool_loads.h"
 #include "apps/frame/view/kept_view.h"
 #include "apps/frame/view/motion_words.h"
@@ -557,9 +558,20 @@ void carry_out(Session& session, const std::optional<Change>& change)
     if (change) session.change(*change);
 }
 
+// A stroke has no ordinates where the eye looks along them, as straight down on a grillage.
+std::optional<ui::Message> why_not_sketch(const Workspace& workspace, const Aim& aim)
+{
+    const drawing::InfluencePicture* const line = workspace.session.shown_line();
+    const bool is_blind = line != nullptr && workspace.session.hidden &&
+                          !shows_ordinates(workspace.session.model(), *line, PencilView::of(aim));
+    if (!is_blind) return std::nullopt;
+    return ui::translatable("the ordinates of the line are seen end-on from here; turn the model");
+}
+
 // A load that is put where it would not be seen is none that was meant.
 std::optional<ui::Message> why_not_press(const Workspace& workspace, const Aim& aim)
 {
+    if (workspace.tool_controller.kind() == ToolKind::Predict) return why_not_sketch(workspace, aim);
     if (workspace.tool_controller.kind() != ToolKind::Load || (!aim.node && !aim.cut)) return std::nullopt;
     if (auto reason = why_shown_case_takes_no_load(workspace.session)) return reason;
     if (!aim.node || force_of(workspace.tool_controller.settings(), workspace.session.model().analysis))

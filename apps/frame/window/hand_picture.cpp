@@ -136,10 +136,10 @@ public:
     }
 
     /// The path of a pencil.
-    void stroke(std::span<const Vector2d> path)
+    void stroke(std::span<const Vector2d> path, bool is_on_sheet)
     {
         std::vector<Point> points;
-        for (const Vector2d& place : path) points.push_back(at(place));
+        for (const Vector2d& place : path) points.push_back(is_on_sheet ? Point{place.x(), place.y()} : at(place));
         if (points.size() > 1) painter_.polyline(points, theme_.stroke(Role::Guess));
     }
 
@@ -182,7 +182,7 @@ void draw_hand(ui::Painter& painter, const Session& session, const ToolControlle
     for (const auto& [start, end] : preview.lines) picture.line(start, end, is_in_space);
     for (const Preview::Carried& part : preview.carried) picture.carried(part);
     for (const Preview::Carried& part : preview.carried) picture.name(part, session.view.show);
-    picture.stroke(preview.stroke);
+    picture.stroke(preview.stroke, preview.is_stroke_on_sheet);
     const auto dimension = preview.dimension ? layout_of(session.model(), *preview.dimension) : std::nullopt;
     if (dimension) picture.dimension(*dimension);
     if (preview.window) picture.window(preview.window->first, preview.window->second);

@@ -99,6 +99,17 @@ TEST_SUITE("frame session")
         CHECK(!portal.session.hidden);
     }
 
+    TEST_CASE("An influence line is sketched in a grillage and in space too")
+    {
+        for (const char* const file : {"grillage.json", "balcony.json"}) {
+            CAPTURE(file);
+            Workspace workspace = workspace_with(file);
+            workspace.session.influence.ask(workspace.session.model(), drawing::Cut{MemberId(0), 0.5});
+            CHECK(!run(workspace, "draw.predict"));
+            CHECK(workspace.session.hidden);
+        }
+    }
+
     TEST_CASE("Del and Esc wipe out the guess, then Esc lays the pencil down; the document stays as it is")
     {
         Workspace workspace = workspace_with("portal.json");

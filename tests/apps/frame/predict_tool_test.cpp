@@ -81,6 +81,35 @@ TEST_SUITE("frame model")
         CHECK(stroke.at(1).value == doctest::Approx(-0.1));
     }
 
+    TEST_CASE("In space an ordinate counts along the image of its side, however the model is turned")
+    {
+        const femoop::MemberGeometry girder = femoop::member_geometry(femoop::AnalysisKind::Grillage, {1.0, 2.0, 0.0},
+                                                                      {4.0, 6.0, 0.0}, Eigen::Vector3d::Zero());
+        const Eigen::Vector3d down(0.0, 0.0, -1.0);
+        ui::OrbitCamera camera;
+        for (const double elevation : {0.3, 1.0}) {
+            CAPTURE(elevation);
+            camera.look(0.6, elevation);
+            const drawing::Projection seen{drawing::Camera(camera)};
+            const PencilView view(seen);
+            const Path path{view.place(girder.start + 0.3 * (girder.end - girder.start) + 0.7 * down)};
+            const auto stroke = stroke_along(girder, down, path, view);
+            REQUIRE(stroke.size() == 1);
+            CHECK(stroke[0].x == doctest::Approx(0.3));
+            CHECK(stroke[0].value == doctest::Approx(0.14)); // 0.7 of 5
+        }
+    }
+
+    TEST_CASE("Seen from straight above a grillage's ordinates have no length, and no stroke has a meaning")
+    {
+        const femoop::MemberGeometry girder = femoop::member_geometry(femoop::AnalysisKind::Grillage, {1.0, 2.0, 0.0},
+                                                                      {4.0, 6.0, 0.0}, Eigen::Vector3d::Zero());
+        ui::OrbitCamera camera;
+        camera.look(ui::StandardView::Top);
+        const PencilView view{drawing::Projection(drawing::Camera(camera))};
+        CHECK(stroke_along(girder, {0.0, 0.0, -1.0}, Path{{10.0, 10.0}}, view).empty());
+    }
+
     TEST_CASE("The tool draws on the prediction and changes nothing of the document")
     {
         Workspace workspace;
