@@ -41,8 +41,9 @@ constexpr std::array tb450_spacings{1.5, 1.5};
 constexpr double tb450_length = 6.0, tb450_width = 3.0, crowd = 5.0; // [m], [kN/m^2]
 
 constexpr std::string_view aashto = "AASHTO Standard Specifications for Highway Bridges, 2002, 3.7.6";
-constexpr std::string_view lrfd = "AASHTO LRFD Bridge Design Specifications, 2020, 3.6.1.2 and 3.6.2";
-constexpr std::string_view lm1 = "EN 1991-2:2003, 4.3.2, adjustment factors 1";
+constexpr std::string_view lrfd = translatable(
+    "AASHTO LRFD Bridge Design Specifications, 2020, 3.6.1.2 and 3.6.2");
+constexpr std::string_view lm1 = translatable("EN 1991-2:2003, 4.3.2, adjustment factors 1");
 
 // What of the standards' models is not in these trains.
 constexpr std::string_view without_truck_effects = translatable(
@@ -54,7 +55,8 @@ constexpr std::string_view without_truck_train = translatable(
     "With 33 % on the axles. Left out: the pair of trucks over inner supports (3.6.1.3.1), and the factor for several "
     "lanes (3.6.1.1.2).");
 constexpr std::string_view without_cars = translatable(
-    "The two engines alone. Left out: the cars behind them, the alternate load of four axles, and the impact.");
+    "The two engines alone. Left out: the 8 kip/ft of the cars, which begin 5 ft behind the last axle and cannot be "
+    "given on one side of the axles only; the alternate load of four axles; and the impact.");
 constexpr std::string_view without_other_lanes = translatable(
     "One lane alone, dynamic effects included. Left out: the other lanes, what lies beside them, and the single axle "
     "of load model 2.");
@@ -109,7 +111,7 @@ constexpr std::array library{
                  .impact = 1.33,
                  .uniform = 0.64},
     LibraryTrain{.name = "Cooper E80 engines",
-                 .source = "AREMA Manual for Railway Engineering, chapter 15, 1.3.3",
+                 .source = translatable("AREMA Manual for Railway Engineering, chapter 15, 1.3.3"),
                  .left_out = without_cars,
                  .units = us,
                  .axles = cooper_axles,
@@ -119,7 +121,7 @@ constexpr std::array library{
     lm1_lane("LM1 lane 2", lane_2_axles, 2.5),
     lm1_lane("LM1 lane 3", lane_3_axles, 2.5),
     LibraryTrain{.name = "LM71",
-                 .source = "EN 1991-2:2003, 6.3.2, classification factor 1",
+                 .source = translatable("EN 1991-2:2003, 6.3.2, classification factor 1"),
                  .left_out = without_dynamic_factor,
                  .units = si,
                  .axles = lm71_axles,

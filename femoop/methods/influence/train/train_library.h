@@ -26,7 +26,7 @@ struct LibraryTrain {
     };
 
     std::string_view name;     ///< HS20-44 truck: what it is called in every language
-    std::string_view source;   ///< standard and clause
+    std::string_view source;   ///< standard and clause; what of it is a word can be translated
     std::string_view left_out; ///< of the standard's loads, in a sentence that can be translated
     Units units;
     std::span<const double> axles{}, spacings{}; ///< from the leading axle

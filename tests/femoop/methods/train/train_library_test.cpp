@@ -76,6 +76,13 @@ TEST_CASE("An engine of Cooper's is the same twice, axle by axle")
     for (std::size_t i = 0; i < 8; ++i) CHECK(train.spacings[i] == train.spacings[i + 9]);
 }
 
+TEST_CASE("Cooper's engines have no cars behind them, as no extent lies on one side alone, and say so")
+{
+    const LibraryTrain& train = entry("Cooper E80 engines");
+    CHECK(train.uniform == 0.0);
+    CHECK(train.left_out.find("8 kip/ft of the cars, which begin 5 ft behind the last axle") != std::string_view::npos);
+}
+
 TEST_CASE("Trains of the library do on simple spans what the tables of their standards say")
 {
     // AASHTO 2002, appendix A: moments of HS20-44 on 40 ft and 100 ft by the truck, on 200 ft by the lane [kip ft].
