@@ -395,11 +395,11 @@ ui::Box Subject::area(ui::Size sheet, const ui::Fonts& fonts) const
 }
 
 // Lines that are kept stand first, each for itself.
-std::vector<ShowSet> Subject::contents() const
+std::vector<ShowSet> Subject::contents(std::size_t n_kept) const
 {
     const ShowSet of_line = (options_.show & ShowSet{Show::Values, Show::NodeNames, Show::Legend}) |
                             ShowSet{Show::Influence};
-    std::vector<ShowSet> all(input_.kept_lines.size(), of_line);
+    std::vector<ShowSet> all(n_kept, of_line);
     const std::vector<ShowSet> own = panel_contents({.show = without_absent(options_.show, input_.model.analysis),
                                                      .layout = options_.layout,
                                                      .has_results = is_solved_ || envelope() != nullptr});
@@ -407,19 +407,38 @@ std::vector<ShowSet> Subject::contents() const
     return all;
 }
 
-std::vector<Panel> Subject::panels_of(const std::vector<ShowSet>& contents, const ui::Box& room,
-                                      std::size_t columns) const
+// Where there is no room for all kept lines those that were kept last.
+std::vector<Panel> Subject::panels_of(std::size_t n_kept, const ui::Box& room, std::size_t columns) const
 {
-    std::vector<Panel> list = panels(contents, room, columns);
-    for (std::size_t i = 0; i < input_.kept_lines.size(); ++i) list[i].line = input_.kept_lines[i];
+    std::vector<Panel> list = panels(contents(n_kept), room, columns);
+    const std::size_t first = input_.kept_lines.size() - n_kept;
+    for (std::size_t i = 0; i < n_kept; ++i) list[i].line = input_.kept_lines[first + i];
     return list;
+}
+
+// A beam is seen on a low panel, and compared place by place with the next one; any other structure is a blob there.
+bool Subject::is_flat_row() const
+{
+    constexpr double flat = 4.0; // width of its height
+    return !is_seen_in_space(input_.model.analysis) && aspect(starting_camera()) >= flat;
+}
+
+// So many that each panel is as high as its heads and the structure with its marks need.
+std::size_t Subject::n_kept_with_room(const ui::Box& room, std::size_t columns) const
+{
+    const double structure = is_flat_row() ? 4.5 : 10.0; // lines of text
+    const double least = (1.6 + structure) * theme_.type().normal + 1.4 * theme_.type().small;
+    const std::size_t n_kept = input_.kept_lines.size(), n_own = contents(0).size();
+    const std::size_t n_rows = std::max<std::size_t>(1, static_cast<std::size_t>(room.height() / least));
+    const std::size_t n_panels = n_rows * columns;
+    return n_panels > n_own ? std::min(n_kept, n_panels - n_own) : 0;
 }
 
 // Beside one another, as a class compares them; a flat truss over its diagram, where it does not become smaller there.
 Subject::Plan Subject::plan_with_diagram(const ui::Box& room, const ui::Fonts& fonts) const
 {
     const auto laid_out = [&](std::size_t columns) {
-        std::vector<Panel> both = panels(contents(), room, columns);
+        std::vector<Panel> both = panels(contents(0), room, columns);
         Camera camera = fitted(both, fonts);
         return Plan{std::move(both), std::move(camera)};
     };
@@ -432,21 +451,26 @@ Subject::Plan Subject::plan_with_diagram(const ui::Box& room, const ui::Fonts& f
     return plan;
 }
 
-// Panels beside one another only where the structure becomes clearly larger by it; lines that are kept are compared
-// place by place, one below the other.
+// Panels beside one another only where the structure becomes clearly larger by it, or more of the lines that are kept
+// have room; those of a beam are compared place by place, one below the other.
 Subject::Plan Subject::plan(ui::Size sheet, const ui::Fonts& fonts) const
 {
-    const std::vector<ShowSet> contents = this->contents();
     const ui::Box room = area(sheet, fonts);
     if (has_diagram()) return plan_with_diagram(room, fonts);
-    std::vector<Panel> list = panels_of(contents, room, 1);
-    if (contents.size() == 1 && state_.camera) return {std::move(list), *state_.camera};
+    std::size_t n_kept = n_kept_with_room(room, 1);
+    std::vector<Panel> list = panels_of(n_kept, room, 1);
+    const bool has_kept = !input_.kept_lines.empty();
+    const std::size_t n_panels = contents(input_.kept_lines.size()).size();
+    if (n_panels == 1 && state_.camera) return {std::move(list), *state_.camera};
     Camera camera = fitted(list, fonts);
-    const std::size_t most_columns = input_.kept_lines.empty() ? contents.size() : 1;
+    const std::size_t most_columns = !has_kept ? n_panels : is_flat_row() ? 1 : 2;
     for (std::size_t columns = 2; columns <= most_columns; ++columns) {
-        std::vector<Panel> others = panels_of(contents, room, columns);
+        const std::size_t n_there = n_kept_with_room(room, columns);
+        std::vector<Panel> others = panels_of(n_there, room, columns);
         Camera other = fitted(others, fonts);
-        if (Projection(other).scale() <= clearly * Projection(camera).scale()) continue;
+        const bool is_larger = Projection(other).scale() > clearly * Projection(camera).scale();
+        if (n_there < n_kept || (n_there == n_kept && !is_larger)) continue;
+        n_kept = n_there;
         list = std::move(others);
         camera = std::move(other);
     }
@@ -719,7 +743,13 @@ Subject::Picture Subject::draw(ui::Painter& painter) const
                            holds(below_heads, drawn.mark_bounds);
     }
     draw_foot(painter, picture.plan);
-    if (n_left_out > 0) draw_left_out(painter, n_left_out);
+    const auto is_of_kept = [](const Panel& panel) { return panel.line != nullptr; };
+    const auto n_kept = static_cast<std::size_t>(std::ranges::count_if(panels, is_of_kept));
+    if (n_kept < input_.kept_lines.size())
+        draw_left_out(painter, options_.tr("kept lines without room: {count}",
+                                           {{"count", std::to_string(input_.kept_lines.size() - n_kept)}}));
+    if (n_left_out > 0)
+        draw_left_out(painter, options_.tr("labels without room: {count}", {{"count", std::to_string(n_left_out)}}));
     return picture;
 }
 
@@ -749,9 +779,8 @@ std::vector<Spot> spots_at_rim(const ui::Box& sheet, double line_height)
 } // namespace
 
 // In the first place at the rim where it covers no other string; at the right foot where there is none.
-void Subject::draw_left_out(ui::Painter& painter, std::size_t n_left_out) const
+void Subject::draw_left_out(ui::Painter& painter, const std::string& words) const
 {
-    const std::string words = options_.tr("labels without room: {count}", {{"count", std::to_string(n_left_out)}});
     const std::vector<ui::Box> taken = painter.picture().text_boxes(painter.fonts());
     const auto style_at = [&](const Spot& spot) {
         ui::TextStyle style = theme_.text(ui::Role::FaintLabel, spot.anchor);

@@ -50,8 +50,10 @@ private:
     EnvelopePicture envelope_of_cases() const;
     const EnvelopePicture* envelope() const; ///< that is drawn in place of a case; null where none is
 
-    std::vector<ShowSet> contents() const;
-    std::vector<Panel> panels_of(const std::vector<ShowSet>& contents, const ui::Box& room, std::size_t columns) const;
+    std::vector<ShowSet> contents(std::size_t n_kept) const; ///< of so many kept lines, and its own
+    std::vector<Panel> panels_of(std::size_t n_kept, const ui::Box& room, std::size_t columns) const;
+    bool is_flat_row() const;
+    std::size_t n_kept_with_room(const ui::Box& room, std::size_t columns) const;
     ui::Box area(ui::Size sheet, const ui::Fonts& fonts) const;
     Camera starting_camera() const;
     Camera usual_camera() const;
@@ -122,7 +124,7 @@ private:
     };
     std::optional<LevelPath> level_path() const; ///< \pre there is an influence line
     std::optional<PathOnSheet> path_on_sheet(const Plan& plan) const;
-    void draw_left_out(ui::Painter& painter, std::size_t n_left_out) const;
+    void draw_left_out(ui::Painter& painter, const std::string& words) const;
     /// What is written at the foot: a line of it, or a sentence before it is wrapped.
     struct FootText {
         std::string text;

@@ -5,10 +5,15 @@
 #include <cmath>
 #include <doctest/doctest.h>
 #include <numbers>
+#include <optional>
+#include <string>
+#include <vector>
 
 #include "apps/drawing/draw.h"
 #include "apps/drawing/results/train_picture.h"
+#include "apps/drawing/sheet/subject.h"
 #include "femoop/methods/influence/influence_line.h"
+#include "femoop/result/components.h"
 #include "tests/apps/drawing/view_model.h"
 #include "tests/golden/scene.h"
 
@@ -201,4 +206,60 @@ TEST_SUITE("influence pictures")
                    picture_of(model, {*model.find_member("BC")}, section_force(model, "BC", MemberComponent::Vy, 3.0)),
                    options);
     }
+}
+
+namespace {
+
+/// How many of so many kept lines are shown on a sheet, and how high the lowest panel is.
+struct KeptLines {
+    KeptLines(const femoop::Model& model, std::size_t n, ui::Size sheet)
+    {
+        const ui::Fonts fonts;
+        const std::vector<femoop::MemberId> first{femoop::MemberId(0)};
+        const MovingEffect effect{.quantity = femoop::ExpectedQuantity::SectionForce,
+                                  .member = femoop::MemberId(0),
+                                  .component = femoop::section_force_components(model.analysis).back(),
+                                  .at = femoop::Percent{40.0}};
+        const InfluencePicture line = picture_of(model, first, effect);
+        const DrawInput input{
+            .model = model, .influence = &line, .kept_lines = std::vector<const InfluencePicture*>(n, &line)};
+        DrawOptions options = line_alone();
+        options.theme = ui::ThemeName::Projector;
+        ui::Painter painter(sheet, fonts);
+        const DrawState state;
+        plan = Subject(input, options, state).draw(painter).plan;
+        view_test::Marks marks(fonts);
+        painter.picture().draw_on(marks);
+        for (const auto& text : marks.texts)
+            if (text.words.starts_with("kept lines without room")) left_out = text.words;
+        height = plan->panels.front().box.height();
+        width = plan->panels.front().box.width();
+    }
+
+    std::optional<Subject::Plan> plan;
+    std::string left_out;
+    double height = 0.0, width = 0.0;
+};
+
+} // namespace
+
+TEST_CASE("On a low sheet only so many kept lines are shown that each can be read, and the others are counted")
+{
+    const femoop::Model model = view_test::simple_beam(L, 1.0);
+    const KeptLines low(model, 5, {900.0, 500.0}), high(model, 5, {900.0, 1200.0});
+    CHECK(high.plan->panels.size() == 6);
+    CHECK(high.left_out.empty());
+    CHECK(low.plan->panels.size() < 6);
+    CHECK(low.left_out == "kept lines without room: " + std::to_string(6 - low.plan->panels.size()));
+    const double heads = 1.6 * ui::Theme(ui::ThemeName::Projector).type().normal;
+    CHECK(low.height > 3.0 * heads);
+    CHECK(low.width == 900.0); // one below the other
+}
+
+TEST_CASE("Kept lines of a structure in space stand in two columns where it is larger there")
+{
+    const KeptLines four(view_test::example("balcony"), 3, {1200.0, 600.0});
+    CHECK(four.plan->panels.size() == 4);
+    CHECK(four.width == 600.0);
+    CHECK(four.left_out.empty());
 }
