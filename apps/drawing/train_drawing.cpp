@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -45,6 +47,7 @@ public:
         const double room = painter.size().width - 2.0 * side(), length = length_ + 2.0 * free_;
         scale_ = length > 0.0 ? room / length : 0.0;
         ground_ = painter.size().height - px(44);
+        if (n_rows_of_distances() > 1) ground_ -= row_height();
     }
 
     void draw()
@@ -65,7 +68,7 @@ public:
             x = next;
         }
         draw_forces();
-        write(distances_, Role::Dimension, Anchor::Top);
+        write(distances_, Role::Dimension, Anchor::Top, 2);
         draw_direction();
     }
 
@@ -120,29 +123,68 @@ private:
         std::string words;
     };
 
-    /// From right to left; of several alike that are too near for one each "4 × 80" over their middle. Where there is no
-    /// room beside the one before it is left out.
-    void write(const std::vector<Note>& notes, Role role, Anchor anchor)
+    /// Of several alike that are too near for one each "4 × 80" over their middle.
+    std::vector<Note> joined(const std::vector<Note>& notes) const
     {
-        double free_to = painter_.size().width, height = 0.0; // of the one before
+        std::vector<Note> joined;
         for (std::size_t i = 0; i < notes.size();) {
             const Note& first = notes[i];
             std::size_t last = i;
             while (last + 1 < notes.size() && notes[last + 1].words == first.words &&
                    touches(notes[last], notes[last + 1]))
                 ++last;
-            const std::string words = last > i ? std::to_string(last - i + 1) + " × " + first.words : first.words;
-            const double middle = 0.5 * (first.at.x + notes[last].at.x);
-            const double half = 0.5 * width_of(words);
-            const bool is_beside = std::abs(first.at.y - height) < look_.theme.type().small;
-            if (!is_beside || middle + half <= free_to) {
-                text({middle, first.at.y}, words, role, anchor);
-                free_to = middle - half - px(4);
-                height = first.at.y;
-            }
+            joined.push_back({{0.5 * (first.at.x + notes[last].at.x), first.at.y},
+                              last > i ? std::to_string(last - i + 1) + " × " + first.words : first.words});
             i = last + 1;
         }
+        return joined;
     }
+
+    /// The row of each, from right to left: the first one that has room beside what stands there; none where none has.
+    std::vector<std::optional<std::size_t>> rows_of(const std::vector<Note>& notes, std::size_t n_rows) const
+    {
+        struct Row {
+            double free_to, height;
+        };
+        std::vector<Row> rows(n_rows, {painter_.size().width, 0.0}); // of the last one in it
+        std::vector<std::optional<std::size_t>> found;
+        for (const Note& note : notes) {
+            const double half = 0.5 * width_of(note.words);
+            found.emplace_back();
+            for (std::size_t i = 0; i < rows.size() && !found.back(); ++i) {
+                const bool is_beside = std::abs(note.at.y - rows[i].height) < look_.theme.type().small;
+                if (is_beside && note.at.x + half > rows[i].free_to) continue;
+                rows[i] = {note.at.x - half - px(4), note.at.y};
+                found.back() = i;
+            }
+        }
+        return found;
+    }
+
+    /// Where there is no room beside the one before it goes below, or is left out.
+    void write(const std::vector<Note>& notes, Role role, Anchor anchor, std::size_t n_rows)
+    {
+        const std::vector<Note> all = joined(notes);
+        const auto rows = rows_of(all, n_rows);
+        for (std::size_t i = 0; i < all.size(); ++i)
+            if (rows[i])
+                text(all[i].at + Point{0.0, static_cast<double>(*rows[i]) * row_height()}, all[i].words, role, anchor);
+    }
+    double row_height() const { return 1.15 * look_.theme.type().small; }
+
+    std::size_t n_rows_of_distances() const
+    {
+        std::vector<Note> notes;
+        double x = first();
+        for (const Gap& gap : gaps_) {
+            const double next = x - scale_ * gap.least;
+            notes.push_back({{0.5 * (x + next), 0.0}, distance_text(gap)});
+            x = next;
+        }
+        const auto rows = rows_of(joined(notes), 2);
+        return std::ranges::any_of(rows, [](const auto& row) { return row && *row > 0; }) ? 2 : 1;
+    }
+
     double width_of(const std::string& words) const
     {
         ui::TextStyle style = look_.theme.text(Role::Load, Anchor::Bottom);
@@ -157,7 +199,7 @@ private:
         for (std::size_t i = 0; i < places_.size(); ++i)
             notes.push_back({{places_[i], top_of(i) - px(2)},
                              with_minus(look_.units.number(train_.axles[i].value(), Measure::Force))});
-        write(notes, Role::Load, Anchor::Bottom);
+        write(notes, Role::Load, Anchor::Bottom, 1);
     }
     double top_of(std::size_t i) const
     {
@@ -180,9 +222,13 @@ private:
             painter_.line({farthest, y}, {to, y}, stroke);
             painter_.line({farthest, ground_ - 2.0 * wheel()}, {farthest, y + px(4)}, stroke);
         }
-        std::string length = look_.units.number(gap.least, Measure::Length);
-        if (gap.varies()) length += " … " + look_.units.number(gap.most, Measure::Length);
-        distances_.push_back({{0.5 * (from + to), y + px(4)}, std::move(length)});
+        distances_.push_back({{0.5 * (from + to), y + px(4)}, distance_text(gap)});
+    }
+
+    std::string distance_text(const Gap& gap) const
+    {
+        const std::string least = look_.units.number(gap.least, Measure::Length);
+        return gap.varies() ? least + " … " + look_.units.number(gap.most, Measure::Length) : least;
     }
 
     /// Over the whole length, or before and behind what it leaves free beside the axles.

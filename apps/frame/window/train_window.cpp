@@ -54,34 +54,68 @@ public:
     void show()
     {
         const ui::Catalogue tr = workspace_.session.tr();
-        constexpr int n_columns = 6;
-        const auto flags = ImGuiTableFlags_RowBg | ImGuiTableFlags_BordersInnerH | ImGuiTableFlags_SizingStretchProp;
         const std::size_t n = draft_.train().axles.size();
-        if (n > 0 && ImGui::BeginTable("###axles", n_columns, flags)) {
-            const float em = ImGui::GetFontSize();
-            ImGui::TableSetupColumn("#", ImGuiTableColumnFlags_WidthFixed, 1.2F * em);
-            heading("s", Measure::Length);
-            heading("P", Measure::Force);
-            heading("d", Measure::Length);
-            heading("d max", Measure::Length);
-            ImGui::TableSetupColumn("###delete", ImGuiTableColumnFlags_WidthFixed, 1.2F * em);
-            ImGui::TableHeadersRow();
-            for (std::size_t i = 0; i < n; ++i) {
-                ImGui::PushID(static_cast<int>(i));
-                show_row(i);
-                ImGui::PopID();
-            }
-            ImGui::EndTable();
-        }
+        if (n > 0) show_table(n);
         if (erased_) change([this](Train& train) { erase_axle(train, *erased_); });
         if (ImGui::Button((tr("Add an axle") + "###add axle").c_str())) add_one();
         fields_.stops().add();
     }
 
 private:
-    void heading(const std::string& name, Measure measure) const
+    struct Column {
+        std::string heading;
+        float width;
+    };
+
+    // As wide as their numbers; where the window is narrower, as on the projector, the table is scrolled.
+    void show_table(std::size_t n)
     {
-        ImGui::TableSetupColumn(units_.label(name, measure).c_str());
+        const std::array columns{column("s", Measure::Length), column("P", Measure::Force),
+                                 column("d", Measure::Length), column("d max", Measure::Length)};
+        const ImGuiStyle& style = ImGui::GetStyle();
+        const float narrow = 1.2F * ImGui::GetFontSize();
+        float needed = 2.0F * narrow + 2.0F * 6.0F * style.CellPadding.x;
+        for (const Column& one : columns) needed += one.width;
+        const bool is_scrolled = needed > ImGui::GetContentRegionAvail().x;
+        const float row = ImGui::GetFrameHeight() + 2.0F * style.CellPadding.y;
+        const float height = is_scrolled ? static_cast<float>(n + 1) * row + style.ScrollbarSize : 0.0F;
+        ImGuiTableFlags flags = ImGuiTableFlags_RowBg | ImGuiTableFlags_BordersInnerH;
+        if (is_scrolled) flags |= ImGuiTableFlags_ScrollX | ImGuiTableFlags_SizingFixedFit;
+        else flags |= ImGuiTableFlags_SizingStretchProp;
+        if (!ImGui::BeginTable("###axles", 6, flags, {0.0F, height})) return;
+        if (is_scrolled) ImGui::TableSetupScrollFreeze(1, 0);
+        ImGui::TableSetupColumn("#", ImGuiTableColumnFlags_WidthFixed, narrow);
+        for (const Column& one : columns)
+            ImGui::TableSetupColumn(one.heading.c_str(),
+                                    is_scrolled ? ImGuiTableColumnFlags_WidthFixed : ImGuiTableColumnFlags_WidthStretch,
+                                    one.width);
+        ImGui::TableSetupColumn("###delete", ImGuiTableColumnFlags_WidthFixed, narrow);
+        ImGui::TableHeadersRow();
+        for (std::size_t i = 0; i < n; ++i) {
+            ImGui::PushID(static_cast<int>(i));
+            show_row(i);
+            ImGui::PopID();
+        }
+        ImGui::EndTable();
+    }
+
+    // The widest number of all columns of its kind, and its heading.
+    Column column(const std::string& name, Measure measure) const
+    {
+        const Train& train = draft_.train();
+        const auto width_of = [](const std::string& text) { return ImGui::CalcTextSize(text.c_str()).x; };
+        Column column{units_.label(name, measure), 0.0F};
+        float widest = width_of("0000");
+        const auto include = [&](double value) { widest = std::max(widest, width_of(units_.number(value, measure))); };
+        for (std::size_t i = 0; i < train.axles.size(); ++i)
+            include(measure == Measure::Force ? train.axles[i].value() : place_of_axle(train, i));
+        if (measure == Measure::Length) {
+            for (const Quantity& spacing : train.spacings) include(spacing.value());
+            for (const femoop::SpacingRange& range : train.spacing_ranges) include(range.max.value());
+        }
+        const float field = widest + 2.0F * ImGui::GetStyle().FramePadding.x + 0.3F * ImGui::GetFontSize();
+        column.width = std::max(width_of(column.heading), field);
+        return column;
     }
 
     void show_row(std::size_t i)
@@ -243,6 +277,11 @@ private:
             ImGui::EndCombo();
         }
         stops_.add();
+        const float room = ImGui::GetItemRectSize().x - ImGui::GetFrameHeight() -
+                           2.0F * ImGui::GetStyle().FramePadding.x;
+        const std::string shown = tr_(
+            std::ranges::find(extents, draft_.train().uniform_extent, &ExtentEntry::extent)->label);
+        if (ImGui::CalcTextSize(shown.c_str()).x > room) ui::wrapped_text(shown); // which the box cuts
         if (draft_.train().uniform_extent != UniformExtent::Outside) return;
         rows.name(units_.label(tr_("Free beside the axles"), Measure::Length));
         Quantity gap = draft_.train().gap.value_or(Quantity(0.0));
@@ -334,7 +373,7 @@ void show_origin(const Workspace& workspace)
     const auto* const entry = femoop::influence::library_entry(workspace.trains.train(), session.model().units);
     if (entry == nullptr) return;
     ImGui::PushStyleColor(ImGuiCol_Text, ImGui::GetColorU32(ImGuiCol_TextDisabled));
-    ui::wrapped_text(std::string(entry->source) + ". " + session.tr()(entry->left_out));
+    ui::wrapped_text(session.tr()(entry->source) + ". " + session.tr()(entry->left_out));
     ImGui::PopStyleColor();
 }
 
@@ -409,7 +448,7 @@ void TrainWindow::show_new(Workspace& workspace, ui::TabStops& stops) const
         if (ImGui::Selectable((tr(entry.label) + "###" + std::string(entry.id)).c_str()))
             draft.add(session, *entry.train);
         ImGui::Indent();
-        ImGui::TextDisabled("%s", std::string(entry.train->source).c_str());
+        ImGui::TextDisabled("%s", tr(entry.train->source).c_str());
         ImGui::Unindent();
     }
     ImGui::EndCombo();
