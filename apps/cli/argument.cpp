@@ -71,6 +71,7 @@ UsageError unknown_choice(std::string_view option, const std::string& found, con
     std::string text = tr("{option}: there is no {found}", {{"option", option}, {"found", quoted(found)}});
     if (const auto near = femoop::nearest(found, candidates))
         return UsageError(text + "; " + tr("did you mean {word}?", {{"word", quoted(*near)}}));
+    if (choices.empty()) return UsageError(text + "; " + tr("the file has none"));
     constexpr std::size_t most = 20;
     std::string list;
     for (std::size_t i = 0; i < choices.size() && i < most; ++i) list += (i == 0 ? "" : ", ") + choices[i];

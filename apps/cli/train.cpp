@@ -194,6 +194,24 @@ void require_searchable(const Question& question, const Model& model, const ui::
         for (const femoop::TrainId id : envelope->trains) add(model.moving_loads.trains[id.index]);
 }
 
+/// \throws UsageError where so many sections would be looked at that it takes minutes
+void require_few_sections(const Question& question, const Model& model, const ui::Catalogue& tr)
+{
+    constexpr double most = 1e6; // axles times effects: some 3e4 a second
+    double n_axles = 0.0;
+    const auto add = [&](const femoop::Train& train) {
+        n_axles += static_cast<double>(std::max<std::size_t>(1, train.axles.size()));
+    };
+    for (const femoop::Train* train : question.trains) add(*train);
+    for (const MovingEnvelope* envelope : question.envelopes)
+        for (const femoop::TrainId id : envelope->trains) add(model.moving_loads.trains[id.index]);
+    if (n_axles * static_cast<double>(question.effects.size()) <= most) return;
+    throw UsageError(
+        tr("--stations: {count} section forces and reactions would be looked at, each under all trains, for "
+           "minutes. Ask for fewer sections, or for one effect by --member, --at and --component",
+           {{"count", std::to_string(question.effects.size())}}));
+}
+
 void Train::explain(const Question& question, const Model& model, Console& console) const
 {
     const ui::Catalogue& tr = console.tr();
@@ -236,6 +254,7 @@ void Train::answer(const Model& model, Console& console) const
     if (is_described_) return describe(question, model, console);
     choose_effects(question, model, tr);
     require_searchable(question, model, tr);
+    require_few_sections(question, model, tr);
     TrainAnalysis analysis(model);
     const std::vector<TrainResults> all = results(question, analysis);
     console.report(display_name(file_, tr), analysis.warnings());

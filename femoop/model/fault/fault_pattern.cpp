@@ -415,7 +415,7 @@ std::string_view pattern(FaultKind kind)
     case FaultKind::WrongValueCount: return "{0}: found {1} values for {2} positions; give one for each";
     case FaultKind::TrainWithoutLoad: return "{0}: has neither axles nor a uniform load; give one of them";
     case FaultKind::AxlesAndSpacings:
-        return "{0}: found {1} axles and {2} spacings, wanted {3} spacings; give one behind each axle but the last";
+        return "{0}: number of axles {1}, of spacings {2}, wanted {3}; give one spacing behind each axle but the last";
     case FaultKind::RangeOfNoSpacing:
         return "{0}: there is no spacing \"{1}\" that could have a range; "
                "count from 1, behind the leading axle: there are {2}";

@@ -136,6 +136,16 @@ TEST_CASE("An envelope is told in sentences: of each component and reaction both
     CHECK(has(cremona(portuguese).out, "N é nulo onde quer que as cargas estejam.\n"));
 }
 
+TEST_CASE("What would be looked for for minutes is refused, and a file without lines says that it has none")
+{
+    const Run many = cremona({"train", "examples/bridge.json", "--stations", "100000"});
+    CHECK(many.status == 2);
+    CHECK(has(many.err, "Ask for fewer sections"));
+    const Run none = cremona({"render", "examples/portal.json", "-o", "unwritten.svg", "--influence", "nope"});
+    CHECK(none.status == 2);
+    CHECK(has(none.err, "--influence: there is no \"nope\"; the file has none"));
+}
+
 TEST_CASE("A proof is told in sentences: how many candidates, the best of them, and the next")
 {
     const std::vector<std::string> asked{"train", "examples/bridge.json", "--train", "HS20",   "--member", "BC", "--at",
