@@ -46,7 +46,9 @@ public:
         }
         include(curve.now.value);
         const double side = 16.0 + 0.5 * size_;
-        room_ = {{box.min.x + side, box.min.y + 3.3 * size_}, {box.max.x - side, box.max.y - 1.6 * size_}};
+        below_ = 0.4 * size_;
+        if (is_ringed_at_foot()) below_ = std::max(below_, ring_radius() + 0.3 * size_);
+        room_ = {{box.min.x + side, box.min.y + 3.3 * size_}, {box.max.x - side, box.max.y - 1.2 * size_ - below_}};
         begin_ = room_.min.x;
         end_ = room_.max.x;
         if (look.path) stand_below(*look.path, box);
@@ -65,6 +67,16 @@ private:
     {
         least_ = std::min(least_, value);
         most_ = std::max(most_, value);
+    }
+
+    double radius() const { return 4.0 * look_.theme.symbol_scale(); }
+    double ring_radius() const { return radius() + 2.0 * look_.theme.stroke(curve_.role).width; }
+
+    /// The ring of the critical place would lie over the words below the axis.
+    bool is_ringed_at_foot() const
+    {
+        constexpr double near = 0.1; // of the height
+        return curve_.worst && curve_.worst->value - least_ <= near * (most_ - least_);
     }
 
     // To the scale of the path where that leaves room for the positions beyond its ends.
@@ -105,7 +117,7 @@ private:
         painter_.line(at({from_, 0.0}), at({to_, 0.0}), axis);
         axis.width *= 3.0;
         painter_.line(at({0.0, 0.0}), at({curve_.path_length, 0.0}), axis);
-        const double y = room_.max.y + 0.4 * size_;
+        const double y = room_.max.y + below_;
         const bool is_rightwards = end_ > begin_;
         painter_.text({begin_, y}, place_text(from_),
                       style(ui::Role::FaintLabel, is_rightwards ? ui::Anchor::TopLeft : ui::Anchor::TopRight));
@@ -127,7 +139,7 @@ private:
     void draw_marks() const
     {
         const ui::Stroke stroke = look_.theme.stroke(curve_.role);
-        const double radius = 4.0 * look_.theme.symbol_scale();
+        const double radius = this->radius();
         const ui::Point now = at(curve_.now);
         painter_.line({now.x, room_.min.y}, {now.x, room_.max.y}, look_.theme.stroke(ui::Role::Label));
         for (const Place& candidate : curve_.candidates) painter_.disc(at(candidate), 0.45 * radius, stroke.color);
@@ -178,7 +190,8 @@ private:
     ui::Painter& painter_;
     const PositionCurve& curve_;
     const CurveLook& look_;
-    double size_; ///< em
+    double size_;        ///< em
+    double below_ = 0.0; ///< the axis its words stand
     ui::Box room_;
     std::vector<std::vector<Place>> runs_;
     double from_ = 0.0, to_ = 0.0, least_ = 0.0, most_ = 0.0;

@@ -3,6 +3,7 @@
 #include "apps/drawing/results/line_motion.h"
 #include "apps/drawing/sketch/scene.h"
 #include "femoop/methods/influence/train/standing_train.h"
+#include "femoop/result/magnitudes.h"
 
 #include <algorithm>
 #include <cstddef>
@@ -81,6 +82,8 @@ private:
 void stand_on(InfluencePicture& picture, const StandingTrain& standing)
 {
     picture.forces = standing_forces(standing.train, standing.placing, picture.line.ordinates, standing.kind);
+    const double largest = picture.line.ordinates.largest();
+    for (auto& force : picture.forces) force.ordinate = femoop::without_rounding(force.ordinate, largest);
 }
 
 std::string train_sentence(const femoop::Model& model, const DrawOptions& options, const InfluencePicture& picture,
