@@ -76,7 +76,7 @@ Funicular AskedFunicular::funicular(const LoadedChain& loaded, const Model& mode
     if (!through_) return {span, line, usual_thrust(chain, span)};
     const std::vector<double> point = lengths_named("--through", *through_, 2, model, tr);
     require_near("--through", *through_, point, model, tr);
-    if (const auto H = thrust_through(span, line, {point[0], point[1]})) return {span, line, *H};
+    if (const auto H = thrust_through(span, line, {point[0], point[1]})) return {span, line, *H, point[0]};
     throw UsageError(tr("--through: no funicular passes through {found}: M0 is 0 there, or the closing line passes "
                         "through it; choose a point between the ends and off that line",
                         {{"found", femoop::printable(*through_)}}));

@@ -89,7 +89,7 @@ private:
 
     void draw_rise() const
     {
-        const double x = funicular_.span.largest_moment().x;
+        const double x = given_rise(funicular_, picture_.chain).x;
         if (picture_.reading && std::abs(*picture_.reading - x) < 1e-6 * funicular_.span.length()) return;
         draw_ordinate(x, "f = ");
     }

@@ -32,8 +32,8 @@ struct FunicularPicture {
 /// What has to be in sight.
 std::vector<Eigen::Vector3d> places_of(const FunicularPicture& picture);
 
-/// The line over its closing line, which is dashed; thin the sides of the polygon where loads are distributed; the rise,
-/// and at the place that is read the ordinate and the moment H e off the axis.
+/// The line over its closing line, which is dashed; thin the sides of the polygon where loads are distributed; the rise
+/// that gives H, and at the place that is read the ordinate and the moment H e off the axis.
 void draw_funicular(const Scene& scene, const FunicularPicture& picture);
 PanelHead funicular_head(const Scene& scene, const FunicularPicture& picture);
 

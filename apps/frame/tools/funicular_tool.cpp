@@ -24,7 +24,8 @@ double round_place(double value, const Aim& at)
 /// Where the rise stands as the line passes through the crown of the chain.
 std::optional<double> height_through_crown(const FunicularPicture& picture)
 {
-    const auto& [span, closing_line, now] = picture.funicular;
+    const auto& span = picture.funicular.span;
+    const auto closing_line = picture.funicular.closing_line;
     const auto crown = picture.chain.crown();
     const auto H = crown ? thrust_through(span, closing_line, *crown) : std::nullopt;
     if (!H) return std::nullopt;

@@ -37,6 +37,22 @@ void write_place(JsonWriter& json, const Funicular& funicular, const Chain& chai
     json.member("M", funicular.H * e).end();
 }
 
+std::string_view name_of(GivenRise::Place place)
+{
+    switch (place) {
+    case GivenRise::Place::Hinge: return "hinge";
+    case GivenRise::Place::Point: return "point";
+    case GivenRise::Place::LargestMoment: break;
+    }
+    return "largest_M0";
+}
+
+void write_given_rise(JsonWriter& json, const GivenRise& rise)
+{
+    json.key("H_of").begin_object().member("place", name_of(rise.place)).member("x", rise.x);
+    json.member("M0", rise.M0).member("f", rise.f).end();
+}
+
 void write_force_polygon(JsonWriter& json, const Funicular& funicular)
 {
     const ForcePolygon polygon = force_polygon(funicular);
@@ -61,7 +77,9 @@ void write_funicular(JsonWriter& json, const Funicular& funicular, const Chain& 
     json.end();
     write_names(json, "left_out_at", chain.held, model);
     write_pair(json, "closing_line", funicular.closing_line.left, funicular.closing_line.right);
-    json.member("H", funicular.H).member("rise", funicular.rise());
+    json.member("H", funicular.H);
+    write_given_rise(json, given_rise(funicular, chain));
+    json.member("rise", funicular.rise());
     write_pair(json, "reactions", funicular.span.left_reaction(), funicular.span.right_reaction());
     const Extreme& most = funicular.span.largest_moment();
     json.key("largest_M0").begin_object().member("x", most.x).member("value", most.value).end();

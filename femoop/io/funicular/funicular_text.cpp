@@ -55,15 +55,28 @@ std::string chain_text(const Chain& chain, const Model& model, const Translator&
                 {listed(names), model[chain.nodes.front()].id, model[chain.nodes.back()].id}, tr(translatable("and")));
 }
 
-std::string thrust_line(const Funicular& funicular, const Model& model, const Translator& tr)
+std::string thrust_pattern(GivenRise::Place place, bool is_thrust, const Translator& tr)
+{
+    switch (place) {
+    case GivenRise::Place::Hinge:
+        return is_thrust ? tr("thrust H = M0 / f = {0} / {1} = {2}, M0 and f at the hinge, x = {3}")
+                         : tr("pull: H = M0 / f = {0} / {1} = {2}, M0 and f at the hinge, x = {3}");
+    case GivenRise::Place::Point:
+        return is_thrust ? tr("thrust H = M0 / f = {0} / {1} = {2}, M0 and f at the point it is led through, x = {3}")
+                         : tr("pull: H = M0 / f = {0} / {1} = {2}, M0 and f at the point it is led through, x = {3}");
+    case GivenRise::Place::LargestMoment: break;
+    }
+    return is_thrust ? tr("thrust H = M0 / f = {0} / {1} = {2}, M0 largest at x = {3}")
+                     : tr("pull: H = M0 / f = {0} / {1} = {2}, M0 largest at x = {3}");
+}
+
+std::string thrust_line(const Funicular& funicular, const Chain& chain, const Model& model, const Translator& tr)
 {
     const Printer text(model, tr);
-    const Extreme& most = funicular.span.largest_moment();
-    const std::string pattern = funicular.H > 0.0 ? tr("thrust H = M0 / f = {0} / {1} = {2}, M0 largest at x = {3}")
-                                                  : tr("pull: H = M0 / f = {0} / {1} = {2}, M0 largest at x = {3}");
-    return fill(pattern,
-                {text.number(most.value, 0.0), text.factor(funicular.rise(), 0.0),
-                 text(funicular.H, dimension::force, 0.0), text(most.x, dimension::length, funicular.span.length())});
+    const GivenRise rise = given_rise(funicular, chain);
+    return fill(thrust_pattern(rise.place, funicular.H > 0.0, tr),
+                {text.number(rise.M0, 0.0), text.factor(rise.f, 0.0), text(funicular.H, dimension::force, 0.0),
+                 text(rise.x, dimension::length, funicular.span.length())});
 }
 
 std::string reactions_line(const Funicular& funicular, const Chain& chain, const Model& model, const Translator& tr)
@@ -211,7 +224,8 @@ std::string sentence(const Refusal& refusal, const Model& model, const Translato
 std::vector<std::string> funicular_lines(const Funicular& funicular, const Chain& chain, const Model& model,
                                          const Translator& tr)
 {
-    std::vector<std::string> lines{thrust_line(funicular, model, tr), reactions_line(funicular, chain, model, tr)};
+    std::vector<std::string> lines{thrust_line(funicular, chain, model, tr),
+                                   reactions_line(funicular, chain, model, tr)};
     if (is_line_of_thrust(funicular, chain)) lines.front() += "; " + tr("the line of thrust of the arch");
     if (!chain.held.empty()) lines.push_back(left_out_line(chain, model, tr));
     if (const auto names = names_on_foundation(chain, model); !names.empty())

@@ -9,6 +9,11 @@ namespace {
 
 constexpr double nothing = 1e-9; // of the span, or of the largest moment
 
+bool passes(const Funicular& funicular, const Eigen::Vector2d& place, const Chain& chain)
+{
+    return std::abs(funicular.height(place.x()) - place.y()) <= nothing * chain.span();
+}
+
 } // namespace
 
 double Funicular::closing(double x) const
@@ -35,11 +40,27 @@ double usual_thrust(const Chain& chain, const SimpleSpan& span)
     return H.value_or(std::abs(span.largest_moment().value) / (usual_share * span.length()));
 }
 
+GivenRise given_rise(const Funicular& funicular, const Chain& chain)
+{
+    using Place = GivenRise::Place;
+    const Extreme& most = funicular.span.largest_moment();
+    const auto at = [&](Place place, double x) {
+        return GivenRise{place, x, funicular.span.moment(x), funicular.ordinate(x)};
+    };
+    const auto has_moment = [&](double x) {
+        return std::abs(funicular.span.moment(x)) > nothing * std::abs(most.value);
+    };
+    if (chain.hinge && has_moment(chain.hinge->x()) && passes(funicular, *chain.hinge, chain))
+        return at(Place::Hinge, chain.hinge->x());
+    if (funicular.led_through) return at(Place::Point, *funicular.led_through);
+    const std::optional<Eigen::Vector2d> crown = chain.crown();
+    const bool is_over_crown = crown && has_moment(crown->x()) && passes(funicular, *crown, chain);
+    return is_over_crown ? at(Place::Point, crown->x()) : at(Place::LargestMoment, most.x);
+}
+
 bool is_line_of_thrust(const Funicular& funicular, const Chain& chain)
 {
-    const auto is_on = [&](const Eigen::Vector2d& place) {
-        return std::abs(funicular.height(place.x()) - place.y()) <= nothing * chain.span();
-    };
+    const auto is_on = [&](const Eigen::Vector2d& place) { return passes(funicular, place, chain); };
     return chain.is_three_hinged_arch && is_on(chain.left()) && is_on(chain.right()) && is_on(*chain.hinge);
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <cstdint>
 #include <optional>
 #include <vector>
 
@@ -32,7 +33,8 @@ struct ClosingLine {
 struct Funicular {
     SimpleSpan span;
     ClosingLine closing_line;
-    double H = 1.0; ///< not 0
+    double H = 1.0;                      ///< not 0
+    std::optional<double> led_through{}; ///< x of a point that gave H
 
     double closing(double x) const; ///< height of the closing line
     double ordinate(double x) const { return span.moment(x) / H; }
@@ -50,6 +52,18 @@ std::optional<double> thrust_through(const SimpleSpan& span, const ClosingLine& 
 /// The H of the funicular over the chord of a chain that passes through its crown; where none does, of a rise of a fifth
 /// of the span.
 double usual_thrust(const Chain& chain, const SimpleSpan& span);
+
+/// Where the rise f is measured that gives H = M0 / f: one that is known before the funicular is.
+struct GivenRise {
+    enum class Place : std::uint8_t {
+        Hinge,         ///< of the chain
+        Point,         ///< another one that the funicular passes through: a given one, or the crown of the chain
+        LargestMoment, ///< it passes through no such point, and its largest ordinate was chosen
+    };
+    Place place = Place::LargestMoment;
+    double x = 0.0, M0 = 0.0, f = 0.0; ///< f over the closing line
+};
+GivenRise given_rise(const Funicular& funicular, const Chain& chain);
 
 /// Whether the chain is a three-hinged arch and this, over its ends and through its hinge, the line of its thrust.
 bool is_line_of_thrust(const Funicular& funicular, const Chain& chain);

@@ -24,7 +24,7 @@ TEST_SUITE("funicular")
         const Funicular funicular{span, {0.0, 0.0}, 50.0};
         const std::vector<std::string> lines = funicular_lines(funicular, chain, model, english);
         REQUIRE(lines.size() == 2);
-        CHECK(lines[0] == "thrust H = M0 / f = 450 / 9 = 50 kN, M0 largest at x = 6 m; the "
+        CHECK(lines[0] == "thrust H = M0 / f = 300 / 6 = 50 kN, M0 and f at the hinge, x = 12 m; the "
                           "line of thrust of the arch");
         CHECK(lines[1] == "reactions of the simple beam: 75 kN at A, 25 kN at I");
         CHECK(reading_line(funicular, chain, 6.0, model, english) ==
@@ -32,6 +32,25 @@ TEST_SUITE("funicular")
               "225 kN·m");
         const std::string cable = funicular_lines({span, {0.0, 0.0}, -90.0}, chain, model, english).front();
         CHECK(cable == "pull: H = M0 / f = 450 / (−5) = −90 kN, M0 largest at x = 6 m");
+    }
+
+    TEST_CASE("The thrust is told of the rise that was given: of a point, of the hinge, and of neither the largest")
+    {
+        const Model model = read_model_file("examples/three_hinged_arch.json");
+        const Discretisation structure = discretise(model);
+        const Chain chain = chain_of(structure, members_across(structure));
+        const SimpleSpan span(0.0, 24.0, vertical_loads(model, structure, chain, CaseId(1))); // 100 at x = 6
+        const auto told = [&](const Funicular& funicular) {
+            return funicular_lines(funicular, chain, model, english).front();
+        };
+        // over the closing line through (0, 1.5) and (24, -0.5): at x = 18 that is at 0, and M0 = 25 * 6
+        CHECK(told({span, {1.5, -0.5}, 150.0 / 3.0, 18.0}) ==
+              "thrust H = M0 / f = 150 / 3 = 50 kN, M0 and f at the point it is led through, x = 18 m");
+        CHECK(
+            told({span, {0.0, 0.0}, 50.0, 12.0}).starts_with("thrust H = M0 / f = 300 / 6 = 50 kN, M0 and f at the h"));
+        CHECK(told({span, {0.0, 0.0}, -60.0, 18.0}) ==
+              "pull: H = M0 / f = 150 / (−2.5) = −60 kN, M0 and f at the point it is led through, x = 18 m");
+        CHECK(told({span, {0.0, 0.0}, 45.0}) == "thrust H = M0 / f = 450 / 10 = 45 kN, M0 largest at x = 6 m");
     }
 
     TEST_CASE("Over members on an elastic foundation it says that this is left out")
@@ -86,7 +105,7 @@ TEST_SUITE("funicular")
         const std::string latex = funicular_latex(funicular, chain, model, english);
         const auto has = [&](std::string_view part) { return latex.find(part) != std::string::npos; };
         CHECK(latex.starts_with("\\section*{Funicular over AB, BC, CD, DE, EF, FG, GH and HI from A to I}\n"));
-        CHECK(has("thrust H = M0 / f = 450 / 9 = 50 kN"));
+        CHECK(has("thrust H = M0 / f = 300 / 6 = 50 kN"));
         CHECK(has("pole O at height \\ensuremath{-}75 kN, 50 kN to its left"));
         CHECK(has("\n1 & 6 & 9 & 100 & \\ensuremath{-}100 \\\\\n"));
         CHECK(fault_of_latex(latex) == "");
