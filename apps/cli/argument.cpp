@@ -147,6 +147,17 @@ std::vector<femoop::MemberId> members_named(std::string_view option, const std::
     return members;
 }
 
+void tell_of_case_named_as_keyword(std::string_view name, const Console& console)
+{
+    if (name == "all")
+        console.message(console.tr()(
+            "--case all: this is the load case or combination named \"all\"; leave --case out for all of them"));
+    else if (name == "envelope")
+        console.message(console.tr()(
+            "--case envelope: this is the load case or combination named \"envelope\"; give it another name for the "
+            "envelope of all of them"));
+}
+
 std::vector<femoop::CaseId> all_cases(const femoop::Model& model)
 {
     std::vector<femoop::CaseId> cases;

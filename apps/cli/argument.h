@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -51,6 +52,14 @@ femoop::CaseId find_case(const femoop::Model& model, const std::string& name, co
 femoop::CaseId find_case(std::string_view option, const femoop::Model& model, const std::string& name,
                          const ui::Catalogue& tr);
 std::vector<femoop::CaseId> all_cases(const femoop::Model& model);
+
+void tell_of_case_named_as_keyword(std::string_view name, const Console& console);
+/// Says that `--case all` or `--case envelope` is the case of this name, where the file has one.
+template <class Model>
+void tell_of_case_named_as_keyword(const std::optional<std::string>& typed, const Model& model, const Console& console)
+{
+    if (typed && model.find_case(*typed)) tell_of_case_named_as_keyword(*typed, console);
+}
 
 /// The members of these names, each once. \throws UsageError naming the option
 femoop::MemberId member_named(std::string_view option, const std::string& name, const femoop::Model& model,

@@ -31,17 +31,18 @@ namespace {
 
 namespace fp = femoop::plane;
 
-std::vector<femoop::CaseId> cases_named(const fp::PlaneModel& model, const std::string& name, const ui::Catalogue& tr)
+std::vector<femoop::CaseId> cases_named(const fp::PlaneModel& model, const std::optional<std::string>& name,
+                                        const ui::Catalogue& tr)
 {
     std::vector<femoop::CaseId> cases;
-    if (const auto found = model.find_case(name)) return {*found};
+    if (const auto found = name ? model.find_case(*name) : std::nullopt) return {*found};
     std::vector<std::string> names;
     for (std::size_t i = 0; i < model.n_cases(); ++i) {
         cases.emplace_back(i);
         names.push_back(model.case_name(femoop::CaseId(i)));
     }
-    if (name == "all") return cases;
-    throw unknown_choice("--case", name, names, tr);
+    if (!name || *name == "all") return cases;
+    throw unknown_choice("--case", *name, names, tr);
 }
 
 /// The points of a drawing that are in material.
@@ -155,7 +156,7 @@ void PlaneSolve::require_one_output(const Question& question, const ui::Catalogu
         std::string_view option;
         bool is_given;
     };
-    const Given load_case{"--case", question.case_name != "all"}, at{"--at", !places_.empty()},
+    const Given load_case{"--case", question.case_name.value_or("all") != "all"}, at{"--at", !places_.empty()},
         cut{"--cut", !cuts_.empty()}, full{"--full", is_full_}, time{"--time", question.is_timed},
         trace{"--trace", question.traced_element.has_value()}, cycles{"--cycles", cycles_.has_value()},
         csv{"--csv", question.csv_folder.has_value()}, description{"--describe", question.is_described};

@@ -24,8 +24,8 @@ class PlaneSolve {
 public:
     struct Question {
         femoop::plane::PlaneReading& reading;
-        std::string file;      ///< as messages call it
-        std::string case_name; ///< of --case
+        std::string file;                     ///< as messages call it
+        std::optional<std::string> case_name; ///< of --case; none, or "all": all of them
         bool is_json = false;
         std::optional<std::string> traced_element{}; ///< of --trace
         const AskedUnits& units;                     ///< of --unit

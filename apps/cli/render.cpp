@@ -225,6 +225,7 @@ ExitStatus Render::draw_structure(const femoop::Model& model, PictureOrder pictu
     picture.dimensions = beside.companion.dimensions;
     if (view_) look_at_view(picture, beside.companion, model, tr);
     if (case_) choose_case(picture.view, model, tr);
+    if (case_ == "envelope") tell_of_case_named_as_keyword(case_, model, console);
     if (truss_.is_asked()) return truss_.draw(model, display_name(file_, tr), picture, show_.has_value(), console);
     if (moving_.is_asked()) return moving_.draw(model, display_name(file_, tr), picture, show_.has_value(), console);
     return draw_picture(model, display_name(file_, tr), picture, console);

@@ -66,6 +66,7 @@ private:
     std::string trace(const Model& model, const ui::Catalogue& tr) const;
     ExitStatus solve_plane(femoop::plane::PlaneReading& reading, const femoop::AnalysisOptions& options,
                            double seconds_to_read, Console& console) const;
+    bool is_of_all_cases(const Model& model) const;
     CaseId followed_case(const Model& model, const ui::Catalogue& tr) const;
     std::string derivation(const Model& model, const Results& results, const ui::Catalogue& tr) const;
     std::string virtual_work(const Model& model, const Results& results, const ui::Catalogue& tr) const;
@@ -75,8 +76,8 @@ private:
     void write_csv(const Model& model, const Results& results, const Selection& selection,
                    const Console& console) const;
 
-    std::string file_, case_ = "all", stations_ = std::to_string(femoop::usual_n_stations), solver_ = "automatic";
-    std::optional<std::string> csv_folder_, traced_member_, asked_number_, worked_displacement_;
+    std::string file_, stations_ = std::to_string(femoop::usual_n_stations), solver_ = "automatic";
+    std::optional<std::string> case_, csv_folder_, traced_member_, asked_number_, worked_displacement_;
     bool is_json_ = false, is_latex_ = false, is_timed_ = false, is_refined_ = false, is_described_ = false;
     SolverTraceOptions solver_trace_;
     AskedBody body_;
@@ -191,12 +192,14 @@ void Solve::declare(OptionParser& options, const ui::Catalogue& tr)
                      tr("print sentences instead of tables: for a screen reader, or beside a picture"));
 }
 
+// A case that bears the name of a keyword is still reached.
+bool Solve::is_of_all_cases(const Model& model) const { return !case_ || (*case_ == "all" && !model.find_case("all")); }
+
 Selection Solve::selection(const Model& model, const ui::Catalogue& tr) const
 {
     Selection selection;
     selection.n_stations = static_cast<std::size_t>(whole_number("--stations", stations_, {2, 100000}, tr));
-    // A case that bears the name of a keyword is still reached.
-    if (case_ == "all" && !model.find_case("all")) {
+    if (is_of_all_cases(model)) {
         selection.cases = all_cases(model);
     } else if (case_ == "envelope" && !model.find_case("envelope")) {
         selection.cases = all_cases(model);
@@ -204,7 +207,7 @@ Selection Solve::selection(const Model& model, const ui::Catalogue& tr) const
         if (selection.cases.empty())
             throw UsageError(tr("--case: an envelope needs at least one load case, and the model has none"));
     } else {
-        selection.cases = {find_case(model, case_, tr)};
+        selection.cases = {find_case(model, *case_, tr)};
     }
     return selection;
 }
@@ -252,7 +255,7 @@ void Solve::require_one_output(const ui::Catalogue& tr) const
         const auto& [is_given, option, is_of_a_case, has_csv, has_envelope] = outputs[i];
         for (std::size_t j = i + 1; j < outputs.size(); ++j)
             refuse(is_given && outputs[j].is_given, option, outputs[j].option);
-        refuse(is_given && !is_of_a_case && case_ != "all", option, "--case");
+        refuse(is_given && !is_of_a_case && case_.value_or("all") != "all", option, "--case");
         refuse(is_given && is_of_a_case && !has_envelope && case_ == "envelope", option, "--case envelope");
         refuse(is_given && !has_csv && csv_folder_, option, "--csv");
     }
@@ -278,7 +281,7 @@ std::string Solve::trace(const Model& model, const ui::Catalogue& tr) const
 CaseId Solve::followed_case(const Model& model, const ui::Catalogue& tr) const
 {
     if (model.n_cases() == 0) throw UsageError(tr("The model has no load case."));
-    return case_ == "all" && !model.find_case("all") ? CaseId(0) : find_case(model, case_, tr);
+    return is_of_all_cases(model) ? CaseId(0) : find_case(model, *case_, tr);
 }
 
 std::string Solve::derivation(const Model& model, const Results& results, const ui::Catalogue& tr) const
@@ -373,6 +376,7 @@ ExitStatus Solve::solve_plane(femoop::plane::PlaneReading& reading, const femoop
                               double seconds_to_read, Console& console) const
 {
     const ui::Catalogue& tr = console.tr();
+    tell_of_case_named_as_keyword(case_, reading.model, console);
     if (const auto option = of_members_alone(reading.model))
         throw UsageError(
             tr("{option} is not built yet for plane models; they are solved with --analysis, --case, --at, "
@@ -438,6 +442,7 @@ ExitStatus Solve::run(Console& console)
     count_in_chosen_units(members.model, tr);
     const Model* const model = &members.model;
     const Selection selected = selection(*model, tr);
+    tell_of_case_named_as_keyword(case_, members.model, console);
     phases.read = watch.lap();
 
     const std::string file = display_name(file_, tr);

@@ -138,6 +138,28 @@ TEST_CASE("--case prints one case alone, and a mistyped one is answered with wha
     CHECK(wrong.err == "cremona solve: --case: there is no \"wind\"; choose from: P, U\n");
 }
 
+TEST_CASE(
+    "Without --case all cases are printed, also of a file that has one named all; --case all is that one, and said")
+{
+    std::string model = cantilever();
+    const std::string combination = R"("id": "U")";
+    REQUIRE(model.find(combination) != std::string::npos);
+    const auto named = [&](const std::string& name) {
+        return std::string(model).replace(model.find(combination), combination.size(), R"("id": ")" + name + "\"");
+    };
+    CHECK(keys(solved({}, named("all"))["cases"]) == std::vector<std::string>{"P", "all"});
+    const Run all = cremona({"solve", "-", "--json", "--case", "all"}, named("all"));
+    CHECK(keys(json::parse(all.out)["cases"]) == std::vector<std::string>{"all"});
+    CHECK(all.err ==
+          "--case all: this is the load case or combination named \"all\"; leave --case out for all of them\n");
+    CHECK(keys(solved({"--case", "all"}, model)["cases"]) == std::vector<std::string>{"P", "U"});
+
+    const Run envelope = cremona({"solve", "-", "--json", "--case", "envelope"}, named("envelope"));
+    CHECK(keys(json::parse(envelope.out)["cases"]) == std::vector<std::string>{"envelope"});
+    CHECK(
+        has(envelope.err, "--case envelope: this is the load case or combination named \"envelope\"; give it another"));
+}
+
 TEST_CASE("The envelope names the case that governs each value")
 {
     const json envelope = solved({"--case", "envelope"}, cantilever())["envelope"];
