@@ -2,15 +2,19 @@
 
 #include <functional>
 #include <optional>
+#include <string>
 #include <utility>
 #include <variant>
+#include <vector>
 
 #include "apps/cli/analysis_run.h"
+#include "apps/cli/argument.h"
 #include "apps/drawing/draw.h"
 #include "apps/drawing/sheet/subject.h"
 #include "apps/frame/view/kept_view.h"
 #include "apps/frame/view/motion_words.h"
 #include "femoop/analysis/mechanism.h"
+#include "femoop/model/fault/fault.h"
 #include "ui/text/language_manner.h"
 
 namespace cli {
@@ -59,6 +63,21 @@ ExitStatus draw_mechanism(const femoop::Model& model, const femoop::MechanismErr
 
 } // namespace
 
+void require_counterpart(const drawing::ReferenceResults& reference, const femoop::Model& model,
+                         const PictureOrder& order, const ui::Catalogue& tr)
+{
+    if (order.view.is_envelope) throw ask_for_different_things("--compare", "--case envelope", tr);
+    if (model.n_cases() == 0 || reference.counterpart(model, order.view.load_case)) return;
+    std::vector<std::string> names;
+    for (const femoop::CaseId id : all_cases(reference.model)) names.push_back(reference.model.case_name(id));
+    throw UsageError(
+        tr("--compare: {case}: there is none of this name in {file}, so there is nothing to draw behind it; "
+           "name a case of {file} with --with ({names})",
+           {{"case", model.case_name(order.view.load_case)},
+            {"file", reference.name},
+            {"names", names.empty() ? tr("it has none") : femoop::listed(names)}}));
+}
+
 ExitStatus draw_picture(const femoop::Model& model, const std::string& file, const PictureOrder& order,
                         const Console& console)
 {
@@ -72,6 +91,7 @@ ExitStatus draw_picture(const femoop::Model& model, const std::string& file, con
             auto found = reference_of(*order.reference, model, results, console);
             if (const auto* status = std::get_if<ExitStatus>(&found)) return *status;
             reference = std::get<drawing::ReferenceResults>(std::move(found));
+            require_counterpart(*reference, model, order, console.tr());
         }
         const auto counting = counting_shown(model, order.view);
         const drawing::DrawInput input{.model = model,

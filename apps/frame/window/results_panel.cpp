@@ -4,8 +4,10 @@
 
 #include <algorithm>
 #include <array>
+#include <memory>
 #include <numeric>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "apps/drawing/measures.h"
@@ -224,15 +226,40 @@ void difference_row(ResultRow& row, const ShownCase& shown, const Difference& on
     }
 }
 
+/// Every case is compared with this one from now on.
+void compare_with_case(Session& session, CaseId load_case)
+{
+    ReferenceResults paired = *session.reference;
+    const std::string name = paired.model.case_name(load_case);
+    paired.load_case = load_case;
+    paired.name = paired.name.empty() ? name : paired.name + ": " + name;
+    session.reference = std::make_shared<const ReferenceResults>(std::move(paired));
+}
+
+/// That the case that is shown has no counterpart, and what it can be compared with.
+void show_no_counterpart(const ShownCase& shown, const std::string& name)
+{
+    const ui::Catalogue& tr = shown.tr();
+    const auto reference = shown.session().reference; // a click replaces it
+    ui::wrapped_text(tr("{case}: there is no load case of this name in {name}, so nothing is compared.",
+                        {{"case", shown.result.name()}, {"name", name}}));
+    for (std::size_t i = 0; i < reference->model.n_cases(); ++i) {
+        const std::string other = reference->model.case_name(CaseId(i));
+        if (ui::wrapped_button(tr("Compare with {case}", {{"case", other}}), "with" + std::to_string(i)))
+            compare_with_case(shown.session(), CaseId(i));
+    }
+}
+
 /// The present results beside those that are kept, part by part.
 void show_differences(const ShownCase& shown)
 {
-    const ReferenceResults& reference = *shown.session().reference;
+    const std::shared_ptr<const ReferenceResults> kept = shown.session().reference;
+    const ReferenceResults& reference = *kept;
     const auto counterpart = reference.counterpart(shown.model(), shown.session().view.load_case);
-    if (!counterpart) return;
     const ui::Catalogue& tr = shown.tr();
     const std::string name = reference.name.empty() ? tr("the results that were kept") : reference.name;
     if (!result_section(tr("Compared with {name}", {{"name", name}}), "differences")) return;
+    if (!counterpart) return show_no_counterpart(shown, name);
     const Differences all({&shown.model(), shown.result}, {&reference.model, reference.results[*counterpart]});
     const std::vector<std::string> headings{tr("Part"), tr("now"), tr("kept"), "Δ"};
     result_list("differences", headings, all.size(),

@@ -53,6 +53,22 @@ TEST_CASE("A combination of 1.5 P beside P has half of P's results more")
     CHECK(entry(one["displacements"], "B", "uy")["change"].get<double>() == doctest::Approx(-0.5 * sag));
 }
 
+TEST_CASE("A picture refuses a file to compare with that has no case of the name, and says which it has")
+{
+    const Folder folder;
+    std::string renamed = cantilever();
+    for (std::size_t at = renamed.find("\"P\""); at != std::string::npos; at = renamed.find("\"P\""))
+        renamed[at + 1] = 'S';
+    const std::string now = folder.write("now.json", cantilever()), other = folder.write("other.json", renamed);
+    const std::string picture = folder.path("picture.svg");
+    const Run run = cremona({"render", now, "-o", picture, "--show", "M", "--case", "P", "--compare", other});
+    CHECK(run.status == 2);
+    CHECK(cli_test::has(run.err, "P: there is none of this name in " + other));
+    CHECK(cli_test::has(run.err, "with --with (S, U)"));
+    CHECK(cremona({"render", now, "-o", picture, "--case", "P", "--compare", other, "--with", "S"}).status == 0);
+    CHECK(cremona({"render", now, "-o", picture, "--case", "U", "--compare", other}).status == 0);
+}
+
 TEST_CASE("A file in other units is the same structure: nothing changes, whatever it counts in")
 {
     const Folder folder;
