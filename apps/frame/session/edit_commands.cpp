@@ -111,13 +111,14 @@ void give_up(Workspace& workspace)
     if (std::exchange(workspace.refused_release, std::nullopt)) return;
     if (is_predicting(workspace) && !workspace.tool_controller.is_sketching())
         return workspace.session.prediction.clear();
-    if (workspace.tool_controller.kind() == ToolKind::Influence) {
-        if (workspace.tool_controller.tool().escape()) return;
-        workspace.session.influence.clear();
-    }
-    if (workspace.tool_controller.kind() == ToolKind::FreeBody) workspace.session.free_body.clear();
-    if (workspace.tool_controller.kind() == ToolKind::Funicular) workspace.session.funicular.clear();
-    if (workspace.tool_controller.kind() == ToolKind::VirtualWork) workspace.session.virtual_work.clear();
+    const ToolKind tool = workspace.tool_controller.kind();
+    const bool shows_method = tool == ToolKind::Influence || tool == ToolKind::FreeBody ||
+                              tool == ToolKind::Funicular || tool == ToolKind::VirtualWork;
+    if (shows_method && workspace.tool_controller.tool().escape()) return; // a drag, not the method
+    if (tool == ToolKind::Influence) workspace.session.influence.clear();
+    if (tool == ToolKind::FreeBody) workspace.session.free_body.clear();
+    if (tool == ToolKind::Funicular) workspace.session.funicular.clear();
+    if (tool == ToolKind::VirtualWork) workspace.session.virtual_work.clear();
     if (workspace.tool_controller.escape()) return;
     if (workspace.session.truss.is_on()) return workspace.session.truss.close();
     if (workspace.session.view.show.contains(Show::Counting)) { // which keeps loads and results from sight

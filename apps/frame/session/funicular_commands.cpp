@@ -72,7 +72,12 @@ void add_funicular_commands(CommandTable& table)
         [](Workspace& workspace) { workspace.session.funicular.lead_through_crown(); }, needs_crown);
     menu.step(
         {"view.funicular.close", translatable("Close the funicular")},
-        [](Workspace& workspace) { workspace.session.funicular.clear(); }, needs_funicular);
+        [](Workspace& workspace) {
+            workspace.session.funicular.clear();
+            if (workspace.tool_controller.kind() == ToolKind::Funicular)
+                workspace.tool_controller.select(ToolKind::Select);
+        },
+        needs_funicular);
 }
 
 } // namespace frame

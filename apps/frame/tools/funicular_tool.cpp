@@ -3,7 +3,6 @@
 #include <cmath>
 #include <utility>
 
-#include "apps/frame/funicular/asked_funicular.h"
 #include "apps/frame/tools/snap.h"
 
 namespace frame {
@@ -79,6 +78,8 @@ std::optional<Change> FunicularTool::press(const Work& work, const Aim& at)
     press_ = at;
     const FunicularPicture* const picture = work.funicular->last();
     held_ = picture != nullptr ? handle_at(*picture, at) : std::nullopt;
+    pressed_ = work.funicular;
+    before_ = *pressed_;
     return std::nullopt;
 }
 
@@ -95,6 +96,7 @@ std::optional<Change> FunicularTool::move(const Work& work, const Aim& to)
 std::optional<Change> FunicularTool::release(const Work& work, const Aim&)
 {
     const std::optional<Aim> press = std::exchange(press_, std::nullopt);
+    pressed_ = nullptr;
     if (!press || std::exchange(held_, std::nullopt) || !press->cut) return std::nullopt;
     work.funicular->pick(work.document.model, press->cut->member, press->adds);
     return std::nullopt;
@@ -102,8 +104,11 @@ std::optional<Change> FunicularTool::release(const Work& work, const Aim&)
 
 bool FunicularTool::escape()
 {
+    if (!press_) return false;
+    *std::exchange(pressed_, nullptr) = before_;
     held_.reset();
-    return std::exchange(press_, std::nullopt).has_value();
+    press_.reset();
+    return true;
 }
 
 } // namespace frame

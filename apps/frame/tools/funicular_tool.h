@@ -3,6 +3,7 @@
 #include <optional>
 
 #include "apps/drawing/results/funicular_picture.h"
+#include "apps/frame/funicular/asked_funicular.h"
 #include "apps/frame/tools/tool.h"
 
 namespace frame {
@@ -15,7 +16,7 @@ public:
     std::optional<Change> press(const Work& work, const Aim& at) override;
     std::optional<Change> move(const Work& work, const Aim& to) override;
     std::optional<Change> release(const Work& work, const Aim& at) override;
-    bool escape() override;
+    bool escape() override; ///< a drag: the funicular is as it was when the button went down
     bool snaps() const override { return false; }
 
 private:
@@ -25,6 +26,8 @@ private:
 
     std::optional<Aim> press_;
     std::optional<drawing::FunicularHandle> held_;
+    AskedFunicular* pressed_ = nullptr; ///< while the button is held
+    AskedFunicular before_;             ///< it as that went down
 };
 
 } // namespace frame

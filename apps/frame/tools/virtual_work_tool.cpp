@@ -1,6 +1,7 @@
 #include "apps/frame/tools/virtual_work_tool.h"
 
-#include "apps/frame/virtual_work/asked_work.h"
+#include <utility>
+
 #include "femoop/geometry/member_geometry.h"
 
 namespace frame {
@@ -8,6 +9,8 @@ namespace frame {
 std::optional<Change> VirtualWorkTool::press(const Work& work, const Aim& at)
 {
     const femoop::Model& model = work.document.model;
+    pressed_ = work.virtual_work;
+    before_ = *pressed_;
     const bool is_shown = work.virtual_work->is_on(model); // else the sheet is parted now, under the hand
     if (at.node) work.virtual_work->ask(model, *at.node);
     else if (at.support) work.virtual_work->ask(model, at.support->node);
@@ -17,6 +20,14 @@ std::optional<Change> VirtualWorkTool::press(const Work& work, const Aim& at)
         work.virtual_work->ask(model, Cut{at.cut->member, round_section(at.cut->x, length, at)});
     }
     return std::nullopt;
+}
+
+bool VirtualWorkTool::escape()
+{
+    if (pressed_ == nullptr) return false;
+    *std::exchange(pressed_, nullptr) = before_;
+    held_.reset();
+    return true;
 }
 
 bool VirtualWorkTool::takes_hold(const Work& work, const Aim& at) const
@@ -34,6 +45,7 @@ std::optional<Change> VirtualWorkTool::move(const Work& work, const Aim& to)
 std::optional<Change> VirtualWorkTool::release(const Work&, const Aim&)
 {
     held_.reset();
+    pressed_ = nullptr;
     return std::nullopt;
 }
 

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "apps/frame/session/edit_commands.h"
+#include "apps/frame/session/funicular_commands.h"
 #include "apps/frame/session/plane_commands.h"
 #include "apps/frame/session/train_commands.h"
 #include "apps/frame/tools/kept_settings.h"
@@ -370,7 +371,7 @@ std::string_view hint(ToolKind tool, bool is_in_space)
     case ToolKind::Predict: return translatable("Draw beside the members; H reveals.");
     case ToolKind::Influence: return translatable("Click a section or a support; drag the section along. R: trains");
     case ToolKind::FreeBody: return translatable("Click a part, or draw a cut; V: its other side");
-    case ToolKind::Funicular: return translatable("Drag the rings; point to read. Shift+J: through the hinge");
+    case ToolKind::Funicular: return translatable("Drag the rings; point to read. Shift+J: hinge");
     case ToolKind::VirtualWork: return translatable("Click a node or a section; drag the section along.");
     case ToolKind::Paste: return translatable("Click where it goes, or type the place: 6,4  @3,2");
     case ToolKind::Delete: break;
@@ -417,7 +418,10 @@ void tool_bar(Workspace& workspace, const CommandTable& commands, ui::ImGuiSessi
     const bool is_in_space = femoop::is_3d(workspace.session.model().analysis);
     if (is_in_space && workspace.tool_controller.can_type()) plane_settings(workspace, fields);
     if (workspace.tool_controller.can_type() && tool != ToolKind::Dimension) snap_settings(workspace, commands, fields);
-    show_hint(workspace.session.view.tr(hint(tool, is_in_space)));
+    const bool has_funicular = shown_funicular(workspace.session) != nullptr;
+    show_hint(workspace.session.view.tr(tool == ToolKind::Funicular && !has_funicular
+                                            ? translatable("Click a member of an arch or a beam; Shift: one more")
+                                            : hint(tool, is_in_space)));
     ImGui::PopStyleVar();
 }
 
