@@ -46,6 +46,9 @@ void draw_diagram(const Scene& scene, const SolvedCase& solved, const Diagram& d
 void mark_effect(const Scene& scene, const SolvedCase& solved, const Diagram& diagram,
                  const femoop::MovingEffect& effect);
 
+/// The members of a former structure that lie elsewhere now, or are gone, faint: what its diagrams stand on.
+void draw_reference_members(const Scene& former, const Scene& present);
+
 /// The outlines of the diagram alone, faint and without values: a former solution behind the present one. The scene is
 /// that of the former structure. \param part  of the diagram's scale, 1 or `part_of_scale`
 void draw_reference(const Scene& scene, const SolvedCase& solved, const Diagram& diagram, double part);

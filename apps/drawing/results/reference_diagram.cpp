@@ -1,7 +1,37 @@
 // Diagrams of a former solution.
 #include "apps/drawing/results/diagram.h"
 
+#include <algorithm>
+#include <optional>
+#include <string>
+
 namespace drawing {
+
+namespace {
+
+bool lies_there_now(const Scene& former, std::size_t i, const Scene& present)
+{
+    constexpr double nothing = 1e-6; // of the structure's size
+    const std::string& id = former.model.members[i].id;
+    const bool is_same_place = i < present.model.members.size() && present.model.members[i].id == id;
+    const auto now = is_same_place ? femoop::MemberId(i) : present.model.find_member(id);
+    if (!now) return false;
+    const MemberShape &a = former.shape.members[i], &b = present.shape[*now];
+    return std::max((a.start - b.start).norm(), (a.end - b.end).norm()) <= nothing * present.shape.size;
+}
+
+} // namespace
+
+void draw_reference_members(const Scene& former, const Scene& present)
+{
+    ui::Stroke stroke = former.sketch.thin(ui::Role::Member);
+    stroke.color = ui::with_opacity(stroke.color, 0.5);
+    for (std::size_t i = 0; i < former.shape.members.size(); ++i) {
+        const MemberShape& member = former.shape.members[i];
+        if (lies_there_now(former, i, present)) continue;
+        former.sketch.line(former.projection(member.start), former.projection(member.end), stroke, Clearance::Soft);
+    }
+}
 
 void draw_reference(const Scene& scene, const SolvedCase& solved, const Diagram& diagram, double part)
 {

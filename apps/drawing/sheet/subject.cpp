@@ -194,6 +194,7 @@ private:
         const StructureShape shape = shape_of(model);
         const Scene former{model,        shape,         scene_.projection, scene_.options, scene_.state,
                            scene_.units, scene_.sketch, scene_.detail,     scene_.show};
+        if (!std::exchange(has_former_members_, true)) draw_reference_members(former, scene_);
         double most_before = 0.0, most_now = 0.0;
         for (const Diagram& diagram : present) {
             most_before = std::max(most_before, largest_value(*solved, diagram.component, shape.size));
@@ -281,7 +282,7 @@ private:
     ui::Size size_;
     const InfluencePicture* line_;
     std::vector<PanelHead> heads_;
-    bool is_overlay_alone_ = false;
+    bool is_overlay_alone_ = false, has_former_members_ = false;
 };
 
 /// Without what a kind of model does not have, such as N in a grillage.

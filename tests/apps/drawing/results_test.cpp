@@ -17,6 +17,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 
 using namespace drawing;
 using femoop::MemberComponent;
@@ -407,6 +408,28 @@ TEST_CASE("The band of an envelope has the extremes of all cases")
     };
     CHECK(says(extremes.max.value));
     CHECK(says(extremes.min.value));
+}
+
+TEST_CASE("What results are compared with has its members behind, faint, where they lie elsewhere now, and there alone")
+{
+    const ui::Fonts fonts;
+    const femoop::Model model = view_test::example("portal");
+    const femoop::Results results = femoop::analyse(model);
+    femoop::Model taller = model;
+    for (const char* node : {"B", "C"}) taller.nodes[taller.find_node(node)->index].at[1] = femoop::Quantity(5.5);
+    const auto n_faint_members = [&](const femoop::Model& other) {
+        const ReferenceResults reference{.model = other, .results = femoop::analyse(other)};
+        ui::Painter painter(sheet, fonts);
+        draw(painter, {.model = model, .results = &results, .reference = &reference}, {.show = {Show::N, Show::M}});
+        view_test::Marks marks(fonts);
+        painter.picture().draw_on(marks);
+        const ui::Color faint = ui::with_opacity(ui::Theme(ui::ThemeName::Light).stroke(ui::Role::Member).color, 0.5);
+        return std::ranges::count(marks.lines, faint, [](const auto& line) { return line.stroke.color; });
+    };
+    CHECK(n_faint_members(model) == 0);
+    const auto n_panels = n_faint_members(taller) / static_cast<std::ptrdiff_t>(model.members.size());
+    CHECK(n_panels >= 1);
+    CHECK(n_faint_members(taller) == n_panels * static_cast<std::ptrdiff_t>(model.members.size())); // all three moved
 }
 
 TEST_SUITE_END();
