@@ -97,7 +97,7 @@ private:
                      .length = scene_.sketch.px(38.0),
                      .touches = touches,
                      .gap = scene_.sketch.px(5.0),
-                     .text = named(component, scene_.text(std::abs(value), ui::Measure::Force)) +
+                     .text = named(component, force, scene_.text(std::abs(value), ui::Measure::Force)) +
                              (component == MemberComponent::N ? sense(value) : ""),
                      .role = role_of(force.kind),
                      .text_side = text_side(force, touches == ArrowAt::Head ? Vector3d(-direction) : direction)});
@@ -139,7 +139,7 @@ private:
         draw_moment(scene_,
                     {.at = force.at + picture_.aside,
                      .axis = value < 0.0 ? Vector3d(-axis) : axis,
-                     .text = named(component, scene_.text(std::abs(value), ui::Measure::Moment)),
+                     .text = named(component, force, scene_.text(std::abs(value), ui::Measure::Moment)),
                      .role = force.kind == ForceKind::SectionForces ? ui::Role::BendingMoment : role_of(force.kind),
                      .radius = 20.0});
     }
@@ -231,10 +231,22 @@ private:
     /// The arrow has the sign; of an axial force the letter says it too, as along the bars of a truss.
     static std::string sense(double N) { return N < 0.0 ? " (C)" : " (T)"; }
 
-    std::string named(std::optional<MemberComponent> component, const std::string& value) const
+    /// "N = 12 kN"; where another bar is cut near by that goes much the same way, "N(AB) = 12 kN".
+    std::string named(std::optional<MemberComponent> component, const Force& force, const std::string& value) const
     {
         if (!component) return value;
-        return std::string(femoop::name(*component, scene_.model.analysis)) + " = " + value;
+        const std::string bar = is_beside_its_like(force) ? "(" + scene_.model[*force.member].id + ")" : "";
+        return std::string(femoop::name(*component, scene_.model.analysis)) + bar + " = " + value;
+    }
+    bool is_beside_its_like(const Force& force) const
+    {
+        constexpr double alike = 0.7, near_by = 110.0; // [px], of arrows and labels
+        if (force.kind != ForceKind::SectionForces) return false;
+        const double reach = scene_.sketch.px(near_by) / scene_.projection.scale();
+        return std::ranges::any_of(picture_.lifted.forces, [&](const Force& other) {
+            return other.kind == ForceKind::SectionForces && other.member != force.member &&
+                   (other.at - force.at).norm() <= reach && outward(other).dot(outward(force)) > alike;
+        });
     }
 
     /// From the other cuts to where their bars meet.

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <string_view>
+#include <vector>
 
 #include "apps/drawing/draw.h"
 #include "femoop/analysis/linear_static.h"
@@ -134,4 +135,31 @@ TEST_CASE("At a corner the shear force of each cut is written beyond its own sec
         }
     }
     CHECK(n_arrows == 2);
+}
+
+TEST_CASE("The forces of bars that are cut side by side have the bars' names, those of bars that part do not")
+{
+    const ui::Fonts fonts;
+    femoop::Model truss = view_test::example("pratt_truss");
+    const auto cut_near = [&](double share) { // of each bar, from its left node
+        const femoop::Discretisation structure = discretise(truss);
+        std::vector<femoop::free_body::Cut> cuts;
+        std::vector<femoop::NodeId> left;
+        for (const char* bar : {"U2U3", "U2L3", "L2L3"}) {
+            const femoop::MemberId id = *truss.find_member(bar);
+            cuts.push_back({id, share * structure.geometry(id).length});
+            left.push_back(truss[id].nodes[0]);
+        }
+        return drawn_body(fonts, truss, body_of(structure, cuts, left));
+    };
+    const auto n_texts = [](const view_test::Marks& marks, std::string_view beginning) {
+        return std::ranges::count_if(marks.texts, [&](const auto& text) { return text.words.starts_with(beginning); });
+    };
+    const auto apart = cut_near(0.5); // the diagonal goes down by 4 on 3
+    CHECK(n_texts(apart, "N = ") == 3);
+    CHECK(n_texts(apart, "N(") == 0);
+    truss.nodes[truss.find_node("L3")->index].at[1] = femoop::Quantity(2.5); // now by 1.5 on 3
+    const auto near = cut_near(0.05);
+    CHECK(n_texts(near, "N(U2U3) = ") == 1);
+    CHECK(n_texts(near, "N(U2L3) = ") == 1);
 }
