@@ -15,6 +15,7 @@
 #include "apps/cli/truss_picture.h"
 #include "apps/frame/document/companion/companion_file.h"
 #include "apps/frame/view/kept_view.h"
+#include "femoop/result/structure_words.h"
 #include "ui/files/view_file.h"
 #include "ui/text/language_manner.h"
 
@@ -169,6 +170,18 @@ frame::CompanionReading Render::companion(const Console& console, const femoop::
     return reading;
 }
 
+// What a kind of structure does not have is not drawn.
+void tell_of_absent(const std::string& list, femoop::AnalysisKind kind, const Console& console)
+{
+    const ui::Catalogue& tr = console.tr();
+    for (const std::string& word : comma_list(list))
+        if (drawing::parse_show(word) == drawing::ShowSet{drawing::Show::Thrust} &&
+            kind != femoop::AnalysisKind::Frame2d)
+            console.message(
+                tr("--show {word}: a {kind} has no line of thrust, and none is drawn; plane frames have one",
+                   {{"word", word}, {"kind", kind_text(kind, tr)}}));
+}
+
 // A case that bears the name of the keyword is still reached.
 void Render::choose_case(drawing::DrawOptions& view, const femoop::Model& model, const ui::Catalogue& tr) const
 {
@@ -224,6 +237,7 @@ ExitStatus Render::draw_structure(const femoop::Model& model, PictureOrder pictu
     const frame::CompanionReading beside = companion(console, model);
     picture.dimensions = beside.companion.dimensions;
     if (view_) look_at_view(picture, beside.companion, model, tr);
+    if (show_) tell_of_absent(*show_, model.analysis, console);
     if (case_) choose_case(picture.view, model, tr);
     if (case_ == "envelope") tell_of_case_named_as_keyword(case_, model, console);
     if (truss_.is_asked()) return truss_.draw(model, display_name(file_, tr), picture, show_.has_value(), console);

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "tests/apps/cli/run_cremona.h"
+#include "tests/source_folder.h"
 
 using cli_test::cantilever;
 using cli_test::cremona;
@@ -28,6 +29,16 @@ std::pair<unsigned, unsigned> size_of_png(const std::string& bytes)
 }
 
 } // namespace
+
+TEST_CASE("A line of thrust that is asked of another kind than a plane frame is said to be missing")
+{
+    const Folder folder;
+    const std::string truss = source_folder() + "/examples/pratt_truss.json";
+    const Run run = cremona({"render", truss, "-o", folder.path("a.svg"), "--show", "thrust,labels"});
+    CHECK(run.status == 0);
+    CHECK(run.err == "--show thrust: a plane truss has no line of thrust, and none is drawn; plane frames have one\n");
+    CHECK(cremona({"render", "-", "-o", folder.path("b.svg"), "--show", "thrust"}, cantilever()).err.empty());
+}
 
 TEST_CASE("SVG and PDF begin as their kinds do, and the SVG has the title, the load and the reaction")
 {
