@@ -7,9 +7,11 @@
 
 #include "femoop/files/whole_file.h"
 #include "ui/app/app_options.h"
+#include "ui/text/shortened.h"
 #include "ui/widgets/answer_button.h"
 #include "ui/widgets/item_label.h"
 #include "ui/widgets/modal_turn.h"
+#include "ui/widgets/tooltip.h"
 
 namespace ui {
 
@@ -107,6 +109,18 @@ std::string name_of(const RecoverableFile& recoverable, const Catalogue& tr)
     return is_told ? name + "   –   " + recoverable.about[language] : name;
 }
 
+// As much as the screen has room for behind the buttons; the pointer on it has the whole.
+void row_text(const std::string& words)
+{
+    constexpr std::size_t least_letters = 8;
+    const float beside = ImGui::GetCursorScreenPos().x - ImGui::GetWindowPos().x + 2.0F * ImGui::GetFontSize();
+    const float room = ImGui::GetMainViewport()->WorkSize.x - beside;
+    const std::string shown = shortened_to_fit(
+        words, least_letters, [&](const std::string& text) { return ImGui::CalcTextSize(text.c_str()).x <= room; });
+    ImGui::TextUnformatted((shown.empty() ? words : shown).c_str());
+    if (shown != words && ImGui::IsItemHovered()) show_tooltip(words);
+}
+
 bool is_escaped() { return ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape)); }
 
 } // namespace
@@ -140,7 +154,7 @@ std::optional<RecoverableFile> SessionStore::chosen_recoverable_file(const Catal
         ImGui::SameLine();
         if (answer_button(tr("Delete") + "###delete")) deleted = recoverable;
         ImGui::SameLine();
-        ImGui::TextUnformatted(name_of(recoverable, tr).c_str());
+        row_text(name_of(recoverable, tr));
         ImGui::PopID();
     }
     if (deleted)
