@@ -387,9 +387,8 @@ ui::Box Subject::area(ui::Size sheet, const ui::Fonts& fonts) const
     ui::Box area{{0.0, 0.0}, {sheet.width, sheet.height}};
     if (options_.show.contains(Show::Legend))
         area.min.y += head_height(sheet_head(input_, options_), theme_, fonts, sheet.width);
-    const double line = 1.4 * theme_.type().normal;
-    const std::size_t n_lines = most_foot_lines(sheet, fonts);
-    if (n_lines > 0) area.max.y -= 14.0 + line * static_cast<double>(n_lines);
+    const double foot_height = most_foot_height(sheet, fonts);
+    if (foot_height > 0.0) area.max.y -= 14.0 + foot_height;
     if (has_curve()) area.max.y -= curve_height(theme_, sheet);
     if (shows_work()) area.max.y -= work_table(sheet, fonts).height();
     return area;
@@ -688,7 +687,7 @@ const SheetTable& Subject::work_table(ui::Size sheet, const ui::Fonts& fonts) co
     double height = (1.0 - share_of_diagrams) * sheet.height;
     if (options_.show.contains(Show::Legend))
         height -= head_height(sheet_head(input_, options_), theme_, fonts, sheet.width);
-    height -= 14.0 + 1.4 * theme_.type().normal * static_cast<double>(foot_lines(sheet, fonts).size());
+    height -= 14.0 + foot(sheet, fonts).height();
     const auto& folded = femoop::virtual_work::foldable_columns;
     const auto& formulas = femoop::virtual_work::formula_columns;
     return work_table_.emplace(rows,
@@ -858,9 +857,10 @@ bool Subject::has_overlay_text() const
     return input_.overlay && is_solved_ && !options_.is_envelope && options_.show.contains(Show::M);
 }
 
-ui::TextStyle Subject::foot_style(const FootText& of) const
+ui::TextStyle Subject::foot_style(const FootText& of, double type_size) const
 {
     ui::TextStyle style = theme_.text(of.role, ui::Anchor::BottomLeft);
+    style.size = type_size;
     style.weight = of.weight;
     return style;
 }
@@ -890,20 +890,44 @@ std::vector<std::string> Subject::truss_sentences() const
 }
 
 // The picture keeps its place from stage to stage.
-std::size_t Subject::most_foot_lines(ui::Size sheet, const ui::Fonts& fonts) const
+double Subject::most_foot_height(ui::Size sheet, const ui::Fonts& fonts) const
 {
-    if (!shows_truss()) return foot_lines(sheet, fonts).size();
+    if (!shows_truss()) return foot(sheet, fonts).height();
+    const double size = theme_.type().normal;
     std::size_t most = 0;
     for (const TrussStage& stage : input_.truss->stages)
-        most = std::max(most, wrapped_foot(headed(stage.lines), sheet, fonts).size());
+        most = std::max(most, wrapped_foot(headed(stage.lines), size, sheet, fonts).size());
     for (const std::string& sentence : input_.truss->bar_sentences)
-        most = std::max(most, wrapped_foot(headed({sentence}), sheet, fonts).size());
-    return most;
+        most = std::max(most, wrapped_foot(headed({sentence}), size, sheet, fonts).size());
+    return 1.4 * size * static_cast<double>(most);
 }
 
-std::vector<Subject::FootText> Subject::foot_lines(ui::Size sheet, const ui::Fonts& fonts) const
+// Long equations stand in small type, and are cut short where even so they would leave the picture too little.
+Subject::Foot Subject::foot(ui::Size sheet, const ui::Fonts& fonts) const
 {
-    return wrapped_foot(foot_sentences(), sheet, fonts);
+    constexpr double share = 0.18; // of the sheet's height
+    Foot found = foot_in(theme_.type().normal, sheet, fonts);
+    if (!input_.free_body && !shows_work()) return found;
+    if (found.height() > share * sheet.height) found = foot_in(theme_.type().small, sheet, fonts);
+    shorten(found, sheet);
+    return found;
+}
+
+Subject::Foot Subject::foot_in(double type_size, ui::Size sheet, const ui::Fonts& fonts) const
+{
+    return {wrapped_foot(foot_sentences(), type_size, sheet, fonts), type_size};
+}
+
+// Virtual work has a table beside it, whose last row the first line says.
+void Subject::shorten(Foot& foot, ui::Size sheet) const
+{
+    const double share = shows_work() ? 0.13 : 0.3; // of the sheet's height
+    const auto most = std::max<std::size_t>(2, static_cast<std::size_t>(share * sheet.height / foot.line_height()));
+    if (foot.lines.size() <= most) return;
+    const std::size_t n_left_out = foot.lines.size() - most + 1;
+    foot.lines.resize(most);
+    foot.lines.back().text = options_.tr("… {n} more lines: in the description in words",
+                                         {{"n", std::to_string(n_left_out)}});
 }
 
 std::vector<std::string> Subject::method_sentences() const
@@ -954,12 +978,13 @@ std::vector<std::string> Subject::line_sentences() const
     return sentences;
 }
 
-std::vector<Subject::FootText> Subject::wrapped_foot(const std::vector<FootText>& sentences, ui::Size sheet,
-                                                     const ui::Fonts& fonts) const
+std::vector<Subject::FootText> Subject::wrapped_foot(const std::vector<FootText>& sentences, double type_size,
+                                                     ui::Size sheet, const ui::Fonts& fonts) const
 {
     std::vector<FootText> lines;
     for (const FootText& one : sentences)
-        for (const std::string& line : ui::wrapped_lines(fonts, one.text, foot_style(one), sheet.width - 32.0))
+        for (const std::string& line :
+             ui::wrapped_lines(fonts, one.text, foot_style(one, type_size), sheet.width - 32.0))
             lines.push_back({.text = line, .role = one.role, .weight = one.weight});
     if (!input_.reasons.empty()) cut_short(lines, 1.4 * theme_.type().normal, sheet.height);
     return lines;
@@ -968,22 +993,21 @@ std::vector<Subject::FootText> Subject::wrapped_foot(const std::vector<FootText>
 void Subject::draw_foot(ui::Painter& painter, const Plan& plan) const
 {
     const ui::LayerScope layer(painter, ui::Layer::Overlay);
-    const double line_height = 1.4 * theme_.type().normal;
-    const std::vector<FootText> lines = foot_lines(painter.size(), painter.fonts());
-    const double height = line_height * static_cast<double>(lines.size());
-    double y = painter.sheet().max.y - 10.0 - height + line_height;
-    for (const FootText& line : lines) {
-        painter.text({16.0, y}, line.text, foot_style(line));
-        y += line_height;
+    const Foot foot = this->foot(painter.size(), painter.fonts());
+    const double height = foot.height();
+    double y = painter.sheet().max.y - 10.0 - height + foot.line_height();
+    for (const FootText& line : foot.lines) {
+        painter.text({16.0, y}, line.text, foot_style(line, foot.type_size));
+        y += foot.line_height();
     }
     if (shows_work()) {
         const SheetTable& table = work_table(painter.size(), painter.fonts());
         table.draw(painter, {16.0, painter.sheet().max.y - 14.0 - height - table.height()});
     }
     if (!has_curve() || curve_height(theme_, painter.size()) <= 0.0) return;
-    const double foot = painter.sheet().max.y - 14.0 - height;
+    const double bottom = painter.sheet().max.y - 14.0 - height;
     draw_position_curve(painter, *input_.influence->curve,
-                        {{0.0, foot - curve_height(theme_, painter.size())}, {painter.size().width, foot}},
+                        {{0.0, bottom - curve_height(theme_, painter.size())}, {painter.size().width, bottom}},
                         {.theme = theme_, .units = units_, .tr = options_.tr, .path = path_on_sheet(plan)});
 }
 

@@ -135,12 +135,22 @@ private:
     static std::vector<FootText> headed(const std::vector<std::string>& sentences);
     std::vector<std::string> method_sentences() const; ///< of what is drawn in place of the results, or over them
     std::vector<std::string> line_sentences() const;   ///< \pre there is an influence line
-    std::vector<FootText> foot_lines(ui::Size sheet, const ui::Fonts& fonts) const;
+    /// Its lines, and the size of their type.
+    struct Foot {
+        std::vector<FootText> lines;
+        double type_size;
+
+        double line_height() const { return 1.4 * type_size; }
+        double height() const { return line_height() * static_cast<double>(lines.size()); }
+    };
+    Foot foot(ui::Size sheet, const ui::Fonts& fonts) const;
+    Foot foot_in(double type_size, ui::Size sheet, const ui::Fonts& fonts) const;
+    void shorten(Foot& foot, ui::Size sheet) const; ///< where it would leave the picture too little
     std::vector<std::string> truss_sentences() const;
-    std::size_t most_foot_lines(ui::Size sheet, const ui::Fonts& fonts) const;
-    std::vector<FootText> wrapped_foot(const std::vector<FootText>& sentences, ui::Size sheet,
+    double most_foot_height(ui::Size sheet, const ui::Fonts& fonts) const;
+    std::vector<FootText> wrapped_foot(const std::vector<FootText>& sentences, double type_size, ui::Size sheet,
                                        const ui::Fonts& fonts) const;
-    ui::TextStyle foot_style(const FootText& of) const;
+    ui::TextStyle foot_style(const FootText& of, double type_size) const;
 
     DrawInput input_;
     const DrawOptions& options_;

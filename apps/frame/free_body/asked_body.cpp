@@ -4,7 +4,9 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <optional>
 #include <utility>
+#include <vector>
 
 #include "apps/drawing/sketch/counted_units.h"
 #include "femoop/geometry/plane_vectors.h"
@@ -56,19 +58,26 @@ Eigen::AlignedBox3d box_around(const femoop::Discretisation& structure, const Bo
     return box;
 }
 
-/// Over the nearest side of the structure's box, of those in the plane that it lies in or is drawn upright in.
-Vector3d way_out(const Eigen::AlignedBox3d& structure, const Eigen::AlignedBox3d& body, int upright, double gap)
+/// Over the nearest side of the structure's box, of those in the plane that it lies in or is drawn upright in; over
+/// another one where a sheet that is wide holds both much larger then.
+/// \param sheet  its width, of its height, for the structure and the body; none: it is not wide
+Vector3d way_out(const Eigen::AlignedBox3d& structure, const Eigen::AlignedBox3d& body, int upright, double gap,
+                 std::optional<double> sheet)
 {
-    Vector3d best = Vector3d::Zero();
-    const auto consider = [&](int axis, double distance) {
-        const Vector3d way = distance * Vector3d::Unit(axis);
-        if (best.isZero(0.0) || way.norm() < best.norm()) best = way;
-    };
+    constexpr double clearly = 1.4; // larger
+    std::vector<Vector3d> ways;
     for (const int axis : {upright, 0}) {
-        consider(axis, structure.max()[axis] - body.min()[axis] + gap);
-        consider(axis, structure.min()[axis] - body.max()[axis] - gap);
+        ways.emplace_back((structure.max()[axis] - body.min()[axis] + gap) * Vector3d::Unit(axis));
+        ways.emplace_back((structure.min()[axis] - body.max()[axis] - gap) * Vector3d::Unit(axis));
     }
-    return best;
+    const Vector3d nearest = *std::ranges::min_element(ways, {}, [](const Vector3d& way) { return way.norm(); });
+    if (!sheet) return nearest;
+    const auto room_for = [&](const Vector3d& way) {
+        const Vector3d both = structure.merged(Eigen::AlignedBox3d(body).translate(way)).sizes();
+        return std::max(both.x() / *sheet, both[upright]);
+    };
+    const Vector3d roomiest = *std::ranges::min_element(ways, {}, room_for);
+    return room_for(nearest) > clearly * room_for(roomiest) ? roomiest : nearest;
 }
 
 /// The first of the points that lies there.
@@ -166,22 +175,25 @@ Body AskedBody::body(const femoop::Model& model) const
     return body_of(structure, members);
 }
 
-/// Out of the structure by the shortest way, so that the labels of neither stand on the other.
-Vector3d AskedBody::aside(const femoop::Model& model, const Body& body) const
+/// Out of the structure by the shortest way, so that the labels of neither stand on the other; on the projector beside
+/// it where equations below leave a wide sheet.
+Vector3d AskedBody::aside(const femoop::Model& model, const Body& body, ui::ThemeName theme) const
 {
+    constexpr double wide = 4.0; // less what symbols and labels need
     const femoop::Discretisation structure = discretise(model);
     const double share = line_ ? share_beside_cut : node_.empty() ? share_aside : share_of_stubs;
     Eigen::AlignedBox3d box;
     for (const Vector3d& position : structure.positions) box.extend(position);
-    return way_out(box, box_around(structure, body), femoop::is_plane(model.analysis) ? 1 : 2,
-                   share * structure.size());
+    return way_out(box, box_around(structure, body), femoop::is_plane(model.analysis) ? 1 : 2, share * structure.size(),
+                   theme == ui::ThemeName::Projector && femoop::is_plane(model.analysis) ? std::optional(wide)
+                                                                                         : std::nullopt);
 }
 
 const drawing::FreeBodyPicture* AskedBody::picture(const femoop::Model& model, const femoop::Results& results,
                                                    std::uint64_t generation, const drawing::DrawOptions& options) const
 {
     const drawing::CountedUnits units = drawing::counted_units(model, options);
-    const Subject subject{generation, options.load_case, options.tr.language(), units.units};
+    const Subject subject{generation, options.load_case, options.tr.language(), units.units, options.theme};
     if (subject_ == subject) return last();
     subject_ = subject;
     picture_.reset();
@@ -193,7 +205,7 @@ const drawing::FreeBodyPicture* AskedBody::picture(const femoop::Model& model, c
     std::vector<std::string> equations = sentences(scaled(lifted, units.length, units.force), units.length * about,
                                                    ritter, counted_in(units, model), options.tr);
     picture_ = drawing::FreeBodyPicture{.lifted = std::move(lifted),
-                                        .aside = aside(model, body),
+                                        .aside = aside(model, body, options.theme),
                                         .about = about,
                                         .ritter = ritter,
                                         .equations = std::move(equations)};

@@ -12,6 +12,7 @@
 #include "apps/drawing/results/free_body_picture.h"
 #include "femoop/model/model.h"
 #include "femoop/result/results.h"
+#include "ui/paint/theme.h"
 
 namespace frame {
 
@@ -53,7 +54,7 @@ public:
 
 private:
     femoop::free_body::Body body(const femoop::Model& model) const;
-    Eigen::Vector3d aside(const femoop::Model& model, const femoop::free_body::Body& body) const;
+    Eigen::Vector3d aside(const femoop::Model& model, const femoop::free_body::Body& body, ui::ThemeName theme) const;
 
     std::size_t number_ = 0;
     std::string node_;
@@ -67,6 +68,7 @@ private:
         femoop::CaseId load_case;
         ui::Language language;
         femoop::Units units; ///< of its equations
+        ui::ThemeName theme; ///< of the sheet that the body stands aside on
 
         friend bool operator==(const Subject&, const Subject&) = default;
     };
