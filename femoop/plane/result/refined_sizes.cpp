@@ -11,6 +11,10 @@ namespace femoop::plane {
 namespace {
 
 constexpr double least_ratio = 0.25, greatest_ratio = 1.5; // of a size to the one before
+constexpr double ratio_step = 1.0 / 1024.0;                // far below what an estimate of an error is worth
+
+/// The last digits of an error differ from one processor to another; the mesh that it asks for must not.
+double rounded(double ratio) { return std::round(ratio / ratio_step) * ratio_step; }
 
 struct CornerPolygon {
     Eigen::Vector2d centre = Eigen::Vector2d::Zero();
@@ -45,8 +49,9 @@ std::vector<RefinedSize> refined_sizes(const PlaneModel& mesh, const std::vector
         const double error = element_errors[i];
         const double ratio = error > 0.0 ? std::pow(share / error, 1.0 / complete_degree(mesh.elements[i].kind))
                                          : greatest_ratio;
-        sizes.push_back(
-            {.at = polygon.centre, .size = size, .wanted = size * std::clamp(ratio, least_ratio, greatest_ratio)});
+        sizes.push_back({.at = polygon.centre,
+                         .size = size,
+                         .wanted = size * rounded(std::clamp(ratio, least_ratio, greatest_ratio))});
     }
     return sizes;
 }

@@ -27,7 +27,8 @@ int complete_degree(ShapeKind kind);
 ///     n              elements of the mesh;  p  their complete degree
 ///
 /// No element becomes less than a quarter or more than one and a half times as large: beside singular places the exponent
-/// is too small, and what is gained there comes with the meshes that follow.
+/// is too small, and what is gained there comes with the meshes that follow. Ratios of sizes are rounded to 1/1024, so
+/// that every processor makes the same mesh.
 ///
 /// Assumes  the error of an element goes with size^p, as it does where the exact stresses are smooth
 /// Source   [ZienkiewiczTaylor2000, ch. 15]
