@@ -11,6 +11,10 @@ const TileWorkers one_by_one{nullptr, [](void*, std::int32_t n, void (*work)(voi
 const DenseKernel& dense_kernel()
 {
     static const DenseKernel kernel = [] {
+#ifdef FEMOOP_HAS_AVX512_KERNEL
+        if (__builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512dq") && __builtin_cpu_supports("fma"))
+            return DenseKernel{.eliminate = &avx512::eliminate, .name = "avx512"};
+#endif
 #ifdef FEMOOP_HAS_AVX2_KERNEL
         if (__builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma"))
             return DenseKernel{.eliminate = &avx2::eliminate, .name = "avx2"};

@@ -43,7 +43,7 @@ struct DenseKernel {
     /// K = L D L'; update -= below pivots^-1 below'. Returns how many pivots it eliminated: fewer than all if the next
     /// was zero or not finite; nothing from there on is worth anything.
     std::int32_t (*eliminate)(const DenseFront& front, double* workspace, const TileWorkers& workers);
-    std::string_view name; ///< "avx2" or "baseline"
+    std::string_view name; ///< "avx512", "avx2" or "baseline"
 };
 
 /// The fastest that this processor can run.

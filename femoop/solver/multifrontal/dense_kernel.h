@@ -9,3 +9,6 @@ std::int32_t eliminate(const DenseFront& front, double* workspace, const TileWor
 namespace femoop::avx2 {
 std::int32_t eliminate(const DenseFront& front, double* workspace, const TileWorkers& workers);
 }
+namespace femoop::avx512 {
+std::int32_t eliminate(const DenseFront& front, double* workspace, const TileWorkers& workers);
+}
