@@ -20,14 +20,21 @@ constexpr double slanted = 0.97;
 constexpr std::size_t worth_threads = 10000;      // blocks, whose halves are then cut at the same time
 constexpr std::int32_t first_of_others = 1 << 29; // cut of a second half
 
-/// The mean distance of neighbours along each axis, of those that differ in it: bays and storeys count alike.
-Eigen::Vector3d mean_steps(const BlockAdjacency& adjacency, std::span<const Eigen::Vector3d> positions)
+/// Distances of neighbours along each axis.
+struct Steps {
+    Eigen::Vector3d mean; ///< of those that differ in it: bays and storeys count alike
+    Eigen::Vector3d largest;
+};
+
+Steps steps_between(const BlockAdjacency& adjacency, std::span<const Eigen::Vector3d> positions)
 {
+    Eigen::Vector3d largest = Eigen::Vector3d::Zero();
     Eigen::Vector3d sum = Eigen::Vector3d::Zero();
     Eigen::Vector3d count = Eigen::Vector3d::Zero();
     for (std::size_t a = 0; a < positions.size(); ++a)
         for (const std::int32_t b : adjacency.of(static_cast<std::int32_t>(a))) {
             const Eigen::Vector3d step = (positions[at(b)] - positions[a]).cwiseAbs();
+            largest = largest.cwiseMax(step);
             const double negligible = 1e-6 * step.maxCoeff();
             for (int axis = 0; axis < 3; ++axis)
                 if (step[axis] > negligible) {
@@ -35,7 +42,7 @@ Eigen::Vector3d mean_steps(const BlockAdjacency& adjacency, std::span<const Eige
                     count[axis] += 1.0;
                 }
         }
-    return sum.cwiseQuotient(count.cwiseMax(1.0));
+    return {.mean = sum.cwiseQuotient(count.cwiseMax(1.0)), .largest = largest};
 }
 
 /// Normals of the planes to try, in steps: along the axes that the structure extends in, and between them.
@@ -57,16 +64,22 @@ std::vector<Eigen::Vector3f> directions(const Eigen::Vector3d& steps)
 
 /// The structure in space, as all cuts see it.
 struct Space {
+    static constexpr std::int32_t unmarked = -1;
+
     Space(const BlockAdjacency& of_blocks, std::span<const Eigen::Vector3d> positions)
-        : adjacency(of_blocks), mark(positions.size(), -1)
+        : adjacency(of_blocks), mark(positions.size(), unmarked)
     {
-        const Eigen::Vector3d steps = mean_steps(adjacency, positions);
-        directions = femoop::directions(steps);
+        const Steps steps = steps_between(adjacency, positions);
+        directions = femoop::directions(steps.mean);
         places.reserve(positions.size());
-        const Eigen::Vector3d scale = steps.unaryExpr([](double step) { return step > 0.0 ? 1.0 / step : 0.0; });
+        const Eigen::Vector3d scale = steps.mean.unaryExpr([](double step) { return step > 0.0 ? 1.0 / step : 0.0; });
+        largest_step = (1.001 * steps.largest.cwiseProduct(scale)).cast<float>().array() + 1e-3F; // rounding included
         for (const Eigen::Vector3d& position : positions)
             places.push_back((position - positions.front()).cwiseProduct(scale).cast<float>());
     }
+
+    /// No neighbours are further apart along a direction.
+    float reach(const Eigen::Vector3f& direction) const { return direction.cwiseAbs().dot(largest_step); }
 
     /// Two halves ask of each other's blocks at the same time; a mark of the other half is never one of their own.
     std::atomic_ref<std::int32_t> mark_of(std::int32_t block) { return std::atomic_ref(mark[at(block)]); }
@@ -74,7 +87,8 @@ struct Space {
     const BlockAdjacency& adjacency;
     std::vector<Eigen::Vector3f> places; ///< in steps
     std::vector<Eigen::Vector3f> directions;
-    std::vector<std::int32_t> mark; ///< of each block: 2 x cut + side
+    Eigen::Vector3f largest_step;   ///< between neighbours, along each axis, in steps
+    std::vector<std::int32_t> mark; ///< of each block: 2 x cut + side, of the last cut that parted it from others
 };
 
 class Dissector {
@@ -97,6 +111,7 @@ private:
     struct Cut {
         Eigen::Vector3f direction;
         float value = 0.0F;
+        float reach = 0.0F;             ///< no block that is further away has a neighbour on the other side
         bool separator_is_below = true; ///< which side's blocks along the cut are the separator
         double cost = std::numeric_limits<double>::infinity();
     };
@@ -119,10 +134,13 @@ private:
         }
         mark(blocks, *cut);
         const std::int32_t along = 2 * n_cuts_ + (cut->separator_is_below ? 0 : 1);
-        const auto is_separator = [&](std::int32_t b) { return marked(b) == along && touches_other_side(b); };
+        const auto is_separator = [&](std::int32_t b) {
+            return marked(b) == along && is_near(value(b, cut->direction), *cut) && touches(b, along ^ 1);
+        };
         const auto is_below = [&](std::int32_t b) { return marked(b) % 2 == 0; };
         const auto separator = std::stable_partition(blocks.begin(), blocks.end(), std::not_fn(is_separator));
         const auto above = std::stable_partition(blocks.begin(), separator, is_below);
+        for (const std::int32_t block : std::span(separator, blocks.end())) set_mark(block, Space::unmarked);
         if (level == 0) result_.first_cut = static_cast<std::size_t>(blocks.end() - separator);
         if (level == 0 && blocks.size() >= worth_threads) {
             dissect_together({blocks.begin(), above}, {above, separator});
@@ -171,49 +189,70 @@ private:
     {
         const std::size_t n = blocks.size();
         values_.resize(n);
-        for (std::size_t i = 0; i < n; ++i) values_[i] = direction.dot(space_.places[at(blocks[i])]);
-        const auto middle = values_.begin() + static_cast<std::ptrdiff_t>(n / 2);
-        std::nth_element(values_.begin(), middle, values_.end());
-        Cut cut{.direction = direction, .value = *middle - tolerance * std::abs(*middle) - tolerance};
-        if (*std::min_element(values_.begin(), middle) >= cut.value) return cut; // none would lie below
+        for (std::size_t i = 0; i < n; ++i) values_[i] = value(blocks[i], direction);
+        sorted_ = values_;
+        const auto middle = sorted_.begin() + static_cast<std::ptrdiff_t>(n / 2);
+        std::nth_element(sorted_.begin(), middle, sorted_.end());
+        Cut cut{.direction = direction,
+                .value = *middle - tolerance * std::abs(*middle) - tolerance,
+                .reach = space_.reach(direction)};
+        const auto n_below = static_cast<std::size_t>(
+            std::count_if(sorted_.begin(), middle, [&](float v) { return v < cut.value; }));
+        if (n_below == 0) return cut;
 
-        const std::size_t n_below = mark(blocks, cut);
         std::array<std::size_t, 2> touching{0, 0};
-        for (const std::int32_t block : blocks)
-            if (touches_other_side(block)) ++touching[at(marked(block) % 2)];
+        const std::int32_t here = marked(blocks.front());
+        for (std::size_t i = 0; i < n; ++i)
+            if (is_near(values_[i], cut) && has_neighbour_beyond(blocks[i], cut, here))
+                ++touching[values_[i] < cut.value ? 0 : 1];
         cut.separator_is_below = touching[0] <= touching[1];
         const double imbalance = static_cast<double>(std::max(n_below, n - n_below)) / static_cast<double>(n);
         cut.cost = static_cast<double>(std::min(touching[0], touching[1])) * imbalance;
         return cut;
     }
 
-    /// Marks each block with its side of a new cut, even below, odd above; returns how many are below.
-    std::size_t mark(std::span<const std::int32_t> blocks, const Cut& cut)
+    float value(std::int32_t block, const Eigen::Vector3f& direction) const
     {
-        ++n_cuts_;
-        std::size_t n_below = 0;
-        for (const std::int32_t block : blocks) {
-            const bool is_below = cut.direction.dot(space_.places[at(block)]) < cut.value;
-            n_below += is_below ? 1 : 0;
-            space_.mark_of(block).store(2 * n_cuts_ + (is_below ? 0 : 1), std::memory_order_relaxed);
-        }
-        return n_below;
+        return direction.dot(space_.places[at(block)]);
+    }
+    static bool is_near(float value, const Cut& cut) { return std::abs(value - cut.value) <= cut.reach; }
+
+    /// Of the same piece, on the other side of a cut. \pre the blocks of the piece, and no others, are marked so
+    bool has_neighbour_beyond(std::int32_t block, const Cut& cut, std::int32_t piece) const
+    {
+        const bool is_below = value(block, cut.direction) < cut.value;
+        const auto neighbours = space_.adjacency.of(block);
+        return std::any_of(neighbours.begin(), neighbours.end(), [&](std::int32_t b) {
+            return marked(b) == piece && (value(b, cut.direction) < cut.value) != is_below;
+        });
     }
 
-    bool touches_other_side(std::int32_t block) const
+    /// Marks each block with its side of a new cut, even below, odd above.
+    void mark(std::span<const std::int32_t> blocks, const Cut& cut)
     {
-        const std::int32_t other = marked(block) ^ 1;
+        ++n_cuts_;
+        for (const std::int32_t block : blocks)
+            set_mark(block, 2 * n_cuts_ + (value(block, cut.direction) < cut.value ? 0 : 1));
+    }
+
+    bool touches(std::int32_t block, std::int32_t other_mark) const
+    {
         const auto neighbours = space_.adjacency.of(block);
-        return std::any_of(neighbours.begin(), neighbours.end(), [&](std::int32_t b) { return marked(b) == other; });
+        return std::any_of(neighbours.begin(), neighbours.end(),
+                           [&](std::int32_t b) { return marked(b) == other_mark; });
     }
 
     std::int32_t marked(std::int32_t block) const { return space_.mark_of(block).load(std::memory_order_relaxed); }
+    void set_mark(std::int32_t block, std::int32_t mark)
+    {
+        space_.mark_of(block).store(mark, std::memory_order_relaxed);
+    }
 
     static constexpr float tolerance = 1e-5F; // coordinates that differ by less are the same
 
     Space& space_;
     std::int32_t n_cuts_;
-    std::vector<float> values_;
+    std::vector<float> values_, sorted_; ///< of the blocks along a direction
     Dissection result_;
 };
 
