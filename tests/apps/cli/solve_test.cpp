@@ -145,7 +145,8 @@ TEST_CASE(
     const std::string combination = R"("id": "U")";
     REQUIRE(model.find(combination) != std::string::npos);
     const auto named = [&](const std::string& name) {
-        return std::string(model).replace(model.find(combination), combination.size(), R"("id": ")" + name + "\"");
+        std::string text = model;
+        return text.replace(model.find(combination), combination.size(), R"("id": ")" + name + "\"");
     };
     CHECK(keys(solved({}, named("all"))["cases"]) == std::vector<std::string>{"P", "all"});
     const Run all = cremona({"solve", "-", "--json", "--case", "all"}, named("all"));
