@@ -110,7 +110,10 @@ void AskedEffect::set(std::string_view option, std::string_view text, const ui::
         if (const auto* key = key_of(part); key != keys.end()) {
             last = key->second;
             if (*last)
-                throw femoop::ModelError({Fault{FaultKind::RepeatedComponent, {within_, std::string(key->first)}}});
+                throw UsageError(tr("{option}: {key} is given twice; keep one. A name with \",{key}=\" in it cannot be "
+                                    "asked for like this: what follows that comma is read as a part of its own; "
+                                    "rename it",
+                                    {{"option", option}, {"key", key->first}}));
             *last = part.substr(key->first.size() + 1);
         } else if (last != nullptr) {
             **last += "," + std::string(part);

@@ -436,6 +436,8 @@ TEST_CASE("--force-method refuses what cannot be released, and says how the stru
     CHECK(has(refused({"automatic", "node=B,component=fy"}).err, "automatic chooses every redundant"));
     CHECK(has(refused({"all"}).err, "--force-method: \"all\" asks for nothing"));
     CHECK(has(refused({"node=A,node=B,component=fy"}).err, "--force-method: node is given twice; keep one"));
+    CHECK(has(refused({"member=a,at=b,at=2.5,component=M"}).err,
+              "at is given twice; keep one. A name with \",at=\" in it cannot be asked for like this"));
     const std::string section = "member=AB,at=2.5,component=M";
     CHECK(has(refused({section, section}).err, "M(AB, 2.5 m) is named twice"));
     CHECK(has(cremona({"solve", "-", "--force-method", section, "--force-method", section, "--lang", "pt"},
