@@ -44,6 +44,7 @@ constexpr auto latex_signs = std::to_array<Sign>({
     {"−", "\\ensuremath{-}"},
     {"·", "\\ensuremath{\\cdot}"},
     {"√", "\\ensuremath{\\surd}"},
+    {"∫", "\\ensuremath{\\int}"},
     {"⁰", "\\ensuremath{^0}"},
     {"¹", "\\ensuremath{^1}"},
     {"²", "\\ensuremath{^2}"},

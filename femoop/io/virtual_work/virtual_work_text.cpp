@@ -77,7 +77,7 @@ public:
         };
         std::string text;
         if (!of_.integrals.empty()) text = "\n\\par\n" + tabular::latex_text(integral_sentence()) + "\n";
-        if (const std::string note = taper_sentence(of_, tr_); !note.empty()) text += tabular::latex_text(note) + "\n";
+        if (std::ranges::any_of(of_.integrals, is_tapered)) text += tabular::latex_text(split_sentence()) + "\n";
         for (const WorkIntegral& one : of_.integrals) text += latex(one);
         return text + shown(joint_sentence(), joints()) + shown(support_sentence(), supports());
     }
@@ -163,7 +163,7 @@ private:
     Part part(const SupportWork& one) const
     {
         return {{fill(tr_("support {0}"), {model_[one.node].id}), std::string(name(one.dof)), "",
-                 "c = " + six_digits(one.displacement, tr_), "r = " + six_digits(one.reaction, tr_), "", "", "−r c"},
+                 "c = " + six_digits(one.displacement, tr_), "r = " + six_digits(one.reaction, tr_), "−r c", "", ""},
                 one.value};
     }
 
@@ -243,6 +243,12 @@ private:
         return is_strained()
                    ? tr_("Members: the integral of f (F / stiffness + ε) over x, the distance from the first node.")
                    : tr_("Members: the integral of F f / stiffness over x, the distance from the first node.");
+    }
+    /// Where each integral stands with its stiffness, and nothing is left out of a table.
+    std::string split_sentence() const
+    {
+        return tr_("Along a taper the stiffness varies with x and stays under the integral: it is split into short "
+                   "pieces, over which F f / stiffness is a power series, integrated term by term.");
     }
     std::string joint_sentence() const { return tr_("Springs at the ends of members: F f / stiffness."); }
     std::string support_sentence() const { return tr_("Supports that move, by springs or settlements: -r c."); }

@@ -34,6 +34,25 @@ TEST_SUITE("virtual work")
         CHECK(fault_of_latex(latex).empty());
     }
 
+    TEST_CASE("For LaTeX a tapered member has its own sentence, without a sign of a table that is not there")
+    {
+        FrameMaker made;
+        made.node("A", 0, 0, SupportKind::Fixed).node("B", 4, 0).member("A", "B").uniform("AB", -12);
+        SectionShape rectangle;
+        rectangle.b = 0.3;
+        rectangle.h = 0.6;
+        made.model.sections[0] = Section{.id = "haunch", .shape = rectangle};
+        made.model.members[0].depths = {0.6, 0.3};
+        const VirtualWork work = displacement_by_work(
+            made.model, analyse(made.model), CaseId(0),
+            {.quantity = ExpectedQuantity::Displacement, .node = NodeId(1), .dof = Dof::uy});
+        const std::string latex = virtual_work_latex(work, made.model, english);
+        CAPTURE(latex);
+        CHECK(fault_of_latex(latex).empty());
+        CHECK(latex.find("integrated term by term.") != std::string::npos);
+        CHECK(latex.find("(--)") == std::string::npos);
+    }
+
     TEST_CASE("What LaTeX is given of any structure it can set, with springs, settlements, heat and tapers")
     {
         for (const AnalysisKind kind : every_model)
