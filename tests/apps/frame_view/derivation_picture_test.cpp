@@ -4,6 +4,7 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
+#include <vector>
 
 #include "apps/drawing/results/diagram.h"
 #include "femoop/analysis/linear_static.h"
@@ -113,6 +114,33 @@ TEST_SUITE("frame: where a number comes from")
         const femoop::Model portal = view_test::example("portal_kleinlogel");
         check_picture("derivation_ties", portal, moment(portal, "AB", 2.0, "W"), {1280.0, 380.0},
                       look(ui::ThemeName::Light, 4));
+    }
+
+    TEST_CASE("No number of a step stands on another, nor on the heat map, however wide its matrix is")
+    {
+        const ui::Fonts fonts;
+        for (const char* name : {"bent_cantilever", "balcony", "portal_kleinlogel", "grillage"}) {
+            const femoop::Model model = view_test::example(name);
+            const Derivation derivation = moment(model, model.members[0].id, 0.5, model.load_cases[0].id);
+            for (const ui::ThemeName theme : {ui::ThemeName::Light, ui::ThemeName::Projector})
+                for (std::size_t step = 0; step < derivation.steps.size(); ++step)
+                    for (const ui::Size room :
+                         {ui::Size{1280.0, 300.0}, ui::Size{1260.0, 380.0}, ui::Size{700.0, 300.0}}) {
+                        CAPTURE(name);
+                        CAPTURE(step);
+                        CAPTURE(room.width);
+                        DerivationLook shown = look(theme, step);
+                        shown.seen_height = room.height;
+                        ui::Painter painter(sheet_for(derivation, model, shown, room, fonts), fonts);
+                        draw_derivation(painter, derivation, model, shown);
+                        const std::vector<ui::Box> boxes = painter.picture().text_boxes(fonts);
+                        std::size_t n_overlaps = 0;
+                        for (std::size_t i = 0; i < boxes.size(); ++i)
+                            for (std::size_t j = 0; j < i; ++j)
+                                n_overlaps += boxes[i].grown(-1.5).overlaps(boxes[j].grown(-1.5)) ? 1 : 0;
+                        CHECK(n_overlaps == 0);
+                    }
+        }
     }
 
     TEST_CASE("Every step of every kind of number is drawn, its words on the sheet that it asks for")

@@ -27,6 +27,7 @@ namespace {
 
 constexpr double panel_margin = 12.0;
 constexpr double map_share = 0.34; // of the sheet's width, at most
+constexpr double narrow_map = 0.6;
 constexpr double two_maps_share = 0.6;
 constexpr std::array sizes{1.25, 1.12, 1.0, 0.92, 0.84, 0.76, 0.7}; // of the theme's type, the first that fits
 
@@ -43,7 +44,9 @@ public:
           place_(std::min(look.step, derivation.steps.size() - 1)),
           step_(derivation.steps[place_])
     {
-        if (!fits(Layout::Whole) && has_no_map() && !fits(Layout::Parted)) fits(Layout::Whole);
+        if (fits(Layout::Whole)) return;
+        if (has_no_map() && !fits(Layout::Parted)) fits(Layout::Whole);
+        if (!has_no_map() && !is_numbering()) make_room();
     }
 
     ui::Size needed() const
@@ -60,7 +63,7 @@ public:
             const bool is_system = femoop::derivation::is_system(step_);
             if (is_system && i > 0) draw_sign(painter, i);
         }
-        if (has_no_map()) return;
+        if (has_no_map() || map_width() == 0.0) return;
         const double left = sheet_.width - panel_margin - map_width();
         const auto draw_map = is_numbering() ? draw_numbering : draw_stiffness_map;
         draw_map(painter, derivation_, step_, model_, look_,
@@ -82,6 +85,16 @@ private:
         return false;
     }
 
+    /// A matrix that reaches under the map has more room beside a narrower one, or without it.
+    void make_room()
+    {
+        for (const double share : {narrow_map, 0.0}) {
+            if (right_ <= room_right()) return;
+            map_scale_ = share;
+            fits(Layout::Whole);
+        }
+    }
+
     /// A class reads the force method from afar; it is scrolled rather than shrunk.
     double least_size() const
     {
@@ -96,7 +109,8 @@ private:
     {
         if (has_no_map()) return 0.0;
         if (is_numbering()) return std::min(two_maps_share * sheet_.width, 2.2 * sheet_.height);
-        return std::min(map_share * sheet_.width, 1.25 * sheet_.height);
+        const double height = std::min(sheet_.height, look_.seen_height.value_or(sheet_.height));
+        return map_scale_ * std::min(map_share * sheet_.width, 1.25 * height);
     }
     double room_right() const { return sheet_.width - map_width() - 3.0 * panel_margin; }
 
@@ -251,6 +265,7 @@ private:
     std::size_t place_;
     const Step& step_;
     double em_ = 0.0, bottom_ = 0.0, right_ = 0.0;
+    double map_scale_ = 1.0; ///< of the map's usual width; 0: there is no room for it
     std::vector<MatrixBlock> blocks_;
     std::vector<Point> places_;
 };

@@ -26,7 +26,8 @@ ui::Size sheet_for(const femoop::derivation::Derivation& derivation, const femoo
                    const DerivationLook& look, ui::Size room, const ui::Fonts& fonts);
 
 /// Draws one step of the way to a number on the painter's whole sheet: the number, the step's sentence, its matrices
-/// with names beside them, and at the right K as a heat map, where the step stands in it framed.
+/// with names beside them, and at the right K as a heat map, where the step stands in it framed; beside a
+/// wide matrix it is narrower, or left out.
 ///
 ///     M(BC, 3 m) = 12.5 kN·m in wind                       step 4 of 9
 ///     In the axes of the nodes k = T^T k' T. Each row ...
