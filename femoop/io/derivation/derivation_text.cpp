@@ -105,11 +105,63 @@ bool is_tied(const Step& step, const Model& model)
     return step.member && (model[*step.member].inextensible || model[*step.member].rigid);
 }
 
-std::string member_sentence(const Member& member, const Translator& tr)
+/// "A.rz', B.rz'" of the joints k(A.rz') among the data: those that are released, or those that are springs.
+std::string joint_list(const Step& step, bool is_released)
+{
+    std::string list;
+    const NamedMatrix& data = step.matrices.front();
+    for (std::size_t i = 0; i < data.rows.size(); ++i) {
+        const std::string& row = data.rows[i];
+        const bool is_one = row.starts_with("k(") &&
+                            (data.values(static_cast<Eigen::Index>(i), 0) == 0.0) == is_released;
+        if (is_one) list += (list.empty() ? "" : ", ") + row.substr(2, row.size() - 3);
+    }
+    return list;
+}
+
+std::string member_sentence(const Step& step, const Member& member, const Translator& tr)
 {
     std::string text = fill(tr("Member {0}: its length, and what it resists with."), {member.id});
-    if (member.rigid) text += " " + tr("It is rigid: its ends are tied, and nothing of it strains.");
-    else if (member.inextensible) text += " " + tr("It is inextensible: along its axis its ends are tied.");
+    const auto add = [&](const std::string& sentence) { text += " " + sentence; };
+    if (member.rigid) add(tr("It is rigid: its ends are tied, and nothing of it strains."));
+    else if (member.inextensible) add(tr("It is inextensible: along its axis its ends are tied."));
+    if (member.bar) add(tr("It is a bar: it resists along its axis alone."));
+    if (!member.depths.empty())
+        add(tr("Its depth goes straight from h(0) to h(L): EI(x) = EI(0) (1 + a1 x + a2 x^2 + a3 x^3), and EA(x) goes "
+               "straight from EA(0) to EA(L)."));
+    if (member.foundation) add(tr("It lies on a foundation, k per length and displacement."));
+    if (const std::string list = joint_list(step, true); !list.empty())
+        add(fill(tr("Released at its ends, k = 0: {0}."), {list}));
+    if (const std::string list = joint_list(step, false); !list.empty())
+        add(fill(tr("Springs k join its ends to the nodes: {0}."), {list}));
+    return text;
+}
+
+/// What the letters in the entries of k' mean.
+std::string local_stiffness_sentence(const Step& step, const std::string& member, const Translator& tr)
+{
+    std::string text = fill(tr("Stiffness k' of member {0} in its own axes: column by column the forces on its ends "
+                               "when one of them moves by 1. Releases and springs at its ends are worked in."),
+                            {member});
+    const std::vector<std::string>& rows = step.matrices.front().rows;
+    if (step.matrices.size() < 2) return text; // k' alone, with no entries before it
+    const auto has = [&](std::string_view part) {
+        return std::ranges::any_of(rows, [&](const std::string& row) { return row.find(part) != std::string::npos; });
+    };
+    const auto begins = [&](std::string_view part) {
+        return std::ranges::any_of(rows, [&](const std::string& row) { return row.starts_with(part); });
+    };
+    const auto add = [&](const std::string& sentence) { text += " " + sentence; };
+    if (begins("r1")) add(tr("r1 and r2 are the fixity factors of its ends: 1 where an end is rigid, 0 at a hinge."));
+    if (has("∫"))
+        add(tr("Along the taper the flexibilities are integrals over the length, and k' is their inverse: of the beam "
+               "on two supports f1 and f2 are the rotations of its ends under a moment of 1 there, f12 that of one end "
+               "under a moment of 1 at the other."));
+    if (has("sinh")) add(tr("sin, cos, sinh and cosh are of beta L, k is the foundation's, and D = sinh^2 - sin^2."));
+    else if (begins("beta"))
+        add(tr("k is the foundation's. With shear or joints no short formula is usual: the member is put together from "
+               "pieces in which its deflection is a power series, and its joints are then eliminated."));
+    if (begins("k L/3")) add(tr("k is the foundation's, all that a rigid member resists with."));
     return text;
 }
 
@@ -282,12 +334,8 @@ std::string sentence(const Step& step, const Model& model, const Translator& tr)
         return fill(tr("Along member {0} the value is largest and smallest here. The greater of both in magnitude is "
                        "followed."),
                     {member});
-    case StepKind::Member: return member_sentence(model[*step.member], tr);
-    case StepKind::LocalStiffness:
-        return fill(
-            tr("Stiffness k' of member {0} in its own axes: column by column the forces on its ends when one of "
-               "them moves by 1. Releases and springs at its ends are worked in."),
-            {member});
+    case StepKind::Member: return member_sentence(step, model[*step.member], tr);
+    case StepKind::LocalStiffness: return local_stiffness_sentence(step, member, tr);
     case StepKind::Transformation:
         return tr("T turns displacements of the nodes into the member's own axes: u' = T u.");
     case StepKind::Stiffness:

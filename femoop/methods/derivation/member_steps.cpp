@@ -1,7 +1,6 @@
 #include "femoop/methods/derivation/member_steps.h"
 
 #include <cmath>
-#include <string_view>
 #include <utility>
 
 #include "femoop/element/analysis_model.h"
@@ -10,11 +9,6 @@
 namespace femoop::derivation {
 
 namespace {
-
-struct NamedNumber {
-    std::string name;
-    double value;
-};
 
 NamedMatrix column(std::string symbol, const std::vector<NamedNumber>& numbers)
 {
@@ -29,25 +23,6 @@ NamedMatrix column(std::string symbol, const std::vector<NamedNumber>& numbers)
 
 bool is_stiff(double value) { return value > 0.0 && std::isfinite(value); }
 
-/// The numbers of a beam's stiffness from EI and L, and from GAs where it shears too.
-void add_bending(std::vector<NamedNumber>& numbers, const Beam& beam, double L, const std::string& EI)
-{
-    if (!is_stiff(beam.EI)) return;
-    const bool shears = beam.shear_flexibility > 0.0;
-    const double phi = 12.0 * beam.EI * beam.shear_flexibility / (L * L);
-    const double stiffness = beam.EI / (1.0 + phi);
-    if (shears) numbers.push_back({"phi = 12 " + EI + "/(GAs L^2)", phi});
-    const std::string in_shear = shears ? " (1 + phi)" : "";
-    const auto over = [&](std::string_view power) {
-        const std::string L_text = "L" + std::string(power);
-        return shears ? "/(" + L_text + in_shear + ")" : "/" + L_text;
-    };
-    numbers.push_back({"12 " + EI + over("^3"), 12.0 * stiffness / (L * L * L)});
-    numbers.push_back({"6 " + EI + over("^2"), 6.0 * stiffness / (L * L)});
-    numbers.push_back({(shears ? "(4 + phi) " : "4 ") + EI + over(""), (4.0 + phi) * stiffness / L});
-    numbers.push_back({(shears ? "(2 - phi) " : "2 ") + EI + over(""), (2.0 - phi) * stiffness / L});
-}
-
 /// What a tapered member is made of at its two ends.
 std::vector<NamedNumber> tapered_numbers(const MemberProperties& properties, double L)
 {
@@ -59,7 +34,10 @@ std::vector<NamedNumber> tapered_numbers(const MemberProperties& properties, dou
                                      {"EA(0)", properties.axial.EA},
                                      {"EA(L)", properties.axial.EA * (1.0 + properties.axial.taper * L)},
                                      {"EI(0)", beam.EI},
-                                     {"EI(L)", beam.EI * (1.0 + L * (a1 + L * (a2 + L * a3)))}};
+                                     {"EI(L)", beam.EI * (1.0 + L * (a1 + L * (a2 + L * a3)))},
+                                     {"a1", a1},
+                                     {"a2", a2},
+                                     {"a3", a3}};
     if (beam.shear_flexibility > 0.0) {
         numbers.push_back({"GAs(0)", 1.0 / beam.shear_flexibility});
         numbers.push_back({"GAs(L)", (1.0 + beam.taper.shear_area * L) / beam.shear_flexibility});
@@ -82,7 +60,11 @@ NamedMatrix MemberSteps::data() const
     const auto add = [&](const char* name, double value) {
         if (is_stiff(value)) numbers.push_back({name, value});
     };
-    if (!properties.xy.taper.is_prismatic()) return column("data", tapered_numbers(properties, trace_.length));
+    if (!properties.xy.taper.is_prismatic()) {
+        numbers = tapered_numbers(properties, trace_.length);
+        add_joints(numbers);
+        return column("data", numbers);
+    }
     if (kind != AnalysisKind::Grillage && !is_tied()) add("EA", properties.axial.EA);
     if (trace_.constraint == Constraint::Rigid) {
         add("foundation", properties.xy.foundation);
@@ -94,27 +76,41 @@ NamedMatrix MemberSteps::data() const
         if (is_space) add("GAsz", 1.0 / properties.xz.shear_flexibility);
         add("foundation", properties.xy.foundation);
     }
+    add_joints(numbers);
     return column("data", numbers);
 }
 
-/// The numbers that k' is made of; of joints, a foundation and a taper it is no such sum.
+std::string MemberSteps::row_name(std::size_t end, LocalAxis axis) const
+{
+    return system_.model()[system_.model()[member_].nodes.at(end)].id + "." + std::string(name(all_dofs[index(axis)])) +
+           "'";
+}
+
+/// Of the joints between the member's ends and its nodes that are not rigid: 0 where they are released.
+void MemberSteps::add_joints(std::vector<NamedNumber>& numbers) const
+{
+    const MemberEndConditions* const ends = system_.structure().end_conditions_of(member_);
+    if (ends == nullptr || !ends->has_flexible_joint) return;
+    for (std::size_t end = 0; end < 2; ++end)
+        for (const LocalAxis axis : member_axes_of(system_.structure().kind))
+            if (const double k = ends->joints[end][index(axis)]; std::isfinite(k))
+                numbers.push_back({"k(" + row_name(end, axis) + ")", k});
+}
+
+/// The numbers that k' is made of. That of a tied member has rigid joints: its springs stand in k.
 std::vector<NamedMatrix> MemberSteps::entries() const
 {
     const MemberEndConditions* const ends = system_.structure().end_conditions_of(member_);
-    const MemberProperties& properties = system_.structure().properties_of(member_);
-    if ((ends != nullptr && ends->has_flexible_joint) || properties.xy.foundation > 0.0) return {};
-    if (!properties.xy.taper.is_prismatic() || trace_.constraint == Constraint::Rigid) return {};
     const AnalysisKind kind = system_.structure().kind;
-    const bool is_bar = ends != nullptr && ends->is_bar;
-    const double L = trace_.length;
-    std::vector<NamedNumber> numbers;
-    if (kind != AnalysisKind::Grillage && !is_tied()) numbers.push_back({"EA/L", properties.axial.EA / L});
-    if (!is_truss(kind) && !is_bar) {
-        const bool twists = kind == AnalysisKind::Frame3d || kind == AnalysisKind::Grillage;
-        if (twists && is_stiff(properties.torsion.EA)) numbers.push_back({"GJ/L", properties.torsion.EA / L});
-        add_bending(numbers, properties.xy, L, is_3d(kind) ? "EIz" : "EI");
-        if (is_3d(kind)) add_bending(numbers, properties.xz, L, "EIy");
-    }
+    StiffMember member{.kind = kind,
+                       .properties = &system_.structure().properties_of(member_),
+                       .length = trace_.length,
+                       .stretches = kind != AnalysisKind::Grillage && !is_tied(),
+                       .bends = !is_truss(kind) && !(ends != nullptr && ends->is_bar),
+                       .is_on_foundation_alone = trace_.constraint == Constraint::Rigid,
+                       .row_name = [&](std::size_t end, LocalAxis axis) { return row_name(end, axis); }};
+    if (ends != nullptr && !is_tied()) member.joints = ends->joints;
+    const std::vector<NamedNumber> numbers = stiffness_entries(member);
     if (numbers.empty()) return {};
     return {column("entries", numbers)};
 }

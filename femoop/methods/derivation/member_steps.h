@@ -1,10 +1,13 @@
 #pragma once
 
+#include <cstddef>
+#include <string>
 #include <vector>
 
 #include "femoop/analysis/trace.h"
 #include "femoop/methods/derivation/derivation.h"
 #include "femoop/methods/derivation/paper_system.h"
+#include "femoop/methods/derivation/stiffness_entries.h"
 
 namespace femoop::derivation {
 
@@ -35,6 +38,8 @@ private:
     /// Forces on its ends along the rows of its own axes: of their motion, of loads, of what ties it; and their sum.
     Eigen::MatrixXd end_force_parts(CaseId load_case, const CaseResult& result) const;
     NamedMatrix data() const;
+    void add_joints(std::vector<NamedNumber>& numbers) const;
+    std::string row_name(std::size_t end, LocalAxis axis) const; ///< "A.rz'"
     std::vector<NamedMatrix> entries() const;
 
     const PaperSystem& system_;

@@ -93,6 +93,29 @@ void check_closes(const Model& model, const Results& results, const MovingEffect
     }
 }
 
+/// Each number of k' is one of the entries, but for its sign, or 0.
+void check_reproduced(const NamedMatrix& k, const NamedMatrix& entries)
+{
+    const double size = k.values.cwiseAbs().maxCoeff();
+    for (Eigen::Index i = 0; i < k.values.rows(); ++i)
+        for (Eigen::Index j = 0; j < k.values.cols(); ++j) {
+            const double value = std::abs(k.values(i, j));
+            if (value <= 1e-12 * size) continue;
+            CAPTURE(k.rows[static_cast<std::size_t>(i)]);
+            CAPTURE(k.columns[static_cast<std::size_t>(j)]);
+            CAPTURE(value);
+            const double nearest = (entries.values.array().abs() - value).abs().minCoeff();
+            CHECK(nearest <= 1e-9 * value);
+        }
+}
+
+/// Neither joints nor shear beside it, for which the step has words alone.
+bool is_of_foundation_alone(const Member& member)
+{
+    const auto is_rigid = [](const MemberEnd& end) { return end.release.is_empty() && end.springs.empty(); };
+    return (is_rigid(member.start) && is_rigid(member.end) && member.theory == BeamTheory::EulerBernoulli);
+}
+
 } // namespace
 
 TEST_SUITE("derivation")
@@ -138,6 +161,108 @@ TEST_SUITE("derivation")
         CHECK(number(entries, "(2 - phi) EI/(L (1 + phi))") == doctest::Approx(k.values(2, 5)));
         CHECK(number(entries, "12 EI/(L^3 (1 + phi))") == doctest::Approx(k.values(1, 1)));
         CHECK(number(entries, "phi = 12 EI/(GAs L^2)") > 0.0);
+    }
+
+    TEST_CASE("A hinge leaves 3 EI/L^3, 3 EI/L^2 and 3 EI/L of a member's stiffness, two leave EA/L alone")
+    {
+        Model model = propped_beam();
+        model.members[0].end.release = {Dof::rz};
+        const MovingEffect asked = of_node(NodeId(0), ExpectedQuantity::Reaction, Dof::ux);
+        const Derivation derivation = derived(model, asked);
+        const NamedMatrix& entries = matrix(derivation, StepKind::LocalStiffness, "entries");
+        CHECK(entries.rows == std::vector<std::string>{"EA/L", "3 EI/L^3", "3 EI/L^2", "3 EI/L"});
+        CHECK(number(entries, "3 EI/L^3") == doctest::Approx(3.0 * EI / (L * L * L)));
+        CHECK(number(entries, "3 EI/L^2") == doctest::Approx(3.0 * EI / (L * L)));
+        CHECK(number(entries, "3 EI/L") == doctest::Approx(3.0 * EI / L));
+        CHECK(number(matrix(derivation, StepKind::Member, "data"), "k(B.rz')") == 0.0);
+        const std::string text = derivation_text(derivation, model, english);
+        CHECK(text.find("Released at its ends, k = 0: B.rz'.") != std::string::npos);
+
+        model.nodes[1].support = Support{.kind = SupportKind::Fixed};
+        model.members[0].start.release = {Dof::rz};
+        const std::vector<std::string> axial{"EA/L"};
+        CHECK(matrix(derived(model, asked), StepKind::LocalStiffness, "entries").rows == axial);
+    }
+
+    TEST_CASE("A spring of k = 3 EI/L at an end has the fixity factor 1/2, and D = 4 - r1 r2")
+    {
+        Model model = propped_beam();
+        model.members[0].end.springs = {{Dof::rz, Quantity(3.0 * EI / L)}};
+        const Derivation derivation = derived(model, of_node(NodeId(0), ExpectedQuantity::Reaction, Dof::uy));
+        const NamedMatrix& entries = matrix(derivation, StepKind::LocalStiffness, "entries");
+        CHECK(number(matrix(derivation, StepKind::Member, "data"), "k(B.rz')") == doctest::Approx(3.0 * EI / L));
+        CHECK(number(entries, "r1") == 1.0);
+        CHECK(number(entries, "r2 = 1/(1 + 3 EI/(L k(B.rz')))") == doctest::Approx(0.5));
+        CHECK(number(entries, "D = 4 - r1 r2") == doctest::Approx(3.5));
+        CHECK(number(entries, "12 EI r1/(L D)") == doctest::Approx(12.0 / 3.5 * EI / L));
+        CHECK(number(entries, "6 EI r1 r2/(L D)") == doctest::Approx(3.0 / 3.5 * EI / L));
+    }
+
+    TEST_CASE("A beam on a foundation has beta and Hetenyi's functions of beta L, short and long")
+    {
+        for (const double beta_L : {1e-3, 0.3, 0.999, 1.001, 4.0, 50.0, 900.0}) {
+            CAPTURE(beta_L);
+            Model model = propped_beam();
+            model.members[0].foundation = Quantity(4.0 * EI * std::pow(beta_L / L, 4.0));
+            const Derivation derivation = derived(model, of_node(NodeId(0), ExpectedQuantity::Reaction, Dof::uy));
+            const NamedMatrix& entries = matrix(derivation, StepKind::LocalStiffness, "entries");
+            CHECK(number(entries, "beta L") == doctest::Approx(beta_L));
+            check_reproduced(matrix(derivation, StepKind::LocalStiffness, "k'"), entries);
+        }
+    }
+
+    TEST_CASE("A taper has the law of EI between its ends, and k' is the inverse of its flexibilities")
+    {
+        Model model = propped_beam();
+        SectionShape rectangle;
+        rectangle.b = 0.3;
+        rectangle.h = 0.6;
+        model.sections[0] = Section{.id = "s", .shape = rectangle};
+        model.members[0].depths = {Quantity(0.6), Quantity(0.2)};
+        const Derivation derivation = derived(model, of_node(NodeId(0), ExpectedQuantity::Reaction, Dof::uy));
+        const NamedMatrix& data = matrix(derivation, StepKind::Member, "data");
+        const double a1 = number(data, "a1"), a2 = number(data, "a2"), a3 = number(data, "a3");
+        const auto EI_at = [&](double x) { return number(data, "EI(0)") * (1.0 + x * (a1 + x * (a2 + x * a3))); };
+        CHECK(EI_at(L) == doctest::Approx(number(data, "EI(L)")));
+        CHECK(EI_at(0.5 * L) == doctest::Approx(2e8 * 0.3 * 0.4 * 0.4 * 0.4 / 12.0));
+
+        const NamedMatrix& entries = matrix(derivation, StepKind::LocalStiffness, "entries");
+        constexpr int n = 2000; // strips, each by Simpson's rule
+        double f1 = 0.0, f2 = 0.0, f12 = 0.0;
+        for (int i = 0; i <= 2 * n; ++i) {
+            const double t = i / (2.0 * n), weight = (i == 0 || i == 2 * n ? 1.0 : i % 2 == 0 ? 2.0 : 4.0);
+            const double dx = weight * L / (6.0 * n) / EI_at(t * L);
+            f1 += (1.0 - t) * (1.0 - t) * dx;
+            f2 += t * t * dx;
+            f12 -= (1.0 - t) * t * dx;
+        }
+        CHECK(number(entries, "f1 = ∫ (1 - x/L)^2 dx/EI") == doctest::Approx(f1).epsilon(1e-9));
+        CHECK(number(entries, "f2 = ∫ (x/L)^2 dx/EI") == doctest::Approx(f2).epsilon(1e-9));
+        CHECK(number(entries, "f12 = -∫ (1 - x/L) x/L dx/EI") == doctest::Approx(f12).epsilon(1e-9));
+        CHECK(number(entries, "f2/D") == doctest::Approx(f2 / (f1 * f2 - f12 * f12)).epsilon(1e-8));
+    }
+
+    TEST_CASE("Each number of any member's k' is one of its entries: hinged, on springs, tapered, sheared, in space")
+    {
+        std::size_t n_checked = 0;
+        for (const AnalysisKind kind : every_model)
+            for (unsigned seed = 1; seed <= samples(4, 40); ++seed) {
+                const Model model = random_structure(kind, seed);
+                CAPTURE(name(kind));
+                CAPTURE(seed);
+                const Results results = analyse(model);
+                for (std::size_t m = 0; m < model.members.size(); ++m) {
+                    MovingEffect effect = along(member_components(kind).front(), Percent{37.0});
+                    effect.member = MemberId(m);
+                    const Derivation derivation = derive(model, results, CaseId(0), effect);
+                    CAPTURE(model.members[m].id);
+                    const std::vector<NamedMatrix>& all = step_of(derivation, StepKind::LocalStiffness).matrices;
+                    if (model.members[m].foundation && !is_of_foundation_alone(model.members[m])) continue;
+                    check_reproduced(all.back(), all.front());
+                    n_checked += all.size() - 1;
+                }
+            }
+        CHECK(n_checked > 100);
     }
 
     TEST_CASE("A rotation comes from a row of K, made of its members and its spring, and a row of f")
