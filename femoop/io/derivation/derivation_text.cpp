@@ -184,10 +184,13 @@ std::string matrix_text(const Step& step, const NamedMatrix& matrix, const Trans
     if (is_of_several_kinds(step, matrix))
         for (tabular::Row& row : table.rows)
             row.cells[1] = tabular::Cell(*row.cells[1].number, six_digits(*row.cells[1].number, tr));
+    else if (matrix.more_digits > 0) table = with_digits(std::move(table), written_digits(matrix), tr);
     return (is_column ? std::string() : symbol + "\n") + tabular::plain_text(table, {indent, decimal_mark(tr)});
 }
 
 } // namespace
+
+int written_digits(const NamedMatrix& matrix, int usual) { return std::min(usual + matrix.more_digits, 12); }
 
 Notation notation_of(const Step& step, const NamedMatrix& matrix)
 {

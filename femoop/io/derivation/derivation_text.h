@@ -32,6 +32,9 @@ enum class Notation : std::uint8_t {
 /// \pre the matrix is one of the step's
 Notation notation_of(const Step& step, const NamedMatrix& matrix);
 
+/// Significant digits: the usual ones, and those that products with its numbers lose.
+int written_digits(const NamedMatrix& matrix, int usual = 6);
+
 /// K u = f: its matrices stand in one line.
 bool is_system(const Step& step);
 /// Is this number one that the step is about: of k one that has a place in K, of K and f one of the step's rows?

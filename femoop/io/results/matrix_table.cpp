@@ -1,11 +1,15 @@
 #include "femoop/io/results/matrix_table.h"
 
+#include <array>
 #include <cmath>
 #include <cstddef>
+#include <cstdio>
 #include <numeric>
 #include <utility>
 
+#include "femoop/model/quantity/number_text.h"
 #include "femoop/model/quantity/six_digits.h"
+#include "femoop/tabular/halves.h"
 #include "femoop/tabular/latex.h"
 
 namespace femoop {
@@ -46,6 +50,19 @@ tabular::Table with_six_digits(tabular::Table table, const Translator& tr)
     for (tabular::Row& row : table.rows)
         for (tabular::Cell& cell : row.cells)
             if (cell.number) cell.shown = six_digits(*cell.number, tr);
+    return table;
+}
+
+tabular::Table with_digits(tabular::Table table, int digits, const Translator& tr)
+{
+    std::array<char, 40> text{};
+    for (tabular::Row& row : table.rows)
+        for (tabular::Cell& cell : row.cells) {
+            if (!cell.number) continue;
+            const double value = *cell.number == 0.0 ? 0.0 : tabular::off_half(*cell.number);
+            static_cast<void>(std::snprintf(text.data(), text.size(), "%.*g", digits, value));
+            cell.shown = localized(text.data(), tr);
+        }
     return table;
 }
 

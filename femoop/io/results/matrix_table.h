@@ -18,6 +18,9 @@ tabular::Table matrix_table(const std::vector<std::string>& rows, const std::vec
 /// numbers with every digit.
 tabular::Table with_six_digits(tabular::Table table, const Translator& tr);
 
+/// The same with so many digits.
+tabular::Table with_digits(tabular::Table table, int digits, const Translator& tr);
+
 /// A paragraph of a LaTeX document with such a table.
 std::string latex_table(tabular::Table table, const Translator& tr);
 

@@ -9,6 +9,7 @@
 
 #include "femoop/element/analysis_model.h"
 #include "femoop/load/case_terms.h"
+#include "femoop/methods/derivation/lost_digits.h"
 #include "femoop/methods/derivation/member_alone.h"
 #include "femoop/methods/derivation/member_steps.h"
 #include "femoop/methods/derivation/paper_system.h"
@@ -516,6 +517,7 @@ Derivation derive(const Model& model, const Results& results, CaseId load_case, 
     if (ends_with_sum(derivation))
         derivation.closing_error = std::abs(derivation.steps.back().matrices.back().values.bottomRows(1)(0, 0) -
                                             derivation.value);
+    note_lost_digits(derivation.steps);
     return derivation;
 }
 
@@ -525,6 +527,7 @@ Derivation derive_difference(const Model& model, const Results& results, CaseId 
     Derivation derivation = derive(model, results, now, effect);
     const NumberSteps number(model, results, derivation.effect);
     append(derivation.steps, steps_of(number, model, kept, false));
+    note_lost_digits(derivation.steps);
     const double value = value_of(derivation.effect, results[kept]);
     const double size = std::max(size_of(derivation.effect, results[now]), size_of(derivation.effect, results[kept]));
     return less_kept(std::move(derivation), value, size, kept, model);

@@ -59,6 +59,7 @@ struct NamedMatrix {
     std::string symbol;
     std::vector<std::string> rows, columns;
     Eigen::MatrixXd values;
+    int more_digits = 0; ///< than usual, that it is written with: femoop/methods/derivation/lost_digits.h
 };
 
 struct Step {
@@ -73,7 +74,8 @@ struct Step {
     std::optional<Renumbering> renumbering{}; ///< of Numbering
 };
 
-/// The way from the data to one number: every step with its numbers, the last of which is the number.
+/// The way from the data to one number: every step with its numbers, the last of which is the number; where that is an
+/// unknown of the equations, which are then the last step, its row of u.
 ///
 /// Units    the model's base units, rotations in rad
 /// Source   [McGuireGallagherZiemian2000, ch. 3-5]: the direct stiffness method

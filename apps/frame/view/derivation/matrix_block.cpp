@@ -32,11 +32,13 @@ MatrixBlock::MatrixBlock(const femoop::derivation::NamedMatrix& matrix, Notation
     widths_.assign(columns_.size(), 0.0);
     const auto width = [&](const std::string& text) { return fonts.measure(text, em).width; };
     for (std::size_t j = 0; j < columns_.size(); ++j) widths_[j] = width(columns_[j]);
+    ui::NumberFormat format = look.units.format();
+    format.digits = femoop::derivation::written_digits(matrix, format.digits);
     for (const tabular::Row& row : femoop::matrix_table(matrix.rows, matrix.columns, matrix.values).rows) {
         std::vector<std::string>& texts = numbers_.emplace_back();
         for (std::size_t j = 0; j < columns_.size(); ++j) {
             const double number = row.cells[j + 1].number.value_or(0.0);
-            texts.push_back(ui::with_minus_signs(ui::number_text(number, look.units.format())));
+            texts.push_back(ui::with_minus_signs(ui::number_text(number, format)));
             widths_[j] = std::max(widths_[j], width(texts.back()));
         }
     }

@@ -1,7 +1,10 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstdio>
+#include <cstdlib>
 #include <string>
 
 #include "femoop/analysis/linear_static.h"
@@ -107,6 +110,13 @@ void check_reproduced(const NamedMatrix& k, const NamedMatrix& entries)
             const double nearest = (entries.values.array().abs() - value).abs().minCoeff();
             CHECK(nearest <= 1e-9 * value);
         }
+}
+
+double as_written(double value, int digits)
+{
+    std::array<char, 40> text{};
+    static_cast<void>(std::snprintf(text.data(), text.size(), "%.*g", digits, value));
+    return std::atof(text.data());
 }
 
 /// Neither joints nor shear beside it, for which the step has words alone.
@@ -570,6 +580,35 @@ TEST_SUITE("derivation")
                                                  english);
         CHECK(text.find(" 4.25\n") != std::string::npos);
         CHECK(text.find(" 2e+06\n") != std::string::npos);
+    }
+
+    TEST_CASE("Where both ends move together u' has the digits by which k' u' comes out as it is written")
+    {
+        FrameMaker made({.id = "s", .A = 0.0128, .Iz = 1.2e-4});
+        made.node("A", 0, 0, SupportKind::Fixed).node("B", 0, 4).node("C", 6, 4).node("D", 6.1, 0, SupportKind::Fixed);
+        made.member("A", "B").member("B", "C").member("D", "C").uniform("BC", -3.0);
+        made.model.load_cases[0].settlements.push_back({NodeId(3), {{Dof::ux, Quantity(-0.02)}}});
+        for (std::size_t m = 0; m < 3; ++m) {
+            MovingEffect effect = along(MemberComponent::N, Percent{50.0});
+            effect.member = MemberId(m);
+            const Derivation derivation = derived(made.model, effect);
+            const NamedMatrix& k = matrix(derivation, StepKind::LocalStiffness, "k'");
+            const NamedMatrix& u = matrix(derivation, StepKind::EndDisplacements, "u'");
+            const NamedMatrix& p = matrix(derivation, StepKind::EndForces, "p'");
+            for (const int usual : {4, 6}) {
+                CAPTURE(derivation_text(derivation, made.model, english));
+                CAPTURE(usual);
+                const double size = p.values.col(0).cwiseAbs().maxCoeff();
+                CHECK(std::max(k.more_digits, u.more_digits) <= 6);
+                for (Eigen::Index i = 0; i < k.values.rows(); ++i) {
+                    double sum = 0.0;
+                    for (Eigen::Index j = 0; j < k.values.cols(); ++j)
+                        sum += as_written(k.values(i, j), written_digits(k, usual)) *
+                               as_written(u.values(j, 0), written_digits(u, usual));
+                    CHECK(std::abs(sum - p.values(i, 0)) <= 5.0 * std::pow(10.0, 1 - usual) * size);
+                }
+            }
+        }
     }
 
     TEST_CASE("As LaTeX a derivation has every step, its matrices in brackets, and its own entries of K in bold")
