@@ -7,6 +7,8 @@
 
 #include "tests/apps/drawing/view_model.h"
 
+using namespace drawing;
+
 TEST_CASE("A distance that has no room beside the one before it is written below it")
 {
     const ui::Fonts fonts;
