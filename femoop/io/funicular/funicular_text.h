@@ -15,8 +15,8 @@ namespace femoop::funicular {
 /// Why not, and what to do; lower case, without a period.
 std::string sentence(const Refusal& refusal, const Model& model, const Translator& tr);
 
-/// How H comes of the rise that is known of the hinge or of a point, the reactions of the simple beam, and of a three-hinged arch whether this is its line of
-/// thrust: a line each.
+/// How H comes of the rise that is known of the hinge or of a point, the reactions of the simple beam, and of a
+/// three-hinged arch whether this is its line of thrust: a line each.
 std::vector<std::string> funicular_lines(const Funicular& funicular, const Chain& chain, const Model& model,
                                          const Translator& tr);
 
