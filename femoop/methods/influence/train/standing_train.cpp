@@ -12,9 +12,9 @@ namespace femoop::influence {
 
 namespace {
 
-constexpr double off_path = 1e-12;   // of its length: so far beyond an end is the end
-constexpr double hair = 1e-11;       // likewise: between a jump and what stands just beside it
-constexpr double equal_value = 1e-9; // of the largest ordinate: less is no jump
+constexpr double off_path = 1e-12;  // of its length: so far beyond an end is the end
+constexpr double hair = 1e-11;      // likewise: between a jump and what stands just beside it
+constexpr double least_jump = 1e-9; // of the largest ordinate: less is no jump
 
 using Forces = std::vector<StandingForce>;
 
@@ -48,7 +48,7 @@ double with_ordinates(Forces& forces, const PiecewiseLine& line, Side side)
         const double before = line.value(force.s, Side::Before), after = line.value(force.s, Side::After);
         force.ordinate = without_rounding(side == Side::Before ? before : after, size);
         force.beside.reset();
-        if (std::abs(after - before) > equal_value * size) force.beside = side;
+        if (std::abs(after - before) > least_jump * size) force.beside = side;
         sum += force.force * force.ordinate;
     }
     return sum;
