@@ -71,7 +71,7 @@ struct Product {
 
 void note(NamedMatrix& A, NamedMatrix& x, int more_of_result = 0, int most_of_A = most_more)
 {
-    if (A.values.cols() != x.values.rows() || x.values.cols() != 1) return;
+    if (A.values.size() == 0 || A.values.cols() != x.values.rows() || x.values.cols() != 1) return;
     const Eigen::VectorXd factor = x.values;
     const MoreDigits more = Product{A.values, factor, more_of_result}.needed(most_of_A);
     A.more_digits = std::max(A.more_digits, more.of_A);
