@@ -64,6 +64,14 @@ bool read_keyed_lists(std::string_view text, std::span<const KeyedList> lists)
     return true;
 }
 
+std::string names_in_words(const std::vector<std::string>& names)
+{
+    constexpr std::size_t most = 20;
+    std::string list;
+    for (std::size_t i = 0; i < names.size() && i < most; ++i) list += (i == 0 ? "" : ", ") + names[i];
+    return names.size() > most ? list + ", ..." : list;
+}
+
 UsageError unknown_choice(std::string_view option, const std::string& found, const std::vector<std::string>& choices,
                           const ui::Catalogue& tr)
 {
@@ -72,11 +80,7 @@ UsageError unknown_choice(std::string_view option, const std::string& found, con
     if (const auto near = femoop::nearest(found, candidates))
         return UsageError(text + "; " + tr("did you mean {word}?", {{"word", quoted(*near)}}));
     if (choices.empty()) return UsageError(text + "; " + tr("the file has none"));
-    constexpr std::size_t most = 20;
-    std::string list;
-    for (std::size_t i = 0; i < choices.size() && i < most; ++i) list += (i == 0 ? "" : ", ") + choices[i];
-    if (choices.size() > most) list += ", ...";
-    return UsageError(text + "; " + tr("choose from: {list}", {{"list", list}}));
+    return UsageError(text + "; " + tr("choose from: {list}", {{"list", names_in_words(choices)}}));
 }
 
 UsageError not_one_of(std::string_view option, const std::string& found, std::string_view names,

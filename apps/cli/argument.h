@@ -31,6 +31,9 @@ struct KeyedList {
 /// False where no key stands before a part.
 bool read_keyed_lists(std::string_view text, std::span<const KeyedList> lists);
 
+/// "G, Q, W", of many the first: "G, Q, ...".
+std::string names_in_words(const std::vector<std::string>& names);
+
 /// "--case: there is no "Gg"; did you mean "G"?", else with the list of what there is.
 UsageError unknown_choice(std::string_view option, const std::string& found, const std::vector<std::string>& choices,
                           const ui::Catalogue& tr);

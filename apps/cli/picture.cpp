@@ -75,7 +75,7 @@ void require_counterpart(const drawing::ReferenceResults& reference, const femoo
            "name a case of {file} with --with ({names})",
            {{"case", model.case_name(order.view.load_case)},
             {"file", reference.name},
-            {"names", names.empty() ? tr("it has none") : femoop::listed(names)}}));
+            {"names", names.empty() ? tr("it has none") : names_in_words(names)}}));
 }
 
 ExitStatus draw_picture(const femoop::Model& model, const std::string& file, const PictureOrder& order,

@@ -154,13 +154,13 @@ std::string local_stiffness_sentence(const Step& step, const std::string& member
     const auto add = [&](const std::string& sentence) { text += " " + sentence; };
     if (begins("r1")) add(tr("r1 and r2 are the fixity factors of its ends: 1 where an end is rigid, 0 at a hinge."));
     if (has("∫"))
-        add(tr("Along the taper the flexibilities are integrals over the length, and k' is their inverse: of the beam "
-               "on two supports f1 and f2 are the rotations of its ends under a moment of 1 there, f12 that of one end "
+        add(tr("Along the taper the flexibilities are integrals over the length, and k' is their inverse: of the "
+               "simple beam f1 and f2 are the rotations of its ends under a moment of 1 there, f12 that of one end "
                "under a moment of 1 at the other."));
     if (has("sinh")) add(tr("sin, cos, sinh and cosh are of beta L, k is the foundation's, and D = sinh^2 - sin^2."));
     else if (begins("beta"))
-        add(tr("k is the foundation's. With shear or joints no short formula is usual: the member is put together from "
-               "pieces in which its deflection is a power series, and its joints are then eliminated."));
+        add(tr("k is the foundation's. With shear strain or springs at the ends no short formula is usual: the member "
+               "is put together from pieces in which its deflection is a power series."));
     if (begins("k L/3")) add(tr("k is the foundation's, all that a rigid member resists with."));
     return text;
 }

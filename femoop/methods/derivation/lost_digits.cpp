@@ -58,22 +58,22 @@ struct Product {
         return error(more, 4) <= tolerance && error(more, 6) <= tolerance;
     }
 
-    MoreDigits needed(int most_of_A) const
+    MoreDigits needed() const
     {
         if (comes_out({}, usual_loss)) return {};
-        for (int sum = 1; sum <= most_of_A + most_more; ++sum)
-            for (int of_A = 0; of_A <= std::min(sum / 2, most_of_A); ++of_A)
+        for (int sum = 1; sum <= 2 * most_more; ++sum)
+            for (int of_A = 0; of_A <= sum / 2; ++of_A)
                 if (const MoreDigits more{of_A, sum - of_A}; more.of_x <= most_more && comes_out(more, 1.0))
                     return more;
         return {0, most_more};
     }
 };
 
-void note(NamedMatrix& A, NamedMatrix& x, int more_of_result = 0, int most_of_A = most_more)
+void note(NamedMatrix& A, NamedMatrix& x, int more_of_result = 0)
 {
     if (A.values.size() == 0 || A.values.cols() != x.values.rows() || x.values.cols() != 1) return;
     const Eigen::VectorXd factor = x.values;
-    const MoreDigits more = Product{A.values, factor, more_of_result}.needed(most_of_A);
+    const MoreDigits more = Product{A.values, factor, more_of_result}.needed();
     A.more_digits = std::max(A.more_digits, more.of_A);
     x.more_digits = std::max(x.more_digits, more.of_x);
 }
@@ -110,13 +110,10 @@ void note_lost_digits(std::vector<Step>& steps)
         if (step.kind == StepKind::NodeForces) note_product(steps, step, find(steps, step, StepKind::Stiffness, 0), 0);
     }
     for (Step& step : steps) {
-        if (step.kind == StepKind::EndDisplacements) { // what is turned has the digits of what it is turned to
-            NamedMatrix &u = step.matrices[0], &turned = step.matrices[1];
-            NamedMatrix* const T = find(steps, step, StepKind::Transformation, 0);
-            if (turned.more_digits > 0 && T != nullptr) note(*T, u, turned.more_digits);
-        }
-        const bool is_system = step.kind == StepKind::Equations || step.kind == StepKind::ReducedEquations;
-        if (is_system) note(step.matrices[0], step.matrices[1], 0, 0); // K is wide enough as it is
+        if (step.kind != StepKind::EndDisplacements) continue;
+        NamedMatrix &u = step.matrices[0], &turned = step.matrices[1]; // which has the digits of what it is turned to
+        NamedMatrix* const T = find(steps, step, StepKind::Transformation, 0);
+        if (turned.more_digits > 0 && T != nullptr) note(*T, u, turned.more_digits);
     }
 }
 
