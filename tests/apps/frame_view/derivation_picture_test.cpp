@@ -119,7 +119,7 @@ TEST_SUITE("frame: where a number comes from")
     TEST_CASE("No number of a step stands on another, nor on the heat map, however wide its matrix is")
     {
         const ui::Fonts fonts;
-        for (const char* name : {"bent_cantilever", "balcony", "portal_kleinlogel", "grillage"}) {
+        for (const std::string name : {"bent_cantilever", "balcony", "portal_kleinlogel", "grillage"}) {
             const femoop::Model model = view_test::example(name);
             const Derivation derivation = moment(model, model.members[0].id, 0.5, model.load_cases[0].id);
             for (const ui::ThemeName theme : {ui::ThemeName::Light, ui::ThemeName::Projector})

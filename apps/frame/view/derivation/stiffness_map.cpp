@@ -146,12 +146,18 @@ private:
         if (step_.load_case) outline({load_at(0).min, load_at(last).max}, stroke);
     }
 
-    /// Over its column, but beside the other symbol and on the sheet.
-    double place_of_f(double middle_of_map, const ui::TextStyle& head) const
+    /// Where the symbols stand: over their columns, but beside one another and on the sheet.
+    struct SymbolPlaces {
+        double K, f;
+    };
+    SymbolPlaces symbol_places(const ui::TextStyle& head) const
     {
+        const double middle = corner_.x + 0.5 * n() * cell_;
+        if (!step_.load_case) return {middle, 0.0};
         const double half = 0.5 * painter_.measure(symbols_.f, head).width;
-        const double beside = middle_of_map + 0.5 * painter_.measure(symbols_.K, head).width + small_ + half;
-        return std::min(std::max(load_at(0).center().x, beside), right_ - half);
+        const double apart = 0.5 * painter_.measure(symbols_.K, head).width + small_ + half;
+        const double f = std::min(std::max(load_at(0).center().x, middle + apart), right_ - half);
+        return {std::min(middle, f - apart), f};
     }
 
     void draw_names() const
@@ -161,9 +167,9 @@ private:
         head.color = look_.theme[Role::Label].text;
         head.weight = ui::Weight::Bold;
         const double y = corner_.y - (has_names_ ? 1.4 : 0.3) * small_;
-        const double middle = corner_.x + 0.5 * n() * cell_;
-        painter_.text({middle, y}, symbols_.K, head);
-        if (step_.load_case) painter_.text({place_of_f(middle, head), y}, symbols_.f, head);
+        const auto [K, f] = symbol_places(head);
+        painter_.text({K, y}, symbols_.K, head);
+        if (step_.load_case) painter_.text({f, y}, symbols_.f, head);
         if (!has_names_) return;
         for (Index i = 0; i < static_cast<Index>(names_.size()); ++i) {
             const bool is_lit = std::ranges::find(step_.rows, i) != step_.rows.end();
