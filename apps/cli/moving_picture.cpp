@@ -85,9 +85,8 @@ Worst worst_of(TrainAnalysis& analysis, const femoop::Train& train, const Moving
     const femoop::influence::TrainExtreme found = analysis.extreme(train, extreme);
     const bool is_max = std::abs(found.max.placing.value) >= std::abs(found.min.placing.value);
     const femoop::influence::WorstSection& worst = is_max ? found.max : found.min;
-    const double x = worst.sections.empty() ? 0.0 : worst.sections.front();
     const double length = femoop::geometry_of(model, model[*extreme.member]).length;
-    return {femoop::influence::at_section(extreme, x, length), worst.placing.value};
+    return {femoop::influence::at_section(extreme, worst.inside, length), worst.placing.value};
 }
 
 MovingEffect foremost_effect(TrainAnalysis& analysis, const Model& model, const femoop::Train& train)

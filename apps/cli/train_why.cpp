@@ -2,7 +2,6 @@
 
 #include <cmath>
 #include <utility>
-#include <vector>
 
 #include "apps/cli/picture.h"
 #include "apps/drawing/results/influence_words.h"
@@ -34,8 +33,6 @@ struct Governing {
     ExtremeKind kind;
     double value; ///< with what stays
 };
-
-constexpr double same_value = 1e-6;
 
 class TrainWhy {
 public:
@@ -101,22 +98,8 @@ private:
                                                     : analysis_.extreme(*number_.envelope, number_.effect);
         const bool is_max = std::abs(found.max.placing.value) >= std::abs(found.min.placing.value);
         const femoop::influence::WorstSection& worst = is_max ? found.max : found.min;
-        const MovingEffect along = number_.effect;
-        const double length = femoop::geometry_of(model_, model_[*along.member]).length;
-        for (const double x : places_in(worst.sections)) {
-            number_.effect = femoop::influence::at_section(along, x, length);
-            if (std::abs(governing().value - worst.placing.value) <= same_value * std::abs(worst.placing.value)) return;
-        }
-    }
-
-    /// Those sections, and where two of them may be the ends of a stretch, its middle: a stretch may end where the number
-    /// jumps.
-    static std::vector<double> places_in(const std::vector<double>& sections)
-    {
-        std::vector<double> places = sections;
-        for (std::size_t i = 0; i + 1 < sections.size(); ++i) places.push_back(0.5 * (sections[i] + sections[i + 1]));
-        if (places.empty()) places.push_back(0.0);
-        return places;
+        const double length = femoop::geometry_of(model_, model_[*number_.effect.member]).length;
+        number_.effect = femoop::influence::at_section(number_.effect, worst.inside, length);
     }
 
     Governing governing()

@@ -374,7 +374,8 @@ std::string effect_text(const femoop::Model& model, const ui::DisplayUnits& unit
     if (!effect.at) return text + ")";
     if (const auto* const percent = std::get_if<femoop::Percent>(&*effect.at))
         return text + ", " + ui::number_text(percent->value, units.format()) + "%)";
-    return text + ", " + units.text(std::get<femoop::Quantity>(*effect.at), ui::Measure::Length) + ")";
+    const double x = femoop::influence::told_place(model, *effect.member, std::get<femoop::Quantity>(*effect.at));
+    return text + ", " + units.text(x, ui::Measure::Length) + ")";
 }
 
 namespace {

@@ -123,8 +123,7 @@ private:
                              const femoop::influence::WorstSection& worst, const femoop::Train* train)
     {
         const double length = femoop::geometry_of(model, model[*effect.member]).length;
-        const double x = worst.sections.empty() ? 0.0 : worst.sections.front();
-        return {femoop::influence::at_section(effect, x, length), &worst.placing, train};
+        return {femoop::influence::at_section(effect, worst.inside, length), &worst.placing, train};
     }
 
     /// Ranges of one component of all members are told together, each reaction by itself.

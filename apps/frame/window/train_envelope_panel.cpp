@@ -128,7 +128,7 @@ private:
                const femoop::Train& train) const
     {
         value_cell(row, member, kind, worst);
-        row.number(worst.sections.empty() ? "" : units_.number(worst.sections.front(), ui::Measure::Length));
+        row.number(worst.sections.empty() ? "" : units_.number(worst.section, ui::Measure::Length));
         if (has_several_) row.name(train.id);
     }
 
@@ -140,8 +140,7 @@ private:
         if (worst.sections.empty()) return row.number(text);
         const double length = femoop::geometry_of(session_.model(), session_.model()[member]).length;
         row.number(workspace_, text,
-                   {.effect = number_at_section({member, worst.sections.front()}, component_, length), .extreme = kind},
-                   member);
+                   {.effect = number_at_section({member, worst.inside}, component_, length), .extreme = kind}, member);
     }
 
     Workspace& workspace_;

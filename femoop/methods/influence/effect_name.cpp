@@ -1,22 +1,33 @@
 #include "femoop/methods/influence/effect_name.h"
 
+#include <algorithm>
 #include <variant>
 
+#include "femoop/geometry/member_geometry.h"
 #include "femoop/model/quantity/six_digits.h"
 
 namespace femoop::influence {
 
 namespace {
 
-std::string place_text(const Position& at, const Units& units, const Translator& tr)
+std::string place_text(const Model& model, const MovingEffect& effect, const Translator& tr)
 {
-    if (const auto* percent = std::get_if<Percent>(&at)) return six_digits(percent->value, tr) + "%";
-    const Quantity& length = std::get<Quantity>(at);
-    const bool has_unit = length.text().find_last_not_of("0123456789.+-eE") != std::string_view::npos;
-    return has_unit ? std::string(length.text()) : six_digits(length, tr) + " " + unit_text(dimension::length, units);
+    if (const auto* percent = std::get_if<Percent>(&*effect.at)) return six_digits(percent->value, tr) + "%";
+    const Quantity& at = std::get<Quantity>(*effect.at);
+    const bool has_unit = at.text().find_last_not_of("0123456789.+-eE") != std::string_view::npos;
+    if (has_unit) return std::string(at.text());
+    return six_digits(told_place(model, *effect.member, at), tr) + " " + unit_text(dimension::length, model.units);
 }
 
 } // namespace
+
+double told_place(const Model& model, MemberId member, double x)
+{
+    constexpr double hair = 2e-6; // of the length
+    const double length = geometry_of(model, model[member]).length;
+    if (x < hair * length) return std::min(x, 0.0);
+    return x > (1.0 - hair) * length ? std::max(x, length) : x;
+}
 
 std::string component_name(AnalysisKind kind, const MovingEffect& effect)
 {
@@ -39,7 +50,7 @@ std::string effect_name(const Model& model, const MovingEffect& effect, const Tr
 {
     const std::string& part = effect.member ? model[*effect.member].id : model[*effect.node].id;
     return component_name(model.analysis, effect) + "(" + part +
-           (effect.at ? ", " + place_text(*effect.at, model.units, tr) : "") + ")";
+           (effect.at ? ", " + place_text(model, effect, tr) : "") + ")";
 }
 
 } // namespace femoop::influence

@@ -80,11 +80,14 @@ private:
 
     double value_at(double x) const { return sign_ * placing_at(x).value; }
     void look_at(double x) { sections_.push_back({x, value_at(x)}); }
-    /// The limits there.
+    /// So near to an end of the member lies what counts as the limit there; the path's pieces are no shorter.
+    double hair() const { return std::max(0.05 * one_section * lines_.length(), 2.0 * shortest_part * ends_.back()); }
+    /// The limits there, from two places.
     void look_towards_ends()
     {
-        const double length = lines_.length(), hair = 0.05 * one_section * length;
-        for (const double x : {hair, length - hair}) sections_.push_back({snapped(x), value_at(x)});
+        const double length = lines_.length(), near = hair();
+        sections_.push_back({0.0, 2.0 * value_at(near) - value_at(2.0 * near)});
+        sections_.push_back({length, 2.0 * value_at(length - near) - value_at(length - 2.0 * near)});
     }
     void sort() { std::ranges::sort(sections_, {}, &Tried::x); }
 
@@ -236,11 +239,10 @@ private:
         for (std::size_t i = 0; i < sections_.size(); ++i)
             if (sections_[i].value >= most - equal_extremes * scale && is_peak(i, 0.01 * equal_extremes * scale))
                 add(equal, sections_[i]);
-        WorstSection result;
-        result.sections = without_inner(equal, most - equal_extremes * scale);
-        result.placing = first_placing(result.sections, most - 10.0 * equal_extremes * scale);
-        result.placing.value = sign_ * most + 0.0;
-        return result;
+        std::vector<double> sections = without_inner(equal, most - equal_extremes * scale);
+        Placed first = first_placed(sections, most - 10.0 * equal_extremes * scale);
+        first.placing.value = sign_ * most + 0.0;
+        return {std::move(sections), std::move(first.placing), first.section, first.inside};
     }
 
     /// Sections that are one: the better of them.
@@ -264,21 +266,31 @@ private:
         return places;
     }
 
-    /// At a section, or at an end of the member in the limit towards it.
-    Placing placing_near(double x, double least) const
+    struct Placed {
+        Placing placing;
+        double section, inside;
+    };
+    /// At a section, or at an end of the member in the limit towards it, where what stands by a hair beside an end of the
+    /// path's members stands at that end.
+    Placed placed_near(double x, double least) const
     {
-        Placing placing = placing_at(x);
-        if (sign_ * placing.value >= least) return placing;
-        const double inwards = one_section * (x > 0.5 * lines_.length() ? -lines_.length() : lines_.length());
-        return placing_at(x + inwards);
+        Placed placed{placing_at(x), x, x};
+        if (sign_ * placed.placing.value >= least) return placed;
+        const double near = hair();
+        placed.inside = x > 0.5 * lines_.length() ? x - near : x + near;
+        placed.placing = placing_at(placed.inside);
+        if (!placed.placing.position) return placed;
+        for (const double end : ends_)
+            if (std::abs(*placed.placing.position - end) <= 2.0 * near) placed.placing.position = end;
+        return placed;
     }
 
-    Placing first_placing(const std::vector<double>& sections, double least) const
+    Placed first_placed(const std::vector<double>& sections, double least) const
     {
-        Placing first = placing_near(sections.front(), least);
+        Placed first = placed_near(sections.front(), least);
         for (std::size_t i = 1; i < sections.size(); ++i) {
-            Placing other = placing_near(sections[i], least);
-            if (is_before(other, first)) first = std::move(other);
+            Placed other = placed_near(sections[i], least);
+            if (is_before(other.placing, first.placing)) first = std::move(other);
         }
         return first;
     }

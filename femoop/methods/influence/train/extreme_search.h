@@ -12,6 +12,8 @@ namespace femoop::influence {
 struct WorstSection {
     std::vector<double> sections; ///< along the member, ascending: all that have this value; a stretch by its two ends
     Placing placing;              ///< the first forwards of those, else the first reversed
+    double section = 0.0;         ///< of the sections, that which the placing is worst for
+    double inside = 0.0; ///< the same, at an end of the member by a hair within it where the value is the limit there
 };
 
 /// What stays beside a train, whose effect counts times a factor.

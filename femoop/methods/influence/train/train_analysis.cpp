@@ -311,7 +311,11 @@ MemberEnvelope TrainAnalysis::along_member(const MovingEnvelope& envelope, const
     MemberEnvelope found{extreme(envelope, effect), {}};
     const std::vector<double> jumps = load_points(envelope, *effect.member);
     std::vector<MovingEffect> asked;
-    const double hair = 1e-11 * length; // what stands at the very end of a path lies beyond the section
+    double path_length = 0.0;
+    for (const TrainId id : envelope.trains)
+        path_length = std::max(path_length, path(model_.moving_loads.trains[id.index]).length());
+    // What stands at the very end of a path lies beyond the section; a path has no shorter pieces.
+    const double hair = std::max(5e-8 * length, 2e-9 * path_length);
     for (const double x : section_places(found.extreme, jumps, length, n)) {
         asked.push_back(at_section(effect, std::clamp(x, hair, length - hair), length));
         if (!is_within(jumps, x, length)) continue;

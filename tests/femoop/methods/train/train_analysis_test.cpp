@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "femoop/analysis/linear_static.h"
+#include "femoop/methods/influence/effect_name.h"
 #include "femoop/methods/influence/influence_line.h"
 #include "femoop/methods/influence/load_path.h"
 #include "femoop/methods/influence/train/standing_train.h"
@@ -206,9 +207,57 @@ TEST_CASE("Along a member an envelope has at every section what it has there alo
             most = std::max(most, section.max.value);
             least = std::min(least, section.min.value);
         }
-        CHECK(most == Approx(found.extreme.max.placing.value).epsilon(1e-9));
-        CHECK(least == Approx(found.extreme.min.placing.value).epsilon(1e-9));
+        CHECK(most == Approx(found.extreme.max.placing.value).epsilon(1e-6)); // the ends lie by a hair inside
+        CHECK(least == Approx(found.extreme.min.placing.value).epsilon(1e-6));
     }
+}
+
+TEST_CASE("At a free end on a foundation the shear is the axle that stands there")
+{
+    FrameMaker made;
+    made.node("A", 0, 0).node("B", 40, 0).node("C", 80, 0).member("A", "B").member("B", "C");
+    made.model.nodes[1].support.emplace().fixed = {Dof::ux};
+    for (Member& member : made.model.members) member.foundation = 20000.0;
+    made.model.moving_loads.trains.push_back(
+        {.id = "one", .path = std::vector{MemberId(0), MemberId(1)}, .axles = {100.0}});
+    const MovingEnvelope envelope{.id = "all", .trains = {TrainId(0)}, .factor = 1.0};
+    MovingEffect along = shear(0, 0.0);
+    along.quantity = ExpectedQuantity::Extreme;
+    along.at.reset();
+    TrainAnalysis analysis(made.model);
+    const MemberEnvelope found = analysis.along_member(envelope, along, 11);
+    const WorstSection& worst = found.extreme.min;
+    CHECK(worst.placing.value == Approx(-100.0).epsilon(1e-9));
+    CHECK(worst.section == 0.0);
+    CHECK(worst.placing.position == 0.0);
+    CHECK(found.sections.front().min.value == Approx(-100.0).epsilon(1e-5));
+    const std::array there{at_section(along, worst.inside, 40.0)};
+    CHECK(analysis.effects(envelope, there).front().min.value == Approx(-100.0).epsilon(1e-5));
+    CHECK(told_place(made.model, MemberId(0), worst.inside) == 0.0);
+}
+
+TEST_CASE("Of sections that are equally bad the position is that of the one that is told with it")
+{
+    FrameMaker made;
+    made.node("A", 0, 0, SupportKind::Pin).node("B", 20, 0, SupportKind::Roller).member("A", "B");
+    made.model.moving_loads.trains.push_back({.id = "two",
+                                              .path = std::vector{MemberId(0)},
+                                              .axles = {100.0, 60.0},
+                                              .spacings = {4.0},
+                                              .both_directions = true});
+    MovingEffect along = moment(0, 0.0);
+    along.quantity = ExpectedQuantity::Extreme;
+    along.at.reset();
+    TrainAnalysis analysis(made.model);
+    const Train& train = made.model.moving_loads.trains[0];
+    const WorstSection worst = analysis.extreme(train, along).max;
+    REQUIRE(worst.sections.size() == 2);
+    const std::array there{at_section(along, worst.section, 20.0)};
+    const Placing own = analysis.effects(train, there).front().max;
+    CHECK(own.value == Approx(worst.placing.value).epsilon(1e-9));
+    REQUIRE(own.position);
+    CHECK(*own.position == Approx(*worst.placing.position).epsilon(1e-6));
+    CHECK(own.reversed == worst.placing.reversed);
 }
 
 TEST_CASE("No position of a train goes beyond its envelope")
