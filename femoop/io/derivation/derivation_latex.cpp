@@ -50,7 +50,9 @@ public:
         : step_(step),
           matrix_(matrix),
           tr_(tr),
-          table_(with_digits(matrix_table(matrix.rows, matrix.columns, matrix.values), written_digits(matrix), tr))
+          table_(with_digits(
+              matrix_table(matrix.rows, matrix.columns, matrix.values, row_units(notation_of(step, matrix))),
+              written_digits(matrix), tr))
     {}
 
     /// One column bears its name, or the matrix'; more stand beside that.

@@ -8,7 +8,6 @@
 #include <utility>
 #include <vector>
 
-#include "femoop/io/results/matrix_table.h"
 #include "femoop/io/results/solver_trace_text.h"
 #include "femoop/methods/influence/effect_name.h"
 #include "femoop/model/fault/fault.h"
@@ -165,14 +164,6 @@ std::string local_stiffness_sentence(const Step& step, const std::string& member
     return text;
 }
 
-/// Numbers of several kinds below one another, such as a length and a stiffness: each has its own digits.
-bool is_of_several_kinds(const Step& step, const NamedMatrix& matrix)
-{
-    const bool is_property = step.kind == StepKind::Member || step.kind == StepKind::LocalStiffness ||
-                             step.kind == StepKind::Reaction;
-    return is_property && matrix.columns.size() == 1 && notation_of(step, matrix) == Notation::List;
-}
-
 /// One column bears its name, or the matrix'; more stand below that.
 std::string matrix_text(const Step& step, const NamedMatrix& matrix, const Translator& tr)
 {
@@ -180,8 +171,9 @@ std::string matrix_text(const Step& step, const NamedMatrix& matrix, const Trans
     std::vector<std::string> columns = symbol_texts(matrix.columns, tr);
     const std::string symbol = symbol_text(matrix.symbol, tr);
     if (is_column && columns[0].empty()) columns[0] = symbol;
-    tabular::Table table = matrix_table(symbol_texts(matrix.rows, tr), columns, matrix.values);
-    if (is_of_several_kinds(step, matrix))
+    const RowUnits units = row_units(notation_of(step, matrix));
+    tabular::Table table = matrix_table(symbol_texts(matrix.rows, tr), columns, matrix.values, units);
+    if (units == RowUnits::Different)
         for (tabular::Row& row : table.rows)
             row.cells[1] = tabular::Cell(*row.cells[1].number, six_digits(*row.cells[1].number, tr));
     else if (matrix.more_digits > 0) table = with_digits(std::move(table), written_digits(matrix), tr);
@@ -196,10 +188,11 @@ Notation notation_of(const Step& step, const NamedMatrix& matrix)
 {
     const bool is_last = &matrix == &step.matrices.back();
     switch (step.kind) {
-    case StepKind::LocalStiffness: return is_last ? Notation::Matrix : Notation::List;
+    case StepKind::Member: return Notation::Mixed;
+    case StepKind::LocalStiffness: return is_last ? Notation::Matrix : Notation::Mixed;
     case StepKind::Stiffness: return is_last ? Notation::List : Notation::Matrix;
-    case StepKind::Combination:
-    case StepKind::Reaction: return is_last ? Notation::Sum : Notation::List;
+    case StepKind::Combination: return is_last ? Notation::Sum : Notation::List;
+    case StepKind::Reaction: return is_last ? Notation::Sum : Notation::Mixed;
     case StepKind::StiffnessRow:
     case StepKind::LoadRow:
     case StepKind::Superposition:
@@ -209,7 +202,6 @@ Notation notation_of(const Step& step, const NamedMatrix& matrix)
     case StepKind::Flexibility: return Notation::Sum;
     case StepKind::Governing:
     case StepKind::Extreme:
-    case StepKind::Member:
     case StepKind::Resultant:
     case StepKind::Numbering:
     case StepKind::RightHandSide:
@@ -222,6 +214,8 @@ Notation notation_of(const Step& step, const NamedMatrix& matrix)
     default: return Notation::Matrix;
     }
 }
+
+RowUnits row_units(Notation notation) { return notation == Notation::Mixed ? RowUnits::Different : RowUnits::Alike; }
 
 bool is_system(const Step& step)
 {

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <string>
 
+#include "femoop/io/results/matrix_table.h"
 #include "femoop/methods/derivation/derivation.h"
 #include "femoop/model/fault/translator.h"
 
@@ -27,10 +28,13 @@ std::string derivation_units(const Model& model, const Translator& tr);
 enum class Notation : std::uint8_t {
     Matrix, ///< in brackets
     List,   ///< named numbers beside one another
+    Mixed,  ///< named numbers of several units, such as a length and a stiffness: each has its own digits
     Sum     ///< named numbers below one another, the last row their sum
 };
 /// \pre the matrix is one of the step's
 Notation notation_of(const Step& step, const NamedMatrix& matrix);
+
+RowUnits row_units(Notation notation);
 
 /// Significant digits: the usual ones, and those that products with its numbers lose.
 int written_digits(const NamedMatrix& matrix, int usual = 6);

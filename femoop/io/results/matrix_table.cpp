@@ -27,7 +27,7 @@ tabular::Cell whole_number(double value) { return {value, std::to_string(std::lr
 } // namespace
 
 tabular::Table matrix_table(const std::vector<std::string>& rows, const std::vector<std::string>& columns,
-                            const Eigen::MatrixXd& matrix)
+                            const Eigen::MatrixXd& matrix, RowUnits units)
 {
     std::vector<tabular::Column> headers{""};
     headers.insert(headers.end(), columns.begin(), columns.end());
@@ -39,6 +39,7 @@ tabular::Table matrix_table(const std::vector<std::string>& rows, const std::vec
             row.push_back(is_whole ? whole_number(matrix(i, j)) : tabular::Cell(matrix(i, j)));
         table.add_row(std::move(row));
     }
+    if (units == RowUnits::Different) return table;
     std::vector<std::size_t> numbers(columns.size());
     std::iota(numbers.begin(), numbers.end(), std::size_t{1});
     table.silence_round_off(numbers);

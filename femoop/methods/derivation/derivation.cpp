@@ -243,7 +243,9 @@ private:
         const Dof dof = *effect_.dof;
         const double k = spring_at(node, dof);
         if (k == 0.0 || own_dofs().size() > 1) return std::nullopt;
-        const double u = result.displacement(node)[index(dof)], ground = settlement_of(node, dof, load_case);
+        const double u = without_rounding(result.displacement(node)[index(dof)],
+                                          result.magnitudes().displacement_of(dof)),
+                     ground = settlement_of(node, dof, load_case);
         NamedMatrix matrix{"spring", {"k"}, {""}, {}};
         std::vector<double> values{k};
         if (ground != 0.0) {

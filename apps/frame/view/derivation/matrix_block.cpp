@@ -34,7 +34,8 @@ MatrixBlock::MatrixBlock(const femoop::derivation::NamedMatrix& matrix, Notation
     for (std::size_t j = 0; j < columns_.size(); ++j) widths_[j] = width(columns_[j]);
     ui::NumberFormat format = look.units.format();
     format.digits = femoop::derivation::written_digits(matrix, format.digits);
-    for (const tabular::Row& row : femoop::matrix_table(matrix.rows, matrix.columns, matrix.values).rows) {
+    const auto units = femoop::derivation::row_units(notation);
+    for (const tabular::Row& row : femoop::matrix_table(matrix.rows, matrix.columns, matrix.values, units).rows) {
         std::vector<std::string>& texts = numbers_.emplace_back();
         for (std::size_t j = 0; j < columns_.size(); ++j) {
             const double number = row.cells[j + 1].number.value_or(0.0);

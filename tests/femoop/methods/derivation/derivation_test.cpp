@@ -16,7 +16,9 @@
 #include "femoop/methods/derivation/derivation.h"
 #include "femoop/methods/derivation/renumbering.h"
 #include "femoop/methods/influence/influence_line.h"
+#include "femoop/model/quantity/six_digits.h"
 #include "femoop/result/components.h"
+#include "femoop/tabular/latex.h"
 #include "tests/femoop/analysis/random_structure.h"
 #include "tests/frame_maker.h"
 #include "tests/samples.h"
@@ -583,6 +585,25 @@ TEST_SUITE("derivation")
                                                  english);
         CHECK(text.find(" 4.25\n") != std::string::npos);
         CHECK(text.find(" 2e+06\n") != std::string::npos);
+    }
+
+    TEST_CASE("A taper's D = f1 f2 - f12^2 is written beside stiffnesses 1e12 times as large")
+    {
+        Model model = propped_beam();
+        SectionShape rectangle;
+        rectangle.b = 0.3;
+        rectangle.h = 0.9;
+        model.sections[0] = Section{.id = "s", .shape = rectangle};
+        model.members[0].depths = {Quantity(0.9), Quantity(0.45)};
+        const Derivation derivation = derived(model, along(MemberComponent::Mz, Percent{50.0}));
+        const NamedMatrix& entries = matrix(derivation, StepKind::LocalStiffness, "entries");
+        const double f1 = number(entries, "f1 = ∫ (1 - x/L)^2 dx/EI"), f2 = number(entries, "f2 = ∫ (x/L)^2 dx/EI"),
+                     f12 = number(entries, "f12 = -∫ (1 - x/L) x/L dx/EI");
+        REQUIRE(f1 * f2 - f12 * f12 < 1e-12 * number(entries, "f1/D"));
+        const std::string D = six_digits(f1 * f2 - f12 * f12, english);
+        CHECK(derivation_text(derivation, model, english).find(" " + D + "\n") != std::string::npos);
+        CHECK(derivation_latex(derivation, model, english).find(" & " + tabular::latex_text(D) + " ") !=
+              std::string::npos);
     }
 
     TEST_CASE("Where both ends move together u' has the digits by which k' u' comes out as it is written")
