@@ -31,7 +31,7 @@ public:
     ExitStatus run(Console& console) override;
 
 private:
-    void require_sensible_reference(const ui::Catalogue& tr) const;
+    void require_sensible_reference(const femoop::Model& model, const ui::Catalogue& tr) const;
     PictureOrder order(const ui::Catalogue& tr) const;
     void choose_case(drawing::DrawOptions& view, const femoop::Model& model, const ui::Catalogue& tr) const;
     void look_at_view(PictureOrder& order, const frame::Companion& companion, const femoop::Model& model,
@@ -245,13 +245,14 @@ ExitStatus Render::draw_structure(const femoop::Model& model, PictureOrder pictu
     return draw_picture(model, display_name(file_, tr), picture, console);
 }
 
-void Render::require_sensible_reference(const ui::Catalogue& tr) const
+void Render::require_sensible_reference(const femoop::Model& model, const ui::Catalogue& tr) const
 {
     if (!other_ && !with_) return;
     const std::string_view option = other_ ? "--compare" : "--with";
     if (truss_.is_asked()) throw ask_for_different_things(option, "--truss", tr);
     if (moving_.is_asked()) throw ask_for_different_things(option, "--influence, --train", tr);
-    if (case_ == "envelope") throw ask_for_different_things(option, "--case envelope", tr);
+    if (case_ == "envelope" && !model.find_case("envelope"))
+        throw ask_for_different_things(option, "--case envelope", tr);
     if (file_ == "-" && other_ == "-") throw UsageError(tr("standard input is one file; name the other one"));
 }
 
@@ -265,10 +266,10 @@ ExitStatus Render::run(Console& console)
     moving_.require_sensible(tr);
     truss_.require_sensible(tr);
     if (truss_.is_asked() && moving_.is_asked()) throw ask_for_different_things("--truss", "--influence, --train", tr);
-    require_sensible_reference(tr);
+    const auto& reading = std::get<femoop::ModelReading>(any);
+    require_sensible_reference(reading.model, tr);
     PictureOrder picture = order(tr);
     if (other_ || with_) picture.reference = AskedReference{other_, with_, "--with"};
-    const auto& reading = std::get<femoop::ModelReading>(any);
     console.report(display_name(file_, tr), reading.faults);
     if (!reading.is_sound()) return ExitStatus::BadInput;
     return draw_structure(reading.model, picture, console);

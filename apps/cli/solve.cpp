@@ -60,6 +60,7 @@ private:
     std::string description(const Model& model, const Results& results, const Selection& selection,
                             const ui::Catalogue& tr) const;
     void require_one_output(const ui::Catalogue& tr) const;
+    void require_no_envelope(const Model& model, const ui::Catalogue& tr) const;
     std::optional<std::string_view> calculation() const;
     std::optional<std::string_view> of_members_alone(const femoop::plane::PlaneModel& model) const;
     void count_in_chosen_units(Model& model, const ui::Catalogue& tr);
@@ -67,6 +68,7 @@ private:
     ExitStatus solve_plane(femoop::plane::PlaneReading& reading, const femoop::AnalysisOptions& options,
                            double seconds_to_read, Console& console) const;
     bool is_of_all_cases(const Model& model) const;
+    bool is_of_envelope(const Model& model) const;
     CaseId followed_case(const Model& model, const ui::Catalogue& tr) const;
     std::string derivation(const Model& model, const Results& results, const ui::Catalogue& tr) const;
     std::string virtual_work(const Model& model, const Results& results, const ui::Catalogue& tr) const;
@@ -194,6 +196,7 @@ void Solve::declare(OptionParser& options, const ui::Catalogue& tr)
 
 // A case that bears the name of a keyword is still reached.
 bool Solve::is_of_all_cases(const Model& model) const { return !case_ || (*case_ == "all" && !model.find_case("all")); }
+bool Solve::is_of_envelope(const Model& model) const { return case_ == "envelope" && !model.find_case("envelope"); }
 
 Selection Solve::selection(const Model& model, const ui::Catalogue& tr) const
 {
@@ -201,7 +204,7 @@ Selection Solve::selection(const Model& model, const ui::Catalogue& tr) const
     selection.n_stations = static_cast<std::size_t>(whole_number("--stations", stations_, {2, 100000}, tr));
     if (is_of_all_cases(model)) {
         selection.cases = all_cases(model);
-    } else if (case_ == "envelope" && !model.find_case("envelope")) {
+    } else if (is_of_envelope(model)) {
         selection.cases = all_cases(model);
         selection.is_envelope = true;
         if (selection.cases.empty())
@@ -234,11 +237,11 @@ void Solve::require_one_output(const ui::Catalogue& tr) const
     struct Output {
         bool is_given;
         std::string_view option;
-        bool is_of_a_case, has_csv, has_envelope = false;
+        bool is_of_a_case, has_csv;
     };
     const std::array outputs{Output{solver_trace_.are_given(), "--trace-solver", false, false},
                              Output{traced_member_.has_value(), "--trace", false, false},
-                             Output{asked_number_.has_value(), "--why", true, false, true},
+                             Output{asked_number_.has_value(), "--why", true, false},
                              Output{worked_displacement_.has_value(), "--virtual-work", true, false},
                              Output{redundants_.are_asked(), "--force-method", true, false},
                              Output{body_.is_asked(), "--free-body", true, false},
@@ -252,16 +255,29 @@ void Solve::require_one_output(const ui::Catalogue& tr) const
             tr("{a} needs one of {list} too; add it",
                {{"a", "--latex"}, {"list", "--why, --virtual-work, --force-method, --free-body, --funicular"}}));
     for (std::size_t i = 0; i < outputs.size(); ++i) {
-        const auto& [is_given, option, is_of_a_case, has_csv, has_envelope] = outputs[i];
+        const auto& [is_given, option, is_of_a_case, has_csv] = outputs[i];
         for (std::size_t j = i + 1; j < outputs.size(); ++j)
             refuse(is_given && outputs[j].is_given, option, outputs[j].option);
         refuse(is_given && !is_of_a_case && case_.value_or("all") != "all", option, "--case");
-        refuse(is_given && is_of_a_case && !has_envelope && case_ == "envelope", option, "--case envelope");
         refuse(is_given && !has_csv && csv_folder_, option, "--csv");
     }
     if (solver_trace_.are_given() && units_.are_given()) throw units_of_file("--trace-solver", tr);
     if (is_json_ && units_.are_given()) throw units_of_file("--json", tr);
     if (csv_folder_ && units_.are_given()) throw units_of_file("--csv", tr);
+}
+
+/// What is of one case is of none of an envelope, unless that is a case's name; --why follows the case that governs.
+void Solve::require_no_envelope(const Model& model, const ui::Catalogue& tr) const
+{
+    if (!is_of_envelope(model)) return;
+    const auto refuse = [&](bool is_given, std::string_view option) {
+        if (is_given) throw print_different_things(option, "--case envelope", tr);
+    };
+    refuse(worked_displacement_.has_value(), "--virtual-work");
+    refuse(redundants_.are_asked(), "--force-method");
+    refuse(body_.is_asked(), "--free-body");
+    refuse(funicular_.is_asked(), "--funicular");
+    refuse(is_described_, "--describe");
 }
 
 std::string Solve::description(const Model& model, const Results& results, const Selection& selection,
@@ -290,8 +306,7 @@ std::string Solve::derivation(const Model& model, const Results& results, const 
     asked.set("--why", *asked_number_, tr);
     asked.require_sensible(tr, AskedEffect::Place::Optional);
     const femoop::MovingEffect effect = asked.sound_effect(model, tr);
-    const bool is_of_envelope = case_ == "envelope" && !model.find_case("envelope") && model.n_cases() > 0;
-    const auto derivation = is_of_envelope
+    const auto derivation = is_of_envelope(model) && model.n_cases() > 0
                                 ? femoop::derivation::derive_governing(model, results, all_cases(model), effect)
                                 : femoop::derivation::derive(model, results, followed_case(model, tr), effect);
     if (is_latex_) return derivation_latex(derivation, model, tr);
@@ -439,6 +454,7 @@ ExitStatus Solve::run(Console& console)
     auto& members = std::get<femoop::ModelReading>(reading);
     console.report(display_name(file_, tr), members.faults);
     if (!members.is_sound()) return ExitStatus::BadInput;
+    require_no_envelope(members.model, tr);
     count_in_chosen_units(members.model, tr);
     const Model* const model = &members.model;
     const Selection selected = selection(*model, tr);

@@ -158,6 +158,17 @@ TEST_CASE(
     CHECK(keys(json::parse(envelope.out)["cases"]) == std::vector<std::string>{"envelope"});
     CHECK(
         has(envelope.err, "--case envelope: this is the load case or combination named \"envelope\"; give it another"));
+    const std::vector<std::vector<std::string>> of_a_case{
+        {"--describe"}, {"--free-body", "node=A"}, {"--virtual-work", "node=B,component=uy"}};
+    for (const std::string name : {"envelope", "all"})
+        for (std::vector<std::string> arguments : of_a_case) {
+            CAPTURE(arguments.front());
+            arguments.insert(arguments.begin(), {"solve", "-", "--case", name});
+            const Run run = cremona(arguments, named(name));
+            CHECK(run.status == 0);
+            if (name == "envelope")
+                CHECK(has(cremona(arguments, cantilever()).err, arguments[4] + " and --case envelope print different"));
+        }
 }
 
 TEST_CASE("The envelope names the case that governs each value")
