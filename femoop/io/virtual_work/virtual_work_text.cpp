@@ -145,7 +145,7 @@ private:
 
     Part part(const WorkIntegral& one) const
     {
-        const std::string strain = one.strain == 0.0 ? "" : "; ε = " + six_digits(one.strain, tr_);
+        const std::string strain = one.strain == 0.0 ? "" : "; ε = " + strain_value(one, sheet_digits);
         return {{model_[one.member].id, force_name(one.force),
                  six_digits(one.from, tr_) + " … " + six_digits(one.to, tr_), formula(one.real, one, sheet_digits),
                  formula(one.unit, one, sheet_digits), product_formula(one, sheet_digits), product_integral(one),
@@ -175,6 +175,23 @@ private:
         for (std::size_t i = 0; i < on.stiffness.n_terms(); ++i) varying.append(on.stiffness[i] / on.flexibility);
         return formula(varying, on);
     }
+    /// Along a taper heat bends as its depth says: curvature(0) h(0) / h(x).
+    static bool has_varying_strain(const WorkIntegral& on) { return on.strain != 0.0 && on.depth.n_terms() > 1; }
+    std::string strain_value(const WorkIntegral& on, int digits = formula_digits) const
+    {
+        const std::string at_start = six_digits(on.strain, tr_);
+        return has_varying_strain(on) ? at_start + " / (" + formula(on.depth, on, digits) + ")" : at_start;
+    }
+    std::string strain_latex(const WorkIntegral& on) const
+    {
+        const std::string at_start = tabular::latex_formula(six_digits(on.strain, tr_));
+        if (!has_varying_strain(on)) return at_start;
+        return "\\frac{" + at_start + "}{" + tabular::latex_formula(formula(on.depth, on)) + "}";
+    }
+    static std::string strain_symbol(const WorkIntegral& on)
+    {
+        return has_varying_strain(on) ? "\\varepsilon(x)" : "\\varepsilon";
+    }
     std::string stiffness(const WorkIntegral& on) const
     {
         if (on.flexibility == 0.0) return tr_("rigid");
@@ -198,8 +215,8 @@ private:
     {
         const std::string strained = on.flexibility == 0.0 ? "" : "\\frac{F f}{" + stiffness_symbol(on) + "}";
         if (on.strain == 0.0) return strained.empty() ? "0" : strained;
-        if (strained.empty()) return "\\varepsilon f";
-        return "\\left(" + strained + " + \\varepsilon f\\right)";
+        const std::string imposed = strain_symbol(on) + " f";
+        return strained.empty() ? imposed : "\\left(" + strained + " + " + imposed + "\\right)";
     }
     std::string integrated(const WorkIntegral& on) const
     {
@@ -228,7 +245,7 @@ private:
         if (product(one)) text += ", \\quad " + math("F f", product_formula(one));
         if (one.flexibility == 0.0) text += ", \\quad " + tabular::latex_text(tr_("rigid"));
         else text += ", \\quad " + math(stiffness_symbol(one), stiffness_value(one));
-        if (one.strain != 0.0) text += ", \\quad " + math("\\varepsilon", six_digits(one.strain, tr_));
+        if (one.strain != 0.0) text += ", \\quad $" + strain_symbol(one) + " = " + strain_latex(one) + "$";
         return text + "\n\\[\n\\int_{" + tabular::latex_formula(six_digits(one.from, tr_)) + "}^{" +
                tabular::latex_formula(six_digits(one.to, tr_)) + "} " + integrand(one) + "\\, dx" + integrated(one) +
                " = " + tabular::latex_formula(value_text(one.value)) + "\n\\]\n";
@@ -278,7 +295,7 @@ private:
                                              product_formula(one),
                                              product_integral(one),
                                              stiffness(one)};
-            if (is_strained()) cells.emplace_back(six_digits(one.strain, tr_));
+            if (is_strained()) cells.emplace_back(strain_value(one));
             cells.emplace_back(value_text(one.value));
             table.add_row(std::move(cells));
         }

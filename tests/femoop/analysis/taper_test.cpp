@@ -3,12 +3,15 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string>
 
 #include "femoop/analysis/linear_static.h"
+#include "femoop/io/virtual_work/virtual_work_text.h"
 #include "femoop/methods/force_method/force_method.h"
 #include "femoop/methods/influence/influence_line.h"
 #include "femoop/methods/virtual_work/virtual_work.h"
 #include "femoop/model/check/check.h"
+#include "femoop/model/fault/fault.h"
 
 using namespace femoop;
 
@@ -146,5 +149,21 @@ TEST_SUITE("tapered members")
         CHECK(row->to == L);
         CHECK(row->value == near(v));
         CHECK(work.sum == near(work.value));
+    }
+
+    TEST_CASE("Heat bends a taper by alpha dT / h(x), and virtual work says so")
+    {
+        Model model = cantilever();
+        LoadCase heat{.id = "heat"};
+        heat.members.push_back({.member = MemberId(0), .load = TemperatureLoad{.top = 20.0, .bottom = -10.0}});
+        model.add(heat);
+        const MovingEffect tip{.quantity = ExpectedQuantity::Displacement, .node = NodeId(1), .dof = Dof::rz, .at = {}};
+        const auto work = virtual_work::displacement_by_work(model, analyse(model), CaseId(0), tip);
+        const std::string text = virtual_work_text(work, model, english);
+        CHECK(text.find(" -0.000333333 / (1 - 0.125 x) ") != std::string::npos); // 1e-5 30 / 0.9, 0.45 / (4 0.9)
+        const std::string latex = virtual_work_latex(work, model, english);
+        CHECK(latex.find("$\\varepsilon(x) = \\frac{-0.000333333}{1 - 0.125 x}$") != std::string::npos);
+        CHECK(latex.find("\\varepsilon(x) f") != std::string::npos);
+        CHECK(work.sum == near(-1e-5 * 30.0 / (h1 - h2) * 4.0 * std::log(h1 / h2)));
     }
 }
