@@ -13,6 +13,7 @@ using Sign = std::pair<std::string_view, std::string_view>;
 
 /// Letters that take what follows them as an index.
 constexpr auto latex_letters = std::to_array<Sign>({{"σ", "\\sigma"},
+                                                    {"β", "\\beta"},
                                                     {"τ", "\\tau"},
                                                     {"ε", "\\varepsilon"},
                                                     {"γ", "\\gamma"},

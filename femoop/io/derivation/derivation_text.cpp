@@ -136,12 +136,24 @@ std::string member_sentence(const Step& step, const Member& member, const Transl
     return text;
 }
 
-/// What the letters in the entries of k' mean.
-std::string local_stiffness_sentence(const Step& step, const std::string& member, const Translator& tr)
+bool has_joints(const Member& member)
 {
+    return std::ranges::any_of(std::array{&member.start, &member.end},
+                               [](const MemberEnd* end) { return !end->release.is_empty() || !end->springs.empty(); });
+}
+
+/// What the letters in the entries of k' mean.
+std::string local_stiffness_sentence(const Step& step, const Model& model, const Translator& tr)
+{
+    const Member& member = model[*step.member];
     std::string text = fill(tr("Stiffness k' of member {0} in its own axes: column by column the forces on its ends "
-                               "when one of them moves by 1. Releases and springs at its ends are worked in."),
-                            {member});
+                               "when one of them moves by 1."),
+                            {member.id}) +
+                       " ";
+    text += is_tied(step, model) && has_joints(member)
+                ? tr("Its ends count as rigid in k': what is released or on a spring there has an unknown of its own, "
+                     "and the spring joins it to the node in k.")
+                : tr("Releases and springs at its ends are worked in.");
     const std::vector<std::string>& rows = step.matrices.front().rows;
     if (step.matrices.size() < 2) return text; // k' alone, with no entries before it
     const auto has = [&](std::string_view part) {
@@ -156,8 +168,8 @@ std::string local_stiffness_sentence(const Step& step, const std::string& member
         add(tr("Along the taper the flexibilities are integrals over the length, and k' is their inverse: of the "
                "simple beam f1 and f2 are the rotations of its ends under a moment of 1 there, f12 that of one end "
                "under a moment of 1 at the other."));
-    if (has("sinh")) add(tr("sin, cos, sinh and cosh are of beta L, k is the foundation's, and D = sinh^2 - sin^2."));
-    else if (begins("beta"))
+    if (has("sinh")) add(tr("sin, cos, sinh and cosh are of β L, k is the foundation's, and D = sinh^2 − sin^2."));
+    else if (begins("β"))
         add(tr("k is the foundation's. With shear strain or springs at the ends no short formula is usual: the member "
                "is put together from pieces in which its deflection is a power series."));
     if (begins("k L/3")) add(tr("k is the foundation's, all that a rigid member resists with."));
@@ -332,7 +344,7 @@ std::string sentence(const Step& step, const Model& model, const Translator& tr)
                        "followed."),
                     {member});
     case StepKind::Member: return member_sentence(step, model[*step.member], tr);
-    case StepKind::LocalStiffness: return local_stiffness_sentence(step, member, tr);
+    case StepKind::LocalStiffness: return local_stiffness_sentence(step, model, tr);
     case StepKind::Transformation:
         return tr("T turns displacements of the nodes into the member's own axes: u' = T u.");
     case StepKind::Stiffness:

@@ -127,28 +127,28 @@ private:
     void add_phi(Numbers& numbers) const
     {
         if (!has_phi()) return;
-        if (!is_sprung_across()) return numbers.push_back({"phi = 12 " + EI() + "/(" + GAs() + " L^2)", phi()});
+        if (!is_sprung_across()) return numbers.push_back({"φ = 12 " + EI() + "/(" + GAs() + " L^2)", phi()});
         const std::string springs = sliding_[0].addend() + sliding_[1].addend();
         const std::string sum = shears() ? "L/" + GAs() + springs : springs.substr(3);
-        numbers.push_back({"phi = 12 " + EI() + " (" + sum + ")/L^3", phi()});
+        numbers.push_back({"φ = 12 " + EI() + " (" + sum + ")/L^3", phi()});
     }
 
     void add_rigid(Numbers& numbers) const
     {
         add_phi(numbers);
         const double p = phi(), k = beam_.EI / (1.0 + p);
-        const std::string more = has_phi() ? "(1 + phi)" : "";
+        const std::string more = has_phi() ? "(1 + φ)" : "";
         numbers.push_back({quotient("12 " + EI(), "L^3", more), 12.0 * k / (L_ * L_ * L_)});
         numbers.push_back({quotient("6 " + EI(), "L^2", more), 6.0 * k / (L_ * L_)});
-        numbers.push_back({quotient((has_phi() ? "(4 + phi) " : "4 ") + EI(), "L", more), (4.0 + p) * k / L_});
-        numbers.push_back({quotient((has_phi() ? "(2 - phi) " : "2 ") + EI(), "L", more), (2.0 - p) * k / L_});
+        numbers.push_back({quotient((has_phi() ? "(4 + φ) " : "4 ") + EI(), "L", more), (4.0 + p) * k / L_});
+        numbers.push_back({quotient((has_phi() ? "(2 - φ) " : "2 ") + EI(), "L", more), (2.0 - p) * k / L_});
     }
 
     void add_hinged(Numbers& numbers) const
     {
         add_phi(numbers);
         const double k = 3.0 * beam_.EI / (1.0 + 0.25 * phi());
-        const std::string more = has_phi() ? "(1 + phi/4)" : "";
+        const std::string more = has_phi() ? "(1 + φ/4)" : "";
         numbers.push_back({quotient("3 " + EI(), "L^3", more), k / (L_ * L_ * L_)});
         numbers.push_back({quotient("3 " + EI(), "L^2", more), k / (L_ * L_)});
         numbers.push_back({quotient("3 " + EI(), "L", more), k / L_});
@@ -170,18 +170,16 @@ private:
             numbers.push_back(
                 {is_spring ? r + " = 1/(1 + 3 " + EI() + "/(L " + turning_[end].name + "))" : r, fixity(end)});
         }
-        numbers.push_back({has_phi() ? "D = 4 - r1 r2 + phi (r1 + r2 + r1 r2)" : "D = 4 - r1 r2", D});
+        numbers.push_back({has_phi() ? "D = 4 - r1 r2 + φ (r1 + r2 + r1 r2)" : "D = 4 - r1 r2", D});
         const auto add = [&](const std::string& above, const std::string& below, double value) {
             numbers.push_back({above + "/(" + below + " D)", value});
         };
         add("12 " + EI() + " (r1 + r2 + r1 r2)", "L^3", 12.0 * k * (r1 + r2 + r1 * r2) / (L_ * L_ * L_));
         add("6 " + EI() + " r1 (2 + r2)", "L^2", 6.0 * k * r1 * (2.0 + r2) / (L_ * L_));
         add("6 " + EI() + " r2 (2 + r1)", "L^2", 6.0 * k * r2 * (2.0 + r1) / (L_ * L_));
-        add("12 " + EI() + " r1" + (has_phi() ? " (1 + phi r2/4)" : ""), "L",
-            12.0 * k * r1 * (1.0 + p * r2 / 4.0) / L_);
-        add("12 " + EI() + " r2" + (has_phi() ? " (1 + phi r1/4)" : ""), "L",
-            12.0 * k * r2 * (1.0 + p * r1 / 4.0) / L_);
-        add("6 " + EI() + " r1 r2" + (has_phi() ? " (1 - phi/2)" : ""), "L", 6.0 * k * r1 * r2 * (1.0 - p / 2.0) / L_);
+        add("12 " + EI() + " r1" + (has_phi() ? " (1 + φ r2/4)" : ""), "L", 12.0 * k * r1 * (1.0 + p * r2 / 4.0) / L_);
+        add("12 " + EI() + " r2" + (has_phi() ? " (1 + φ r1/4)" : ""), "L", 12.0 * k * r2 * (1.0 + p * r1 / 4.0) / L_);
+        add("6 " + EI() + " r1 r2" + (has_phi() ? " (1 - φ/2)" : ""), "L", 6.0 * k * r1 * r2 * (1.0 - p / 2.0) / L_);
     }
 
     /// Of the rotations against the chord, springs and what slides across the axis left out.
@@ -239,17 +237,17 @@ private:
     void add_on_foundation(Numbers& numbers) const
     {
         const double beta = std::pow(beam_.foundation / (4.0 * beam_.EI), 0.25);
-        numbers.push_back({"beta = (k/(4 " + EI() + "))^(1/4)", beta});
-        numbers.push_back({"beta L", beta * L_});
+        numbers.push_back({"β = (k/(4 " + EI() + "))^(1/4)", beta});
+        numbers.push_back({"β L", beta * L_});
         if (has_joint() || shears()) return;
         const FoundationWaves w = foundation_waves(beta * L_);
         const double k1 = 2.0 * beam_.EI * beta / w.D, k2 = k1 * beta, k3 = 2.0 * k2 * beta;
-        numbers.push_back({"4 " + EI() + " beta^3 (sinh cosh + sin cos)/D", k3 * w.sum});
-        numbers.push_back({"2 " + EI() + " beta^2 (sinh^2 + sin^2)/D", k2 * w.squares});
-        numbers.push_back({"2 " + EI() + " beta (sinh cosh - sin cos)/D", k1 * w.difference});
-        numbers.push_back({"4 " + EI() + " beta^3 (cosh sin + sinh cos)/D", k3 * w.far_sum});
-        numbers.push_back({"4 " + EI() + " beta^2 sinh sin/D", 2.0 * k2 * w.product});
-        numbers.push_back({"2 " + EI() + " beta (cosh sin - sinh cos)/D", k1 * w.far_difference});
+        numbers.push_back({"4 " + EI() + " β^3 (sinh cosh + sin cos)/D", k3 * w.sum});
+        numbers.push_back({"2 " + EI() + " β^2 (sinh^2 + sin^2)/D", k2 * w.squares});
+        numbers.push_back({"2 " + EI() + " β (sinh cosh - sin cos)/D", k1 * w.difference});
+        numbers.push_back({"4 " + EI() + " β^3 (cosh sin + sinh cos)/D", k3 * w.far_sum});
+        numbers.push_back({"4 " + EI() + " β^2 sinh sin/D", 2.0 * k2 * w.product});
+        numbers.push_back({"2 " + EI() + " β (cosh sin - sinh cos)/D", k1 * w.far_difference});
     }
 
     const Beam& beam_;

@@ -128,7 +128,7 @@ bool has_words_alone(const NamedMatrix& entries)
     const auto any = [&](std::string_view part) {
         return std::ranges::any_of(entries.rows, [&](const std::string& row) { return row.find(part) < row.size(); });
     };
-    return any("beta L") && !any("sinh");
+    return any("β L") && !any("sinh");
 }
 
 } // namespace
@@ -164,7 +164,7 @@ TEST_SUITE("derivation")
         CHECK(number(parts, "u'") == doctest::Approx(q * L * L / 48.0));
     }
 
-    TEST_CASE("A member that shears has (4 + phi) EI / (L (1 + phi)) in its stiffness")
+    TEST_CASE("A member that shears has (4 + φ) EI / (L (1 + φ)) in its stiffness")
     {
         Model model = propped_beam();
         model.members[0].theory = BeamTheory::Timoshenko;
@@ -172,10 +172,10 @@ TEST_SUITE("derivation")
         const Derivation derivation = derived(model, along(MemberComponent::Mz, Percent{50.0}));
         const NamedMatrix& entries = matrix(derivation, StepKind::LocalStiffness, "entries");
         const NamedMatrix& k = matrix(derivation, StepKind::LocalStiffness, "k'");
-        CHECK(number(entries, "(4 + phi) EI/(L (1 + phi))") == doctest::Approx(k.values(2, 2)));
-        CHECK(number(entries, "(2 - phi) EI/(L (1 + phi))") == doctest::Approx(k.values(2, 5)));
-        CHECK(number(entries, "12 EI/(L^3 (1 + phi))") == doctest::Approx(k.values(1, 1)));
-        CHECK(number(entries, "phi = 12 EI/(GAs L^2)") > 0.0);
+        CHECK(number(entries, "(4 + φ) EI/(L (1 + φ))") == doctest::Approx(k.values(2, 2)));
+        CHECK(number(entries, "(2 - φ) EI/(L (1 + φ))") == doctest::Approx(k.values(2, 5)));
+        CHECK(number(entries, "12 EI/(L^3 (1 + φ))") == doctest::Approx(k.values(1, 1)));
+        CHECK(number(entries, "φ = 12 EI/(GAs L^2)") > 0.0);
     }
 
     TEST_CASE("A hinge leaves 3 EI/L^3, 3 EI/L^2 and 3 EI/L of a member's stiffness, two leave EA/L alone")
@@ -213,7 +213,7 @@ TEST_SUITE("derivation")
         CHECK(number(entries, "6 EI r1 r2/(L D)") == doctest::Approx(3.0 / 3.5 * EI / L));
     }
 
-    TEST_CASE("A beam on a foundation has beta and Hetenyi's functions of beta L, short and long")
+    TEST_CASE("A beam on a foundation has β and Hetenyi's functions of β L, short and long")
     {
         for (const double beta_L : {1e-3, 0.3, 0.999, 1.001, 4.0, 50.0, 900.0}) {
             CAPTURE(beta_L);
@@ -221,7 +221,8 @@ TEST_SUITE("derivation")
             model.members[0].foundation = Quantity(4.0 * EI * std::pow(beta_L / L, 4.0));
             const Derivation derivation = derived(model, of_node(NodeId(0), ExpectedQuantity::Reaction, Dof::uy));
             const NamedMatrix& entries = matrix(derivation, StepKind::LocalStiffness, "entries");
-            CHECK(number(entries, "beta L") == doctest::Approx(beta_L));
+            CHECK(number(entries, "β L") == doctest::Approx(beta_L));
+            CHECK(derivation_latex(derivation, model, english).find("\\ensuremath{\\beta} L") != std::string::npos);
             check_reproduced(matrix(derivation, StepKind::LocalStiffness, "k'"), entries);
         }
     }
@@ -501,6 +502,15 @@ TEST_SUITE("derivation")
         CHECK(K.values(0, 0) == doctest::Approx(2.0 * 12.0 * EI / (h * h * h))); // two columns sway
         CHECK(number(derivation.steps.back().matrices.back(), "c'") == doctest::Approx(-H / 2.0));
         CHECK(derivation.closing_error < 1e-12);
+
+        const auto says_worked_in = [&] {
+            const std::string text = derivation_text(derived(made.model, thrust), made.model, english);
+            return text.find("Releases and springs at its ends are worked in.") != std::string::npos;
+        };
+        CHECK(says_worked_in());
+        made.model.members[1].end.release = {Dof::rz};
+        CHECK_FALSE(says_worked_in()); // C of BC turns by an unknown of its own
+        made.model.members[1].end.release = {};
 
         const Derivation sway = derived(made.model, of_node(NodeId(2), ExpectedQuantity::Displacement, Dof::ux));
         const bool follows = sway.steps.back().kind == StepKind::TiedDisplacement;
