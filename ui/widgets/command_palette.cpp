@@ -21,7 +21,9 @@ bool CommandPalette::begin(const Catalogue& tr, std::size_t n_found)
     ImGui::SetNextWindowPos(top, ImGuiCond_Always, {0.5F, 0.0F});
     ImGui::SetNextWindowSize({width, 0.0F});
     if (is_fresh_) ImGui::SetNextWindowFocus();
-    constexpr ImGuiWindowFlags flags = ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoSavedSettings;
+    // The arrows choose a line, and leave the keyboard in the field.
+    constexpr ImGuiWindowFlags flags = ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoSavedSettings |
+                                       ImGuiWindowFlags_NoNavInputs;
     ImGui::Begin("###palette", nullptr, flags);
 
     const auto is_pressed = [](ImGuiKey key) { return ImGui::IsKeyPressed(ImGui::GetKeyIndex(key)); };
@@ -35,11 +37,15 @@ bool CommandPalette::begin(const Catalogue& tr, std::size_t n_found)
     if (is_fresh_ || ran_nothing) ImGui::SetKeyboardFocusHere();
     is_confirmed_ = ImGui::InputTextWithHint("###typed", tr("Type what you want to do").c_str(), &typed_,
                                              ImGuiInputTextFlags_EnterReturnsTrue);
+    const bool is_list_focused = !is_fresh_ && !ImGui::IsItemActive() &&
+                                 ImGui::IsWindowFocused(ImGuiFocusedFlags_RootAndChildWindows);
+    is_confirmed_ |= is_list_focused && (is_pressed(ImGuiKey_Enter) || is_pressed(ImGuiKey_KeyPadEnter));
     const bool has_lost_focus = !is_fresh_ && !ImGui::IsWindowFocused(ImGuiFocusedFlags_RootAndChildWindows);
     if (has_lost_focus) is_open_ = false;
     is_fresh_ = false;
     why_not_chosen_.clear();
-    return ImGui::BeginChild("###found", {0.0F, 14.0F * ImGui::GetTextLineHeightWithSpacing()});
+    return ImGui::BeginChild("###found", {0.0F, 14.0F * ImGui::GetTextLineHeightWithSpacing()}, false,
+                             ImGuiWindowFlags_NoNavInputs);
 }
 
 bool CommandPalette::show_line(std::size_t place, const Line& line)
