@@ -93,11 +93,12 @@ std::string diagram_name(const Scene& scene, MemberComponent component)
     }
 }
 
-/// What the faint dashes behind the diagrams are.
+/// What the faint dashes behind the diagrams are; an envelope has none.
 std::string comparison_text(const DrawInput& input, const DrawOptions& options)
 {
     const ReferenceResults* const reference = input.reference;
-    if (reference == nullptr || !reference->counterpart(input.model, options.load_case)) return {};
+    if (options.is_envelope || reference == nullptr || !reference->counterpart(input.model, options.load_case))
+        return {};
     return options.tr("dashes: {name}",
                       {{"name", reference->name.empty() ? options.tr("the results that were kept") : reference->name}});
 }
