@@ -100,6 +100,15 @@ TEST_CASE("In a wide window on the projector the structure has the room over a t
             {1600, 950}) == "");
 }
 
+TEST_CASE("On the projector both diagrams of virtual work on a beam have room over their table")
+{
+    CHECK(played("command view.theme.projector\ncommand file.open examples/continuous_beam.json\nwait 0.1\n"
+                 "key Shift+P\nclick member AB 40%\nwait 0.2\nexpect drawn \"Under the loads: F\"\n"
+                 "expect drawn \"Under the unit load: f\"\nexpect drawn \"1.225\"\nexpect drawn \"25 kN/m\"\n"
+                 "picture window_virtual_work_beam_projector\n",
+                 {1280, 775}) == "");
+}
+
 TEST_CASE("Every frame of a scenario can be kept for a film")
 {
     const Folder folder;

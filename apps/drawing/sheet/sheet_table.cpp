@@ -9,9 +9,11 @@ namespace drawing {
 
 namespace {
 
-constexpr std::array sizes{1.0, 0.92, 0.84, 0.76, 0.7}; // of the theme's normal type
-constexpr std::size_t indented_to = 2;                  // the column below which stands what is folded
-constexpr double spacing = 1.45;                        // of lines, of the type's size
+constexpr std::array sizes{1.0, 0.92, 0.84, 0.76, 0.7};  // of the theme's normal type
+constexpr std::size_t indented_to = 2;                   // the column below which stands what is folded
+constexpr double spacing = 1.45;                         // of lines, of the type's size
+constexpr double free_above = 0.7;                       // lines
+constexpr double below_headings = 0.3, above_sums = 0.4; // for rules, of the type's size
 
 /// A name that has the room of the empty cells behind it, too.
 bool goes_beyond(const tabular::Row& row, std::size_t column)
@@ -165,7 +167,10 @@ std::size_t SheetTable::n_lines() const
     return n;
 }
 
-double SheetTable::height() const { return line_height() * (static_cast<double>(n_lines()) + 1.7); }
+double SheetTable::height() const
+{
+    return line_height() * (static_cast<double>(n_lines()) + free_above) + (below_headings + above_sums) * size_;
+}
 
 ui::TextStyle SheetTable::style(bool is_heading, ui::Anchor anchor) const
 {
@@ -220,18 +225,18 @@ void SheetTable::draw_row(ui::Painter& painter, const tabular::Row& row, ui::Poi
 void SheetTable::draw(ui::Painter& painter, ui::Point corner) const
 {
     const ui::LayerScope layer(painter, ui::Layer::Overlay);
-    ui::Point at = corner;
+    ui::Point at = corner + ui::Point{0.0, free_above * line_height()};
     for (std::size_t i = 0; i < table_.columns.size(); ++i) {
         if (!is_in_line(i)) continue;
         const bool is_right = alignment(table_, i) == tabular::Alignment::Right;
         painter.text(at + ui::Point{lefts_[i] + (is_right ? widths_[i] : 0.0), 0.0}, table_.columns[i].label(),
                      style(true, is_right ? ui::Anchor::TopRight : ui::Anchor::TopLeft));
     }
-    at.y += line_height() + 0.3 * size_;
+    at.y += line_height() + below_headings * size_;
     draw_rule(painter, at - ui::Point{0.0, 0.3 * size_});
     for (std::size_t i = 0; i < table_.rows.size(); ++i) {
         const bool is_sum = i + table_.n_sums >= table_.rows.size();
-        if (is_sum) at.y += 0.4 * size_;
+        if (is_sum) at.y += above_sums * size_;
         if (is_sum) draw_rule(painter, at - ui::Point{0.0, 0.3 * size_});
         draw_row(painter, table_.rows[i], at, is_sum);
         at.y += line_height() * static_cast<double>(lines_of(table_.rows[i]));

@@ -127,8 +127,10 @@ public:
         const bool is_unit = scene_.shows(Show::UnitLoad);
         const ui::Catalogue& tr = scene_.options.tr;
         heads_.front().name = is_unit ? tr("Under the unit load: f") : tr("Under the loads: F");
-        constexpr double narrow = 24.0; // [em]: a note of signs would take two lines from the diagram
-        if (size_.width < narrow * scene_.sketch.theme().type().normal) heads_.back().note.clear();
+        constexpr double narrow = 24.0, low = 11.0; // [em]: a note of signs would take two lines from the diagram
+        const double em = scene_.sketch.theme().type().normal;
+        if (std::min(size_.width / narrow, size_.height / low) < em) heads_.back().note.clear();
+        if (size_.height < low * em && heads_.size() == 2) merge_heads();
     }
 
     void draw_mechanism(const femoop::Mechanism& mechanism)
@@ -143,6 +145,13 @@ public:
     const std::vector<PanelHead>& heads() const { return heads_; }
 
 private:
+    /// One line where the panel has no room for two: the name of the side with the scale of its diagram.
+    void merge_heads()
+    {
+        heads_.back().name = heads_.front().name;
+        heads_.erase(heads_.begin());
+    }
+
     bool shows_forces() const { return scene_.shows(Show::Loads) || scene_.shows(Show::Reactions); }
 
     void draw_bands(const EnvelopePicture& envelope)
@@ -295,12 +304,10 @@ ShowSet without_absent(ShowSet show, femoop::AnalysisKind kind)
 }
 
 /// Where panels get small, so do type, lines and symbols, as far as they can still be read.
-/// The one picture of a window does not on the projector: a class reads its numbers, not those of the panels around it.
 /// \param aspect  of the structure: the side of the panel that it does not fill may be shorter
-ui::Theme theme_for(const ui::Theme& theme, Layout layout, ui::Size panel, double aspect)
+ui::Theme theme_for(const ui::Theme& theme, ui::Size panel, double aspect)
 {
     constexpr double least_share = 0.75, least_type = 11.0;
-    if (theme.name() == ui::ThemeName::Projector && layout == Layout::Overlay) return theme;
     const bool is_wide = aspect * panel.height > panel.width;
     const ui::Size ample = is_wide ? ui::Size{400.0, 180.0} : ui::Size{250.0, 280.0}; // for symbols of scale 1
     const double share = std::min(panel.width / ample.width, panel.height / ample.height) / theme.symbol_scale();
@@ -623,7 +630,7 @@ Camera Subject::fitted(const std::vector<Panel>& panels, const ui::Fonts& fonts)
 Subject::Drawn Subject::draw_panel(ui::Painter& painter, const Panel& panel, const Camera& camera, Pass pass) const
 {
     const ui::ClipScope clip(painter, panel.box);
-    const ui::Theme theme = theme_for(theme_, options_.layout, panel.box.size(), aspect(usual_camera()));
+    const ui::Theme theme = keeps_type() ? theme_ : theme_for(theme_, panel.box.size(), aspect(usual_camera()));
     const Projection projection(camera, panel.box.min);
     const LevelOfDetail detail(shape_, projection);
     Sketch sketch({.painter = &painter,
@@ -811,6 +818,14 @@ bool Subject::shows_work() const
     return input_.work != nullptr && is_solved_ && options_.show.contains(Show::UnitLoad);
 }
 bool Subject::has_diagram() const { return shows_truss() || shows_funicular(); }
+
+// The one picture of a window on the projector: a class reads its numbers, not those of the panels around it. Of virtual
+// work a low structure stands twice over the table.
+bool Subject::keeps_type() const
+{
+    const bool is_one = options_.layout == Layout::Overlay && !(shows_work() && is_flat_row());
+    return is_one && theme_.name() == ui::ThemeName::Projector;
+}
 
 bool Subject::has_curve() const { return input_.influence != nullptr && input_.influence->curve; }
 

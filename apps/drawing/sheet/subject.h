@@ -110,6 +110,7 @@ private:
     bool shows_funicular() const;
     bool shows_work() const;
     bool has_diagram() const; ///< of forces, beside the structure
+    bool keeps_type() const;  ///< of the theme, in panels of any size
     bool has_curve() const;
     std::vector<Eigen::Vector3d> ends_of_curve() const; ///< where its positions end, on the line of a level path
     bool has_overlay_text() const;
