@@ -1,6 +1,7 @@
 #include "apps/drawing/train_drawing.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <optional>
@@ -68,7 +69,7 @@ public:
             x = next;
         }
         draw_forces();
-        write(distances_, Role::Dimension, Anchor::Top, 2);
+        write_distances();
         draw_direction();
     }
 
@@ -121,6 +122,7 @@ private:
     struct Note {
         Point at;
         std::string words;
+        double length = 0.0; ///< of the distance [px]
     };
 
     /// Of several alike that are too near for one each "4 × 80" over their middle.
@@ -130,45 +132,49 @@ private:
         for (std::size_t i = 0; i < notes.size();) {
             const Note& first = notes[i];
             std::size_t last = i;
+            double length = first.length;
             while (last + 1 < notes.size() && notes[last + 1].words == first.words &&
                    touches(notes[last], notes[last + 1]))
-                ++last;
+                length += notes[++last].length;
             joined.push_back({{0.5 * (first.at.x + notes[last].at.x), first.at.y},
-                              last > i ? std::to_string(last - i + 1) + " × " + first.words : first.words});
+                              last > i ? std::to_string(last - i + 1) + " × " + first.words : first.words,
+                              length});
             i = last + 1;
         }
         return joined;
     }
 
-    /// The row of each, from right to left: the first one that has room beside what stands there; none where none has.
-    std::vector<std::optional<std::size_t>> rows_of(const std::vector<Note>& notes, std::size_t n_rows) const
+    static constexpr std::size_t n_rows = 2; // of distances
+
+    /// The row of each distance, from right to left: the first one that has room beside what stands there, for one that
+    /// is wider than its distance the second one; none where none has.
+    std::vector<std::optional<std::size_t>> rows_of(const std::vector<Note>& notes) const
     {
-        struct Row {
-            double free_to, height;
-        };
-        std::vector<Row> rows(n_rows, {painter_.size().width, 0.0}); // of the last one in it
+        std::array<double, n_rows> free_to; // of the last one in it
+        free_to.fill(painter_.size().width);
         std::vector<std::optional<std::size_t>> found;
         for (const Note& note : notes) {
-            const double half = 0.5 * width_of(note.words);
+            const double width = width_of(note.words);
+            const bool is_wide = notes.size() > 1 && width > note.length;
             found.emplace_back();
-            for (std::size_t i = 0; i < rows.size() && !found.back(); ++i) {
-                const bool is_beside = std::abs(note.at.y - rows[i].height) < look_.theme.type().small;
-                if (is_beside && note.at.x + half > rows[i].free_to) continue;
-                rows[i] = {note.at.x - half - px(4), note.at.y};
-                found.back() = i;
+            for (const std::size_t row :
+                 is_wide ? std::array<std::size_t, n_rows>{1, 0} : std::array<std::size_t, n_rows>{0, 1}) {
+                if (found.back() || note.at.x + 0.5 * width > free_to[row]) continue;
+                free_to[row] = note.at.x - 0.5 * width - px(4);
+                found.back() = row;
             }
         }
         return found;
     }
 
-    /// Where there is no room beside the one before it goes below, or is left out.
-    void write(const std::vector<Note>& notes, Role role, Anchor anchor, std::size_t n_rows)
+    void write_distances()
     {
-        const std::vector<Note> all = joined(notes);
-        const auto rows = rows_of(all, n_rows);
+        const std::vector<Note> all = joined(distances_);
+        const auto rows = rows_of(all);
         for (std::size_t i = 0; i < all.size(); ++i)
             if (rows[i])
-                text(all[i].at + Point{0.0, static_cast<double>(*rows[i]) * row_height()}, all[i].words, role, anchor);
+                text(all[i].at + Point{0.0, static_cast<double>(*rows[i]) * row_height()}, all[i].words,
+                     Role::Dimension, Anchor::Top);
     }
     double row_height() const { return 1.15 * look_.theme.type().small; }
 
@@ -178,10 +184,10 @@ private:
         double x = first();
         for (const Gap& gap : gaps_) {
             const double next = x - scale_ * gap.least;
-            notes.push_back({{0.5 * (x + next), 0.0}, distance_text(gap)});
+            notes.push_back({{0.5 * (x + next), 0.0}, distance_text(gap), x - next});
             x = next;
         }
-        const auto rows = rows_of(joined(notes), 2);
+        const auto rows = rows_of(joined(notes));
         return std::ranges::any_of(rows, [](const auto& row) { return row && *row > 0; }) ? 2 : 1;
     }
 
@@ -193,13 +199,34 @@ private:
     }
     bool touches(const Note& a, const Note& b) const { return std::abs(a.at.x - b.at.x) < width_of(a.words) + px(4); }
 
+    // The largest first, over their arrows; one that has no room there stands higher, and a line leads down from it.
     void draw_forces()
     {
         std::vector<Note> notes;
         for (std::size_t i = 0; i < places_.size(); ++i)
             notes.push_back({{places_[i], top_of(i) - px(2)},
                              with_minus(look_.units.number(train_.axles[i].value(), Measure::Force))});
-        write(notes, Role::Load, Anchor::Bottom, 1);
+        std::vector<Note> all = joined(notes);
+        std::ranges::stable_sort(all, {}, [](const Note& note) { return note.at.y; });
+        std::vector<ui::Box> taken;
+        for (const Note& note : all) write_force(note, taken);
+    }
+
+    void write_force(const Note& note, std::vector<ui::Box>& taken)
+    {
+        constexpr int most_rows = 4;
+        const double half = 0.5 * width_of(note.words), height = look_.theme.type().small;
+        const double top = train_.uniform ? strip_foot() : 0.0;
+        for (int row = 0; row < most_rows; ++row) {
+            const Point at = note.at - Point{0.0, row * row_height()};
+            const ui::Box box{{at.x - half - px(2), at.y - height}, {at.x + half + px(2), at.y}};
+            if (row > 0 && box.min.y < top) return;
+            if (std::ranges::any_of(taken, [&](const ui::Box& other) { return box.overlaps(other); })) continue;
+            taken.push_back(box);
+            text(at, note.words, Role::Load, Anchor::Bottom);
+            if (row > 0) painter_.line(at, note.at, look_.theme.stroke(Role::Dimension));
+            return;
+        }
     }
     double top_of(std::size_t i) const
     {
@@ -222,7 +249,7 @@ private:
             painter_.line({farthest, y}, {to, y}, stroke);
             painter_.line({farthest, ground_ - 2.0 * wheel()}, {farthest, y + px(4)}, stroke);
         }
-        distances_.push_back({{0.5 * (from + to), y + px(4)}, distance_text(gap)});
+        distances_.push_back({{0.5 * (from + to), y + px(4)}, distance_text(gap), from - to});
     }
 
     std::string distance_text(const Gap& gap) const

@@ -67,18 +67,57 @@ private:
         float width;
     };
 
-    // As wide as their numbers; where the window is narrower, as on the projector, the table is scrolled.
+    using Columns = std::array<Column, 4>;
+
+    /// In which the table is written: narrower for narrow windows.
+    struct Look {
+        float type = 1.0F;     ///< of the window's
+        float padding = 1.0F;  ///< of the theme's, in and between the cells
+        bool is_split = false; ///< the unit stands below the name
+    };
+
+    // As wide as their numbers. A narrower window, as on the projector, has narrower cells and then a smaller type, so
+    // that all columns are seen; only where even so they have no room the table is scrolled.
     void show_table(std::size_t n)
     {
-        const std::array columns{column("s", Measure::Length), column("P", Measure::Force),
-                                 column("d", Measure::Length), column("d max", Measure::Length)};
-        const ImGuiStyle& style = ImGui::GetStyle();
-        const float narrow = 1.2F * ImGui::GetFontSize();
-        float needed = 2.0F * narrow + 2.0F * 6.0F * style.CellPadding.x;
+        constexpr std::array looks{Look{}, Look{1.0F, 0.5F, true}, Look{0.85F, 0.5F, true}, Look{0.75F, 0.4F, true}};
+        const ImVec2 cell = ImGui::GetStyle().CellPadding, frame = ImGui::GetStyle().FramePadding;
+        const float room = ImGui::GetContentRegionAvail().x;
+        for (const Look& look : looks) {
+            ImGui::SetWindowFontScale(look.type);
+            ImGui::PushStyleVar(ImGuiStyleVar_CellPadding, {look.padding * cell.x, cell.y});
+            ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {look.padding * frame.x, frame.y});
+            const Columns columns = columns_of(look);
+            const bool has_room = needed_width(columns) <= room;
+            const bool is_last = &look == &looks.back();
+            if (has_room || is_last) show_columns(n, columns, !has_room);
+            ImGui::PopStyleVar(2);
+            if (has_room) break;
+        }
+        ImGui::SetWindowFontScale(1.0F);
+    }
+
+    Columns columns_of(const Look& look) const
+    {
+        return {column("s", Measure::Length, look), column("P", Measure::Force, look),
+                column("d", Measure::Length, look), column("d max", Measure::Length, look)};
+    }
+
+    static float narrow_width() { return 1.2F * ImGui::GetFontSize(); } // of a number, and of the cross
+
+    static float needed_width(const Columns& columns)
+    {
+        float needed = 2.0F * narrow_width() + 2.0F * 6.0F * ImGui::GetStyle().CellPadding.x;
         for (const Column& one : columns) needed += one.width;
-        const bool is_scrolled = needed > ImGui::GetContentRegionAvail().x;
+        return needed;
+    }
+
+    void show_columns(std::size_t n, const Columns& columns, bool is_scrolled)
+    {
+        const ImGuiStyle& style = ImGui::GetStyle();
+        const float narrow = narrow_width();
         const float row = ImGui::GetFrameHeight() + 2.0F * style.CellPadding.y;
-        const float height = is_scrolled ? static_cast<float>(n + 1) * row + style.ScrollbarSize : 0.0F;
+        const float height = is_scrolled ? static_cast<float>(n + 2) * row + style.ScrollbarSize : 0.0F;
         ImGuiTableFlags flags = ImGuiTableFlags_RowBg | ImGuiTableFlags_BordersInnerH;
         if (is_scrolled) flags |= ImGuiTableFlags_ScrollX | ImGuiTableFlags_SizingFixedFit;
         else flags |= ImGuiTableFlags_SizingStretchProp;
@@ -100,11 +139,13 @@ private:
     }
 
     // The widest number of all columns of its kind, and its heading.
-    Column column(const std::string& name, Measure measure) const
+    Column column(const std::string& name, Measure measure, const Look& look) const
     {
         const Train& train = draft_.train();
         const auto width_of = [](const std::string& text) { return ImGui::CalcTextSize(text.c_str()).x; };
         Column column{units_.label(name, measure), 0.0F};
+        if (const auto unit = column.heading.find(" ["); look.is_split && unit != std::string::npos)
+            column.heading[unit] = '\n';
         float widest = width_of("0000");
         const auto include = [&](double value) { widest = std::max(widest, width_of(units_.number(value, measure))); };
         for (std::size_t i = 0; i < train.axles.size(); ++i)
