@@ -209,9 +209,9 @@ TEST_CASE("A train is drawn where it is worst, with the sum that says so")
 {
     const Folder folder;
     CHECK(cremona({"render", "-", "-o", folder.path("a.svg"), "--train", "crane"}, crane_runway).status == 0);
-    // Barré: P (L - d / 2)^2 / 2L where axle and resultant are as far from mid-span; drawn is the first of two such
-    // sections
-    for (const char* text : {"M(AB, 4.5 m) = 405 kN·m under crane, its largest value", "= 100 × 1.575 + 100 × 2.475"})
+    // Barré: P (L - d / 2)^2 / 2L where axle and resultant are as far from mid-span; of two such sections that is drawn
+    // under which the train is the first to stand
+    for (const char* text : {"M(AB, 5.5 m) = 405 kN·m under crane, its largest value", "= 100 × 2.475 + 100 × 1.575"})
         CHECK_MESSAGE(has(folder.read("a.svg"), text), text);
     CHECK(cremona({"render", "-", "-o", folder.path("a.svg"), "--train", "crane", "--node", "A", "--component", "fy",
                    "--at-position", "11"},

@@ -41,8 +41,7 @@ constexpr std::array tb450_spacings{1.5, 1.5};
 constexpr double tb450_length = 6.0, tb450_width = 3.0, crowd = 5.0; // [m], [kN/m^2]
 
 constexpr std::string_view aashto = "AASHTO Standard Specifications for Highway Bridges, 2002, 3.7.6";
-constexpr std::string_view lrfd = translatable(
-    "AASHTO LRFD Bridge Design Specifications, 2020, 3.6.1.2 and 3.6.2");
+constexpr std::string_view lrfd = translatable("AASHTO LRFD Bridge Design Specifications, 2020, 3.6.1.2 and 3.6.2");
 constexpr std::string_view lm1 = translatable("EN 1991-2:2003, 4.3.2, adjustment factors 1");
 
 // What of the standards' models is not in these trains.
