@@ -1,10 +1,5 @@
 #include "apps/drawing/results/range_words.h"
 
-#include "apps/drawing/results/influence_picture.h"
-#include "apps/drawing/sketch/scene.h"
-#include "femoop/geometry/member_geometry.h"
-#include "femoop/methods/influence/effect_name.h"
-
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -12,6 +7,11 @@
 #include <optional>
 #include <utility>
 #include <vector>
+
+#include "apps/drawing/results/influence_picture.h"
+#include "apps/drawing/sketch/scene.h"
+#include "femoop/geometry/member_geometry.h"
+#include "femoop/methods/influence/effect_name.h"
 
 namespace drawing {
 

@@ -80,8 +80,7 @@ private:
 
     double value_at(double x) const { return sign_ * placing_at(x).value; }
     void look_at(double x) { sections_.push_back({x, value_at(x)}); }
-    /// So near to an end of the member lies what counts as the limit there; the path's pieces are no shorter.
-    double hair() const { return std::max(0.05 * one_section * lines_.length(), 2.0 * shortest_part * ends_.back()); }
+    double hair() const { return hair_within(lines_.length(), ends_.back()); }
     /// The limits there, from two places.
     void look_towards_ends()
     {
@@ -325,6 +324,11 @@ double search_size(const MovingTrain& train, std::size_t n_members)
     const double with_axle_at_section = of_three_axles * n_ways * static_cast<double>(n_members + 1) *
                                         std::pow(n_axles, 3);
     return of_one_section * (has_only_fixed_axles(train) ? n_exact : n_sections) + with_axle_at_section;
+}
+
+double hair_within(double member_length, double path_length)
+{
+    return std::max(0.05 * one_section * member_length, 2.0 * shortest_part * path_length);
 }
 
 WorstSection worst_section(const SectionLines& lines, const std::vector<double>& ends, const MovingTrain& train,

@@ -28,6 +28,10 @@ struct Permanent {
 /// \param n_members  of the path
 double search_size(const MovingTrain& train, std::size_t n_members);
 
+/// So near to an end of a member, within it, lies what counts as the limit there: far less than one section from another,
+/// but no less than the shortest piece of a path.
+double hair_within(double member_length, double path_length);
+
 /// Between two axles a force depends on the section linearly, so that axles alone are worst with one of them at the
 /// section, or at an end of the member: exact roots of one polynomial in x. With a uniform load, single forces or
 /// spacings that vary the exact largest value at a section is a piecewise smooth function of x. Between sections it is

@@ -314,8 +314,7 @@ MemberEnvelope TrainAnalysis::along_member(const MovingEnvelope& envelope, const
     double path_length = 0.0;
     for (const TrainId id : envelope.trains)
         path_length = std::max(path_length, path(model_.moving_loads.trains[id.index]).length());
-    // What stands at the very end of a path lies beyond the section; a path has no shorter pieces.
-    const double hair = std::max(5e-8 * length, 2e-9 * path_length);
+    const double hair = hair_within(length, path_length); // what stands at the very end of a path lies beyond it
     for (const double x : section_places(found.extreme, jumps, length, n)) {
         asked.push_back(at_section(effect, std::clamp(x, hair, length - hair), length));
         if (!is_within(jumps, x, length)) continue;
