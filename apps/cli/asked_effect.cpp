@@ -39,12 +39,20 @@ std::vector<std::string> names_of_member_components(femoop::AnalysisKind kind, T
     return names;
 }
 
+constexpr std::string_view resultant = "R";
+
+bool has_resultants(femoop::AnalysisKind kind)
+{
+    return dofs(kind).contains(femoop::Dof::ux) && !dofs(kind).contains(femoop::Dof::uz);
+}
+
 std::vector<std::string> node_components(femoop::AnalysisKind kind, Takes takes)
 {
     std::vector<std::string> names;
     if (takes != Takes::Displacements)
         for (const femoop::Dof dof : femoop::all_dofs)
             if (dofs(kind).contains(dof)) names.emplace_back(force_name(dof));
+    if (takes == Takes::Numbers && has_resultants(kind)) names.emplace_back(resultant);
     if (takes != Takes::Forces)
         for (const femoop::Dof dof : femoop::all_dofs)
             if (dofs(kind).contains(dof)) names.emplace_back(femoop::name(dof));
@@ -167,6 +175,10 @@ femoop::MovingEffect AskedEffect::effect(const Model& model, const ui::Catalogue
     }
     effect.node = model.find_node(*node_);
     if (!effect.node) throw unknown_choice(named("node"), *node_, ids_of(model.nodes), tr);
+    if (takes_ == Takes::Numbers && component_ == resultant && has_resultants(model.analysis)) {
+        effect.quantity = femoop::ExpectedQuantity::Reaction;
+        return effect;
+    }
     const std::vector<std::string> known = node_components(model.analysis, Takes::Anything);
     if (std::ranges::find(known, *component_) == known.end())
         throw unknown_choice(named("component"), *component_, node_components(model.analysis, takes_), tr);
@@ -178,8 +190,10 @@ femoop::MovingEffect AskedEffect::effect(const Model& model, const ui::Catalogue
 
 femoop::MovingEffect AskedEffect::sound_effect(const Model& model, const ui::Catalogue& tr) const
 {
-    femoop::MovingEffect effect = this->effect(model, tr);
-    auto errors = errors_among(check_effect(model, effect, {option(), std::nullopt}));
+    const femoop::MovingEffect effect = this->effect(model, tr);
+    femoop::MovingEffect checked = effect;
+    if (is_resultant(effect)) checked.dof = femoop::Dof::ux;
+    auto errors = errors_among(check_effect(model, checked, {option(), std::nullopt}));
     if (!errors.empty()) throw femoop::ModelError(std::move(errors));
     return effect;
 }

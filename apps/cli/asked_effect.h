@@ -18,8 +18,9 @@ class AskedEffect {
 public:
     void declare(OptionParser& options, const ui::Catalogue& tr);
 
-    /// What the option that has it as a text takes: messages offer no other components.
-    enum class Takes { Anything, Forces, Displacements };
+    /// What the option that has it as a text takes: messages offer no other components. Numbers has the resultant R of a
+    /// reaction in the plane, too.
+    enum class Takes { Anything, Forces, Displacements, Numbers };
     /// The same in one text: member=M,at=X,component=C or node=N,component=C. \throws UsageError naming `option`
     void set(std::string_view option, std::string_view text, const ui::Catalogue& tr, Takes takes = Takes::Anything);
 

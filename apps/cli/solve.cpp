@@ -70,6 +70,8 @@ private:
     bool is_of_all_cases(const Model& model) const;
     bool is_of_envelope(const Model& model) const;
     CaseId followed_case(const Model& model, const ui::Catalogue& tr) const;
+    femoop::derivation::Derivation derived(const Model& model, const Results& results,
+                                           const femoop::MovingEffect& effect, const ui::Catalogue& tr) const;
     std::string derivation(const Model& model, const Results& results, const ui::Catalogue& tr) const;
     std::string virtual_work(const Model& model, const Results& results, const ui::Catalogue& tr) const;
     femoop::virtual_work::VirtualWork worked_out(const Model& model, const Results& results,
@@ -79,7 +81,7 @@ private:
                    const Console& console) const;
 
     std::string file_, stations_ = std::to_string(femoop::usual_n_stations), solver_ = "automatic";
-    std::optional<std::string> case_, csv_folder_, traced_member_, asked_number_, worked_displacement_;
+    std::optional<std::string> case_, csv_folder_, traced_member_, asked_number_, kept_case_, worked_displacement_;
     bool is_json_ = false, is_latex_ = false, is_timed_ = false, is_refined_ = false, is_described_ = false;
     SolverTraceOptions solver_trace_;
     AskedBody body_;
@@ -174,9 +176,13 @@ void Solve::declare(OptionParser& options, const ui::Catalogue& tr)
             "--why", asked_number_,
             tr("print where one number comes from, instead of the results: every step from the data to it. "
                "member=M,at=X,component=C asks for a section force or a displacement of a member (without at: its "
-               "extreme), node=N,component=C for a reaction (fx ..) or a displacement (ux ..); of the first load "
-               "case, or that of --case, of an envelope the one that governs"))
+               "extreme), node=N,component=C for a reaction (fx .., in the plane also R, its size) or a displacement "
+               "(ux ..); of the first load case, or that of --case, of an envelope the one that governs"))
         .option_text("WHAT");
+    options
+        .add_option("--less", kept_case_,
+                    tr("with --why: the same number of this load case is taken off, and both are followed"))
+        .option_text("ID");
     options
         .add_option(
             "--virtual-work", worked_displacement_,
@@ -250,6 +256,7 @@ void Solve::require_one_output(const ui::Catalogue& tr) const
     refuse(is_json_ && is_latex_, "--json", "--latex");
     const bool is_explained = asked_number_ || worked_displacement_ || redundants_.are_asked() || body_.is_asked() ||
                               funicular_.is_asked();
+    if (kept_case_ && !asked_number_) throw needs_too("--less", "--why", tr);
     if (is_latex_ && !is_explained)
         throw UsageError(
             tr("{a} needs one of {list} too; add it",
@@ -273,6 +280,7 @@ void Solve::require_no_envelope(const Model& model, const ui::Catalogue& tr) con
     const auto refuse = [&](bool is_given, std::string_view option) {
         if (is_given) throw print_different_things(option, "--case envelope", tr);
     };
+    refuse(kept_case_.has_value(), "--less");
     refuse(worked_displacement_.has_value(), "--virtual-work");
     refuse(redundants_.are_asked(), "--force-method");
     refuse(body_.is_asked(), "--free-body");
@@ -300,15 +308,25 @@ CaseId Solve::followed_case(const Model& model, const ui::Catalogue& tr) const
     return is_of_all_cases(model) ? CaseId(0) : find_case(model, *case_, tr);
 }
 
+femoop::derivation::Derivation Solve::derived(const Model& model, const Results& results,
+                                              const femoop::MovingEffect& effect, const ui::Catalogue& tr) const
+{
+    using namespace femoop::derivation;
+    if (is_of_envelope(model) && model.n_cases() > 0) return derive_governing(model, results, all_cases(model), effect);
+    const CaseId load_case = followed_case(model, tr);
+    if (!kept_case_) return derive(model, results, load_case, effect);
+    if (!effect.at && effect.member)
+        throw UsageError(tr("--less needs one place in both load cases: add at=X to --why"));
+    if (is_resultant(effect)) throw UsageError(tr("--less takes no R off, a size; ask for a component, fx or fy"));
+    return derive_difference(model, results, load_case, find_case("--less", model, *kept_case_, tr), effect);
+}
+
 std::string Solve::derivation(const Model& model, const Results& results, const ui::Catalogue& tr) const
 {
     AskedEffect asked;
-    asked.set("--why", *asked_number_, tr);
+    asked.set("--why", *asked_number_, tr, AskedEffect::Takes::Numbers);
     asked.require_sensible(tr, AskedEffect::Place::Optional);
-    const femoop::MovingEffect effect = asked.sound_effect(model, tr);
-    const auto derivation = is_of_envelope(model) && model.n_cases() > 0
-                                ? femoop::derivation::derive_governing(model, results, all_cases(model), effect)
-                                : femoop::derivation::derive(model, results, followed_case(model, tr), effect);
+    const femoop::derivation::Derivation derivation = derived(model, results, asked.sound_effect(model, tr), tr);
     if (is_latex_) return derivation_latex(derivation, model, tr);
     return is_json_ ? derivation_json(derivation, model, tr) : derivation_text(derivation, model, tr);
 }

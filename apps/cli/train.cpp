@@ -131,6 +131,9 @@ void Train::choose_loads(Question& question, const Model& model,
     require(envelopes_, envelope_names, "--envelope");
     if (question.trains.empty() && question.envelopes.empty())
         throw UsageError(tr("the file has no train; add one to \"trains\", or a block \"train\""));
+    if (is_proved_ && question.trains.empty())
+        throw UsageError(tr("--proof is of one train's positions, and an envelope has the worst of them; ask for a "
+                            "train by --train"));
 }
 
 void Train::choose_effects(Question& question, const Model& model, const ui::Catalogue& tr) const

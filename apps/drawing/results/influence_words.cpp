@@ -1,6 +1,7 @@
 #include "apps/drawing/results/influence_words.h"
 
 #include "apps/drawing/results/line_diagram.h"
+#include "apps/drawing/results/moving_words.h"
 #include "apps/drawing/sketch/scene.h"
 #include "femoop/methods/influence/line_shape.h"
 #include "femoop/result/magnitudes.h"
@@ -162,13 +163,6 @@ private:
     ui::DisplayUnits units_;
     OrdinateUnit unit_;
 };
-
-std::string paragraph(const std::string& title, const std::vector<std::string>& lines)
-{
-    std::string text = title + ".\n";
-    for (const std::string& line : lines) text += "  " + line + ".\n";
-    return text;
-}
 
 } // namespace
 

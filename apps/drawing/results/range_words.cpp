@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "apps/drawing/results/influence_picture.h"
+#include "apps/drawing/results/moving_words.h"
 #include "apps/drawing/sketch/scene.h"
 #include "femoop/geometry/member_geometry.h"
 #include "femoop/methods/influence/effect_name.h"
@@ -34,7 +35,7 @@ struct Range {
     EndOfRange max, min;
 };
 
-/// "at s = 20 ft, running backwards"
+/// Numbers, effects and places of trains in the units of the sheet.
 class PlaceWords {
 public:
     PlaceWords(const femoop::Model& model, const DrawOptions& options)
@@ -43,7 +44,6 @@ public:
 
     const ui::Catalogue& tr() const { return options_.tr; }
     std::string text(double value, ui::Measure measure) const { return with_minus(units_.text(value, measure)); }
-    std::string length(double value) const { return text(value, ui::Measure::Length); }
     std::string name(const MovingEffect& effect) const { return with_minus(effect_text(model_, units_, effect)); }
     std::string component(const MovingEffect& effect) const
     {
@@ -52,33 +52,16 @@ public:
 
     std::string leading_axle(double position, bool is_reversed) const
     {
-        const std::string said = tr()("leading axle at s = {place}", {{"place", length(position)}});
-        return is_reversed ? said + ", " + tr()("running backwards") : said;
+        return leading_axle_words(options_, units_, position, is_reversed);
     }
 
-    /// Where the axles stand, the uniform load lies, the single forces are.
-    std::vector<std::string> standing(const Placing& placing, const femoop::Train& train) const
+    std::string with_places(std::string sentence, const Placing& placing, const femoop::Train& train) const
     {
-        std::vector<std::string> parts;
-        if (placing.position) parts.push_back(leading_axle(*placing.position, placing.reversed));
-        else if (!train.axles.empty()) parts.push_back(tr()("no axle on the path"));
-        if (train.uniform) parts.push_back(uniform(placing));
-        for (const auto& place : placing.concentrated)
-            if (place) parts.push_back(tr()("single force at s = {place}", {{"place", length(*place)}}));
-        return parts;
+        return drawing::with_places(std::move(sentence), options_, units_, placing, !train.axles.empty(),
+                                    train.uniform.has_value());
     }
 
 private:
-    std::string uniform(const Placing& placing) const
-    {
-        if (placing.uniform.empty()) return tr()("uniform load nowhere");
-        std::string text;
-        for (const auto& [from, to] : placing.uniform)
-            text += (text.empty() ? "" : ", ") +
-                    tr()("s = {from} to {to}", {{"from", length(from)}, {"to", length(to)}});
-        return tr()("uniform load on {stretches}", {{"stretches", text}});
-    }
-
     const femoop::Model& model_;
     const DrawOptions& options_;
     ui::DisplayUnits units_;
@@ -167,22 +150,13 @@ private:
                                         {"value", words_.text(value(end), measure_of(end.effect))},
                                         {"train", end.train->id}}) +
                            ", " + which;
-        const std::vector<std::string> parts = words_.standing(*end.placing, *end.train);
-        for (std::size_t i = 0; i < parts.size(); ++i) said += (i == 0 ? ": " : "; ") + parts[i];
-        return said;
+        return words_.with_places(std::move(said), *end.placing, *end.train);
     }
 
     PlaceWords words_;
     std::vector<Range> ranges_;
     double largest_force_ = 0.0, largest_moment_ = 0.0;
 };
-
-std::string title_and_lines(const std::string& title, const std::vector<std::string>& lines)
-{
-    std::string text = title + ".\n";
-    for (const std::string& line : lines) text += "  " + line + ".\n";
-    return text;
-}
 
 /// One of the two searches of a proof.
 class ProofWords {
@@ -269,7 +243,7 @@ private:
 std::string range_words(const femoop::Model& model, const DrawOptions& options, const TrainResults& results,
                         const std::string& title)
 {
-    return title_and_lines(title, RangeWords(model, options, results).lines());
+    return paragraph(title, RangeWords(model, options, results).lines());
 }
 
 std::string load_name(const femoop::Model& model, const DrawOptions& options, const femoop::MovingEnvelope& envelope)
@@ -293,7 +267,7 @@ std::string proof_words(const femoop::Model& model, const DrawOptions& options, 
         const std::string title = options.tr(is_max ? ui::translatable("How the largest {effect} was found")
                                                     : ui::translatable("How the least {effect} was found"),
                                              {{"effect", words.name(effect)}});
-        text += title_and_lines(title, ProofWords(words, effect, is_max ? proof.max : proof.min, kind).lines());
+        text += paragraph(title, ProofWords(words, effect, is_max ? proof.max : proof.min, kind).lines());
     }
     return text;
 }

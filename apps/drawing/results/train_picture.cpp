@@ -1,6 +1,7 @@
 #include "apps/drawing/results/train_picture.h"
 
 #include "apps/drawing/results/line_motion.h"
+#include "apps/drawing/results/moving_words.h"
 #include "apps/drawing/sketch/scene.h"
 #include "femoop/methods/influence/train/standing_train.h"
 #include "femoop/result/magnitudes.h"
@@ -30,17 +31,26 @@ public:
     {
         const ui::Catalogue& tr = options_.tr;
         const femoop::MovingEffect& effect = picture_.line.effect;
-        const femoop::influence::Placing& placing = standing_.placing;
-        std::string said = tr("{effect} = {value} under {train}", {{"effect", effect_text(model_, units_, effect)},
-                                                                   {"value", text(placing.value, measure_of(effect))},
-                                                                   {"train", standing_.name}});
+        std::string said = tr("{effect} = {value} under {train}",
+                              {{"effect", effect_text(model_, units_, effect)},
+                               {"value", text(standing_.placing.value, measure_of(effect))},
+                               {"train", standing_.name}});
         if (standing_.is_worst)
             said += ", " +
                     (standing_.kind == femoop::ExtremeKind::Max ? tr("its largest value") : tr("its least value"));
-        if (!placing.position) return said;
-        const std::string place = text(*placing.position, ui::Measure::Length);
-        said += ": " + tr("leading axle at s = {place}", {{"place", place}});
-        return placing.reversed ? said + ", " + tr("running backwards") : said;
+        return said;
+    }
+
+    std::string leading_axle() const
+    {
+        const femoop::influence::Placing& placing = standing_.placing;
+        return placing.position ? leading_axle_words(options_, units_, *placing.position, placing.reversed) : "";
+    }
+
+    std::string value_and_places() const
+    {
+        const femoop::influence::MovingTrain& train = standing_.train;
+        return with_places(value(), options_, units_, standing_.placing, !train.axles.empty(), train.uniform != 0.0);
     }
 
     /// Nothing where it is too long to read.
@@ -89,14 +99,15 @@ void stand_on(InfluencePicture& picture, const StandingTrain& standing)
 std::string train_sentence(const femoop::Model& model, const DrawOptions& options, const InfluencePicture& picture,
                            const StandingTrain& standing)
 {
-    return TrainSentences(model, options, picture, standing).value();
+    return TrainSentences(model, options, picture, standing).value_and_places();
 }
 
 std::vector<std::string> train_sentences(const femoop::Model& model, const DrawOptions& options,
                                          const InfluencePicture& picture, const StandingTrain& standing)
 {
     const TrainSentences said(model, options, picture, standing);
-    std::vector<std::string> sentences{said.value()};
+    const std::string leading = said.leading_axle();
+    std::vector<std::string> sentences{leading.empty() ? said.value() : said.value() + ": " + leading};
     if (std::string sum = said.sum(); !sum.empty()) sentences.push_back(std::move(sum));
     return sentences;
 }

@@ -22,11 +22,11 @@ struct StandingTrain {
 /// Stands it on the picture's line: its forces with their ordinates.
 void stand_on(InfluencePicture& picture, const StandingTrain& standing);
 
-/// What it does to the line's effect and where it stands.
+/// What it does to the line's effect, and where its axles, uniform load and single forces stand: for words alone.
 std::string train_sentence(const femoop::Model& model, const DrawOptions& options, const InfluencePicture& picture,
                            const StandingTrain& standing);
 
-/// For the foot of the sheet: what it does to the line's effect and where it stands; and that as a sum, each force
+/// For the foot of the sheet: what it does to the line's effect and where its leading axle stands; and that as a sum, each force
 /// times its ordinate and the uniform load times its areas, where that is short enough to be read.
 /// \pre it stands on the picture
 std::vector<std::string> train_sentences(const femoop::Model& model, const DrawOptions& options,

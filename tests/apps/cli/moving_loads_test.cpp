@@ -136,6 +136,18 @@ TEST_CASE("An envelope is told in sentences: of each component and reaction both
     CHECK(has(cremona(portuguese).out, "N é nulo onde quer que as cargas estejam.\n"));
 }
 
+TEST_CASE("In words the largest and the least value of a train have all that stands where, and a proof is of a train")
+{
+    const Run lane = cremona({"train", "examples/bridge.json", "--train", "lane", "--describe"});
+    // over the supports the ordinates change their sign
+    CHECK(has(lane.out, "its largest value: uniform load on s = 60 ft to 140 ft; single force at s = 100 ft.\n"));
+    CHECK(has(lane.out,
+              "its least value: uniform load on s = 0 ft to 60 ft, s = 140 ft to 200 ft; single force at s = "));
+    const Run proof = cremona({"train", "examples/bridge.json", "--envelope", "deck + G", "--proof"});
+    CHECK(proof.status == 2);
+    CHECK(has(proof.err, "--proof is of one train's positions"));
+}
+
 TEST_CASE("What would be looked for for minutes is refused, and a file without lines says that it has none")
 {
     const Run many = cremona({"train", "examples/bridge.json", "--stations", "100000"});

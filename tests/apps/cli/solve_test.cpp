@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <nlohmann/json.hpp>
+#include <numbers>
 #include <string>
 #include <vector>
 
@@ -454,6 +455,37 @@ TEST_CASE("--force-method refuses what cannot be released, and says how the stru
                       propped_cantilever())
                   .err,
               "M(AB, 2,5 m)"));
+}
+
+TEST_CASE("A resultant is asked for by R, and a difference by the case that is taken off")
+{
+    // the roller's plane is at 30 degrees: fx = -R sin 30, fy = R cos 30
+    const Run slanting = cremona({"solve", "examples/inclined_roller.json", "--why", "node=B,component=R", "--json"});
+    REQUIRE(slanting.status == 0);
+    const double r = json::parse(slanting.out)["why"]["value"];
+    CHECK(r == doctest::Approx(24.0 / std::cos(std::numbers::pi / 6.0)));
+    const auto moment = [](const std::string& load_case, std::initializer_list<std::string> more) {
+        std::vector<std::string> words{"solve", "examples/portal.json",        "--json", "--case", load_case,
+                                       "--why", "member=BC,at=2.5,component=M"};
+        words.insert(words.end(), more);
+        return json::parse(cremona(words).out)["why"]["value"].get<double>();
+    };
+    CHECK(moment("W", {"--less", "G"}) == doctest::Approx(moment("W", {}) - moment("G", {})));
+
+    const auto refused = [](std::initializer_list<std::string> words) {
+        std::vector<std::string> all{"solve", "examples/portal.json"};
+        all.insert(all.end(), words);
+        const Run run = cremona(all);
+        CHECK(run.status == 2);
+        return run.err;
+    };
+    CHECK(has(refused({"--less", "G"}), "--less needs --why too"));
+    CHECK(
+        has(refused({"--why", "node=A,component=fy", "--less", "D"}), "--less: there is no \"D\"; choose from: G, Q"));
+    CHECK(has(refused({"--why", "node=A,component=R", "--less", "G"}), "ask for a component, fx or fy"));
+    CHECK(has(refused({"--why", "member=BC,component=M", "--less", "G"}), "add at=X to --why"));
+    CHECK(has(refused({"--why", "node=B,component=R"}), "\"B\" has no support"));
+    CHECK(has(cremona({"solve", "examples/grillage.json", "--why", "node=W,component=R"}).err, "there is no \"R\""));
 }
 
 TEST_CASE("In Portuguese the factor of a load case is a factor, not a factorization")
