@@ -185,6 +185,9 @@ WholeFile read_whole_file(const fs::path& path, std::uintmax_t most_bytes)
     if (fs::is_directory(status)) return refused(std::errc::is_a_directory);
     if (fs::exists(status) && !fs::is_regular_file(status) && !is_piped)
         return refused(std::errc::operation_not_supported);
+    if (fs::is_regular_file(status))
+        if (const std::uintmax_t size = fs::file_size(path, unknown); !unknown && size > most_bytes)
+            return refused(std::errc::file_too_large);
     errno = 0;
     std::ifstream file(path, std::ios::binary);
     if (!file) return {{}, last_error()};

@@ -132,7 +132,7 @@ TEST_SUITE("drawn line")
 
     TEST_CASE("Whatever lines are drawn, the figure stays a planar subdivision, and undo comes back to nothing")
     {
-        for (unsigned seed = 1; seed <= samples(40, 6); ++seed) {
+        for (unsigned seed = 1; seed <= samples(15, 6); ++seed) {
             CAPTURE(seed);
             std::mt19937 random(seed);
             const auto coordinate = [&] { return static_cast<double>(random() % 8); };

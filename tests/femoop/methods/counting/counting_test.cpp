@@ -80,7 +80,7 @@ TEST_CASE("Rings, releases, reactions and parts add up to what the equations of 
 
 TEST_CASE("A structure that can move is counted alike, and its motions too")
 {
-    const std::size_t n = samples(300, 30);
+    const std::size_t n = samples(120, 30);
     std::size_t n_moving = 0;
     for (const AnalysisKind kind : every_model)
         for (unsigned seed = 1; seed <= n; ++seed) {
@@ -102,7 +102,7 @@ TEST_CASE("A structure that can move is counted alike, and its motions too")
 
 TEST_CASE("The degree of a plane frame is its states of self-stress less its motions, loose members among them")
 {
-    const std::size_t n = samples(600, 100);
+    const std::size_t n = samples(300, 100);
     std::size_t n_loose = 0;
     for (unsigned seed = 1; seed <= n; ++seed) {
         CAPTURE(seed);

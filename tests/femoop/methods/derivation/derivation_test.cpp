@@ -375,20 +375,20 @@ TEST_SUITE("derivation")
 
     TEST_CASE("In any structure every number closes")
     {
-        const std::size_t step = samples(1, 3);
+        const std::size_t step = samples(2, 3);
         for (const AnalysisKind kind : every_model)
             for (unsigned seed = 1; seed <= samples(2, 1); ++seed) {
                 const Model model = random_structure(kind, seed);
                 CAPTURE(name(kind));
                 CAPTURE(seed);
                 const Results results = analyse(model);
-                for (std::size_t m = 0; m < model.members.size(); m += step)
+                for (std::size_t m = seed % step; m < model.members.size(); m += step)
                     for (const MemberComponent component : member_components(kind)) {
                         MovingEffect effect = along(component, Percent{37.0});
                         effect.member = MemberId(m);
                         check_closes(model, results, effect);
                     }
-                for (std::size_t n = 0; n < model.nodes.size(); n += step)
+                for (std::size_t n = seed % step; n < model.nodes.size(); n += step)
                     for (const Dof dof : dof_list(kind)) {
                         check_closes(model, results, of_node(NodeId(n), ExpectedQuantity::Displacement, dof));
                         if (results[CaseId(0)].is_supported(NodeId(n)))
