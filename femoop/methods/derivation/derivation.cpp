@@ -37,6 +37,10 @@ double size_of(const MovingEffect& effect, const CaseResult& result)
 
 double value_of(const MovingEffect& effect, const CaseResult& result)
 {
+    if (is_resultant(effect)) {
+        const NodeVector reaction = result.reaction(*effect.node);
+        return std::hypot(reaction[index(Dof::ux)], reaction[index(Dof::uy)]);
+    }
     return without_rounding(effect_in(effect, result), size_of(effect, result));
 }
 
@@ -443,6 +447,14 @@ FoundExtreme extreme_of(const CaseResult& result, const MovingEffect& asked)
             effect};
 }
 
+/// Of a section or a node both are its one value.
+Extremes range_of(const CaseResult& result, const MovingEffect& effect)
+{
+    if (effect.quantity == ExpectedQuantity::Extreme) return result.curve(*effect.member).extremes(*effect.component);
+    const double value = value_of(effect, result);
+    return {{.value = value}, {.value = value}};
+}
+
 bool ends_with_sum(const Derivation& derivation)
 {
     if (derivation.steps.empty()) return false; // a combination of nothing
@@ -544,16 +556,16 @@ Derivation derive_difference(const Model& model, const Results& results, CaseId 
 Derivation derive_governing(const Model& model, const Results& results, const std::vector<CaseId>& cases,
                             const MovingEffect& effect)
 {
-    const auto value = [&](CaseId id) {
-        const MovingEffect at = effect.quantity == ExpectedQuantity::Extreme ? extreme_of(results[id], effect).effect
-                                                                             : effect;
-        return value_of(at, results[id]);
-    };
-    std::vector<double> values;
-    std::ranges::transform(cases, std::back_inserter(values), value);
-    const auto min = std::ranges::min_element(values), max = std::ranges::max_element(values);
-    const auto case_of = [&](auto found) { return cases[static_cast<std::size_t>(found - values.begin())]; };
-    const CaseId governing = case_of(std::abs(*min) > std::abs(*max) ? min : max);
+    std::vector<double> largest, smallest;
+    for (const CaseId id : cases) {
+        const Extremes range = range_of(results[id], effect);
+        largest.push_back(range.max.value);
+        smallest.push_back(range.min.value);
+    }
+    const auto max = std::ranges::max_element(largest), min = std::ranges::min_element(smallest);
+    const CaseId max_case = cases[static_cast<std::size_t>(max - largest.begin())];
+    const CaseId min_case = cases[static_cast<std::size_t>(min - smallest.begin())];
+    const CaseId governing = std::abs(*min) > std::abs(*max) ? min_case : max_case;
     Derivation derivation = derive(model, results, governing, effect);
     derivation.steps.insert(derivation.steps.begin(),
                             {.kind = StepKind::Governing,
@@ -561,7 +573,7 @@ Derivation derive_governing(const Model& model, const Results& results, const st
                              .node = effect.node,
                              .load_case = governing,
                              .matrices = {{"envelope",
-                                           {model.case_name(case_of(max)), model.case_name(case_of(min))},
+                                           {model.case_name(max_case), model.case_name(min_case)},
                                            {"value"},
                                            Eigen::Vector2d(*max, *min)}}});
     return derivation;

@@ -341,6 +341,26 @@ TEST_SUITE("derivation")
         CHECK(std::ranges::count(derivation.steps, StepKind::EndForces, &Step::kind) == 2);
     }
 
+    TEST_CASE("Of an envelope the largest and the smallest extreme are each of the case that has it")
+    {
+        // down, V falls from 5/8 q L to -3/8 q L; up by half, from -5/16 q L to 3/16 q L
+        Model model = propped_beam();
+        model.combinations.push_back({.id = "up", .terms = {{CaseId(0), -0.5}}});
+        const Results results = analyse(model);
+        MovingEffect shear = along(MemberComponent::Vy, Percent{0.0});
+        shear.at.reset();
+        shear.quantity = ExpectedQuantity::Extreme;
+        const Derivation derivation = derive_governing(model, results, {CaseId(1), CaseId(0)}, shear);
+        const NamedMatrix& range = matrix(derivation, StepKind::Governing, "envelope");
+        CHECK(range.rows == std::vector{model.case_name(CaseId(0)), model.case_name(CaseId(0))});
+        CHECK(range.values(0, 0) == doctest::Approx(5.0 / 8.0 * q * L));
+        CHECK(range.values(1, 0) == doctest::Approx(-3.0 / 8.0 * q * L));
+
+        const MovingEffect resultant{.quantity = ExpectedQuantity::Reaction, .node = NodeId(0)};
+        CHECK(derive_governing(model, results, {CaseId(1), CaseId(0)}, resultant).value ==
+              doctest::Approx(5.0 / 8.0 * q * L));
+    }
+
     TEST_CASE("Of a large system the rows that matter are written, and they hold")
     {
         Model model = storey_frame(3, 4);
