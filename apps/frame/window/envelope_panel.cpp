@@ -42,11 +42,12 @@ void choose_cases(Session& session)
 /// The tables of the panel.
 class EnvelopeTables {
 public:
-    explicit EnvelopeTables(Session& session)
-        : session_(session),
-          units_(session.units()),
-          envelope_(*session.solution().results, envelope_cases(session.model(), session.results_view())),
-          numbers_(*session.solution().results, units_)
+    explicit EnvelopeTables(Workspace& workspace)
+        : workspace_(workspace),
+          session_(workspace.session),
+          units_(session_.units()),
+          envelope_(*session_.solution().results, envelope_cases(model(), session_.results_view())),
+          numbers_(*session_.solution().results, units_)
     {}
 
     void member_forces(MemberComponent component)
@@ -57,8 +58,12 @@ public:
         result_list(id.c_str(), headings(tr()("Member")), model().members.size(), [&](ResultRow& row, std::size_t i) {
             row.part(session_, MemberId(i), model().members[i].id);
             const GoverningExtremes found = envelope_.extremes(MemberId(i), component);
-            for (const GoverningExtreme& extreme : {found.max, found.min})
-                cells(row, {extreme.value, extreme.load_case}, measure);
+            for (const GoverningExtreme& extreme : {found.max, found.min}) {
+                const Curve curve = (*session_.solution().results)[extreme.load_case].curve(MemberId(i));
+                const MovingEffect effect = drawing::number_on_diagram(MemberId(i), curve, component, extreme.x,
+                                                                       extreme.value);
+                cells(row, {extreme.value, extreme.load_case}, measure, effect, MemberId(i));
+            }
         });
     }
 
@@ -74,7 +79,8 @@ public:
         result_list(id.c_str(), headings(tr()("Node")), supported.size(), [&](ResultRow& row, std::size_t i) {
             row.part(session_, supported[i], model()[supported[i]].id);
             const GoverningRange range = envelope_.reaction(supported[i], dof);
-            for (const Governing& bound : {range.max, range.min}) cells(row, bound, measure);
+            const MovingEffect effect{.quantity = ExpectedQuantity::Reaction, .node = supported[i], .dof = dof};
+            for (const Governing& bound : {range.max, range.min}) cells(row, bound, measure, effect, supported[i]);
         });
     }
 
@@ -86,12 +92,15 @@ private:
     {
         return {part, tr()("max"), tr()("Case") + "###of max", tr()("min"), tr()("Case") + "###of min"};
     }
-    void cells(ResultRow& row, const Governing& bound, ui::Measure measure)
+    void cells(ResultRow& row, const Governing& bound, ui::Measure measure, const MovingEffect& effect,
+               const Part& part)
     {
-        row.number(numbers_[bound.load_case].number(bound.value, measure));
+        row.number(workspace_, numbers_[bound.load_case].number(bound.value, measure),
+                   {.effect = effect, .of = bound.load_case}, part);
         row.name(model().case_name(bound.load_case));
     }
 
+    Workspace& workspace_;
     Session& session_;
     ui::DisplayUnits units_;
     Envelope envelope_;
@@ -107,7 +116,7 @@ void envelope_panel(Workspace& workspace)
     ImGui::TextDisabled("%s", tr("Envelope of").c_str());
     choose_cases(session);
     if (ui::wrapped_button(tr("Tables with places (F4)"), "tables")) workspace.bottom = {true, TableKind::Envelope};
-    EnvelopeTables tables(session);
+    EnvelopeTables tables(workspace);
     for (const MemberComponent component : section_force_components(session.model().analysis))
         tables.member_forces(component);
     for (const Dof dof : dof_list(session.model().analysis)) tables.reactions(dof);
