@@ -41,6 +41,7 @@ public:
         if (transform_.kind == TransformKind::Copy) count(tr_("times"), "times", transform_.times, {1, 100});
         if (transform_.kind == TransformKind::Rotate || transform_.kind == TransformKind::Mirror) {
             is_changed_ |= ImGui::Checkbox((tr_("a copy") + "###copy").c_str(), &transform_.keeps_original);
+            fields_.stops().add();
             ImGui::SameLine();
         }
         return is_changed_;
@@ -54,6 +55,7 @@ private:
         const std::array names{arc.c_str(), parabola.c_str()};
         ImGui::SetNextItemWidth(6.0F * ImGui::GetFontSize());
         is_changed_ |= ImGui::Combo("###curve", &curve, names.data(), static_cast<int>(names.size()));
+        fields_.stops().add();
         transform_.bend.curve = static_cast<femoop::BendCurve>(curve);
         ImGui::SameLine();
         femoop::Quantity rise(transform_.bend.rise);
@@ -82,6 +84,7 @@ private:
         int chosen = static_cast<int>(transform_.normal);
         ImGui::SetNextItemWidth(3.3F * ImGui::GetFontSize());
         is_changed_ |= ImGui::Combo("###normal", &chosen, names.data(), static_cast<int>(names.size()));
+        fields_.stops().add();
         transform_.normal = static_cast<WorkingPlane::Normal>(chosen);
         ImGui::SameLine();
     }
@@ -152,13 +155,17 @@ void transform_bar(Workspace& workspace, ui::NumberFields& fields)
     ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {0.5F * ImGui::GetFontSize(), 0.0F});
     const Transform before = *workspace.transform;
     const bool was_untouched = fields.is_untouched();
+    fields.stops().begin_window(); // what is typed here is no number of the panels
     if (TransformBar(workspace, fields).show() && change_transform(workspace)) workspace.transform = before;
     const bool is_left = was_untouched && !fields.is_typing();
-    const bool is_accepted = ImGui::Button((tr("Accept") + "###accept").c_str()) ||
-                             (is_left && is_pressed(ImGuiKey_Enter));
+    const bool accepts = ImGui::Button((tr("Accept") + "###accept").c_str());
+    fields.stops().add();
     ImGui::SameLine();
-    const bool is_cancelled = ImGui::Button((tr("Cancel") + "###cancel").c_str()) ||
-                              (is_left && is_pressed(ImGuiKey_Escape));
+    const bool cancels = ImGui::Button((tr("Cancel") + "###cancel").c_str());
+    fields.stops().add();
+    fields.stops().end_window();
+    const bool is_accepted = accepts || (is_left && is_pressed(ImGuiKey_Enter));
+    const bool is_cancelled = cancels || (is_left && is_pressed(ImGuiKey_Escape));
     ImGui::PopStyleVar();
     if (is_accepted) accept_transform(workspace);
     if (is_cancelled) cancel_transform(workspace);
