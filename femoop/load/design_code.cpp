@@ -222,6 +222,18 @@ private:
     std::set<std::pair<LimitState, std::vector<std::pair<std::uint32_t, double>>>> known_;
 };
 
+/// On a roof the imposed load acts neither with snow nor with wind.
+///
+/// Source   EN 1991-1-1:2002, 3.3.2(1)
+bool may_act_together(const Action& leading, Choice others)
+{
+    others.push_back(leading);
+    const auto has = [&](auto... ids) {
+        return std::ranges::any_of(others, [&](const Action& one) { return ((one.kind->id == ids) || ...); });
+    };
+    return !has("roof") || !has("snow", "snow-high", "wind");
+}
+
 /// Combinations with a leading variable action: NBR 8681 and EN 1990.
 class LeadingActions {
 public:
@@ -281,6 +293,7 @@ private:
             std::ranges::copy_if(choice, std::back_inserter(others),
                                  [&](const Action& other) { return &other != &leading; });
             for (const Choice& part : parts_of(others)) {
+                if (code_ == DesignCode::EN1990 && !may_act_together(leading, part)) continue;
                 Builder builder = begin(state, dead);
                 builder.lead(leading).add(leading, leads(state, *leading.kind));
                 for (const Action& other : part) builder.add(other, accompanies(state, *other.kind));

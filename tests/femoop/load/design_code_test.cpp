@@ -80,6 +80,14 @@ TEST_SUITE("design codes")
               Set{"G + 0.3 Q + 0.3 T", "G + 0.3 Q", "G + 0.3 T"});
     }
 
+    TEST_CASE("EN 1990: the imposed load on a roof acts neither with snow nor with wind")
+    {
+        const std::vector<Typed> roof{{"G", "permanent"}, {"H", "roof"}, {"S", "snow"}, {"W", "wind"}};
+        CHECK(written(DesignCode::EN1990, LimitState::Ultimate, roof) ==
+              Set{"1.35 G", "1.35 G + 1.5 H", "1.35 G + 1.5 S + 0.9 W", "1.35 G + 1.5 S", "1.35 G + 0.75 S + 1.5 W",
+                  "1.35 G + 1.5 W", "G + 1.5 H", "G + 1.5 S + 0.9 W", "G + 1.5 S", "G + 0.75 S + 1.5 W", "G + 1.5 W"});
+    }
+
     TEST_CASE("A limit state is called what the code calls it: characteristic, rare, allowable stress")
     {
         CHECK(short_name(DesignCode::EN1990, LimitState::Rare) == "SLS characteristic");
