@@ -60,6 +60,7 @@ public:
     void cut(const RitterCut& cut)
     {
         names("cut", cut.bars);
+        if (!cut.known.empty()) names("known", cut.known);
         names("part", cut.part);
         json_.key("equations").begin_array(Layout::Block);
         for (const CutEquation& equation : cut.equations) write_equation(equation);

@@ -88,6 +88,10 @@ std::string cut_sentence(const RitterCut& cut, const Model& model, const Transla
 {
     std::vector<std::string> joints;
     for (const NodeId joint : cut.part) joints.push_back(model[joint].id);
+    if (!cut.known.empty())
+        return femoop::fill(tr("The section cuts {0}, and {1}, known already; the part with {2} is in equilibrium."),
+                            {bars_text(cut.bars, model, tr), bars_text(cut.known, model, tr), listed(joints)},
+                            tr(translatable("and")));
     return femoop::fill(tr("The section cuts {0}; the part with {1} is in equilibrium."),
                         {bars_text(cut.bars, model, tr), listed(joints)}, tr(translatable("and")));
 }

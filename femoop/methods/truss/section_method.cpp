@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <tuple>
+#include <utility>
 
 #include "femoop/geometry/plane_vectors.h"
 
@@ -68,6 +70,8 @@ public:
         if (truss_.is_zero(equation.force)) equation.force = 0.0;
         return equation;
     }
+
+    const std::vector<MemberId>& known_bars() const { return known_bars_; }
 
 private:
     NodeId joint_inside(MemberId bar) const
@@ -171,11 +175,18 @@ std::optional<std::vector<bool>> sides_of(const Truss& truss, const std::vector<
     return is_first;
 }
 
-/// Few forces make short equations.
-std::vector<bool> better_side(const Truss& truss, const std::vector<bool>& is_first)
+/// Of a part the joints of the other.
+std::vector<bool> opposite(const Truss& truss, const std::vector<bool>& is_first)
 {
     std::vector<bool> is_second(is_first.size(), false);
     for (std::size_t i = 0; i < is_first.size(); ++i) is_second[i] = !is_first[i] && !truss.bars_at[i].empty();
+    return is_second;
+}
+
+/// Few forces make short equations.
+std::vector<bool> better_side(const Truss& truss, const std::vector<bool>& is_first)
+{
+    const std::vector<bool> is_second = opposite(truss, is_first);
     const auto n_forces = [&](const std::vector<bool>& is_inside) {
         return std::ranges::count_if(truss.forces, [&](const auto& force) { return is_inside[force.joint.index]; });
     };
@@ -197,6 +208,7 @@ RitterCut written(const Truss& truss, std::vector<MemberId> bars, const std::vec
     for (std::size_t i = 0; i < is_inside.size(); ++i)
         if (is_inside[i]) cut.part.emplace_back(i);
     const PartEquations equations(truss, is_inside, known);
+    cut.known = equations.known_bars();
     for (const MemberId bar : cut.bars)
         if (auto equation = equations.equation(bar)) cut.equations.push_back(std::move(*equation));
     return cut;
@@ -244,6 +256,53 @@ std::vector<bool> side_of_bridge(const Truss& truss, MemberId bridge, const std:
     return is_inside;
 }
 
+/// Of sections that find the first of their bars the one that a person would take.
+class EasiestCut {
+public:
+    EasiestCut(const Truss& truss, const KnownForces& known) : truss_(truss), known_(known) {}
+
+    void offer(const std::vector<MemberId>& bars, const std::vector<bool>& is_first)
+    {
+        const std::vector<bool> better = better_side(truss_, is_first);
+        for (const std::vector<bool>& is_inside : {better, opposite(truss_, better)}) {
+            const PartEquations equations(truss_, is_inside, known_);
+            const auto found = equations.equation(bars.front());
+            if (!found) continue;
+            const std::ptrdiff_t n_joints = std::ranges::count(is_inside, true);
+            const Effort effort{equations.known_bars().size(), n_joints == 1, joints_left_closed(bars.front()),
+                                found->shares.size(), n_joints};
+            if (!easiest_.empty() && effort_ <= effort) continue;
+            effort_ = effort;
+            easiest_ = bars;
+            is_inside_ = is_inside;
+        }
+    }
+    std::optional<RitterCut> cut() const
+    {
+        if (easiest_.empty()) return std::nullopt;
+        return written(truss_, easiest_, is_inside_, known_);
+    }
+
+private:
+    /// Bars of the cut that are known already, whether it goes around one joint, ends of the bar that is found whose other
+    /// bars two equations do not find, terms of the equation, joints of the part.
+    using Effort = std::tuple<std::size_t, bool, std::ptrdiff_t, std::size_t, std::ptrdiff_t>;
+
+    std::ptrdiff_t joints_left_closed(MemberId bar) const
+    {
+        return std::ranges::count_if(truss_[bar].joints, [&](NodeId joint) {
+            return std::ranges::count_if(truss_.bars_at[joint.index],
+                                         [&](MemberId other) { return other != bar && !known_[other.index]; }) > 2;
+        });
+    }
+
+    const Truss& truss_;
+    const KnownForces& known_;
+    std::vector<MemberId> easiest_;
+    std::vector<bool> is_inside_;
+    Effort effort_;
+};
+
 } // namespace
 
 std::optional<Refusal> why_no_cut(const Truss& truss, const std::vector<MemberId>& bars)
@@ -271,6 +330,7 @@ std::optional<RitterCut> cut_through_unknown(const Truss& truss, const KnownForc
     std::vector<MemberId> unknown;
     for (std::size_t i = 0; i < truss.bars.size(); ++i)
         if (!known[i]) unknown.emplace_back(i);
+    EasiestCut easiest(truss, known);
     for (std::size_t i = 0; i < unknown.size(); ++i)
         for (std::size_t j = i + 1; j < unknown.size(); ++j) {
             std::vector<MemberId> kept = unknown;
@@ -280,12 +340,12 @@ std::optional<RitterCut> cut_through_unknown(const Truss& truss, const KnownForc
             for (const MemberId bar : kept) is_kept[bar.index] = true;
             const Bridges bridges(truss, [&](MemberId bar) { return is_kept[bar.index]; });
             for (const MemberId bridge : bridges.all()) {
-                const std::vector<bool> is_inside = better_side(truss, side_of_bridge(truss, bridge, kept));
-                if (PartEquations(truss, is_inside, known).equation(bridge))
-                    return written(truss, {bridge, unknown[i], unknown[j]}, is_inside, known);
+                const std::vector<MemberId> bars{bridge, unknown[i], unknown[j]};
+                const auto sides = sides_of(truss, bars); // nothing where known bars hold the parts together
+                easiest.offer(bars, sides ? *sides : side_of_bridge(truss, bridge, kept));
             }
         }
-    return std::nullopt;
+    return easiest.cut();
 }
 
 } // namespace femoop::truss

@@ -31,7 +31,8 @@ struct CutEquation {
 /// A cut through bars that parts the truss in two.
 struct RitterCut {
     std::vector<MemberId> bars;
-    std::vector<NodeId> part; ///< whose equilibrium is written: the one with fewer forces, of two alike the left
+    std::vector<MemberId> known; ///< bars that it goes through as well, whose forces are known
+    std::vector<NodeId> part;    ///< whose equilibrium is written: the one with fewer forces, of two alike the left
     std::vector<CutEquation> equations; ///< of the bars that can be found, in the order of `bars`
 };
 
@@ -45,7 +46,9 @@ std::optional<Refusal> why_no_cut(const Truss& truss, const std::vector<MemberId
 /// Lesson  courseware/04-a-truss-by-three-methods.md
 RitterCut ritter_cut(const Truss& truss, const std::vector<MemberId>& bars);
 
-/// A section that finds a bar where no joint has fewer than three unknown bars; nothing in a complex truss.
+/// A section that finds a bar where no joint has fewer than three unknown bars: of all such one that goes through the
+/// fewest known bars, of alike ones rather not around a single joint, then one whose bar lets its joints be solved, then
+/// that whose equation has the fewest terms; nothing in a complex truss.
 std::optional<RitterCut> cut_through_unknown(const Truss& truss, const KnownForces& known);
 
 } // namespace femoop::truss

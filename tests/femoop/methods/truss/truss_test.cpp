@@ -234,6 +234,7 @@ TEST_CASE("A Fink truss, where joint by joint comes to a stop, goes on by a sect
     const CutEquation& equation = section->cut->equations.front();
     REQUIRE(equation.ritter_point);
     CHECK((*equation.ritter_point - Eigen::Vector2d(8.0, 4.0)).norm() < 1e-9); // the ridge
+    CHECK(section->cut->known.empty());
     CHECK(equation.force == doctest::Approx(truss[tie].force));
 }
 
