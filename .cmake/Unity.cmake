@@ -16,62 +16,12 @@ foreach(target IN ITEMS drawing femoop frame_view)
   endif()
 endforeach()
 
-cremona_compile_alone(femoop
-  femoop/analysis/compatibility.cpp
-  femoop/io/cross/cross_block.cpp
-  femoop/io/cross/half_text.cpp
-  femoop/io/cross/other_methods.cpp
-  femoop/io/cross/sheet_check.cpp
-  femoop/io/json/text_place.cpp
-  femoop/io/results/solver_trace_text.cpp
-  femoop/methods/cross/exercise/form.cpp
-  femoop/methods/cross/props.cpp
-  femoop/methods/cross/slope_deflection.cpp
-  femoop/methods/cross/superposition.cpp
-  femoop/methods/mohr/criterion.cpp
-  femoop/methods/mohr/locus.cpp
-  femoop/methods/mohr/plane_state.cpp
-  femoop/methods/mohr/space_construction.cpp
-  femoop/methods/mohr/typed_components.cpp
-  femoop/model/expected.cpp
-  femoop/result/envelope.cpp
-  femoop/result/expression.cpp
-  femoop/section/section_properties.cpp
-  femoop/solver/cholmod_solver.cpp
-  femoop/solver/multifrontal/front_factorization.cpp
-  femoop/solver/multifrontal/front_memory.cpp
-  femoop/solver/multifrontal/front_solution.cpp
-  femoop/solver/precise_solver.cpp
-  femoop/solver/solver_kind.cpp
-  femoop/solver/trace/column_counts.cpp
-  femoop/solver/trace/elimination_walk.cpp
-  femoop/typical/space_frames.cpp)
-cremona_compile_alone(drawing
-  apps/drawing/results/diagram.cpp
-  apps/drawing/structure/space_supports.cpp)
-cremona_compile_alone(frame_view
-  apps/frame/view/solver/factor_pictures.cpp
-  apps/frame/view/solver/solver_scene.cpp
-  apps/frame/view/solver/structure_walk.cpp)
 cremona_compile_alone(frame_session apps/frame/session/other_programs.cpp)
-cremona_compile_alone(test_frame_session
-  tests/apps/frame/named_sets_test.cpp
-  tests/apps/frame/other_programs_test.cpp
-  tests/apps/frame/predict_commands_test.cpp
-  tests/apps/frame/section_draft_test.cpp
-  tests/apps/frame/session_test.cpp
-  tests/apps/frame/solver_show_test.cpp)
-cremona_compile_alone(test_frame_model tests/apps/frame/tools_test.cpp)
+cremona_compile_alone(test_frame_session tests/apps/frame/other_programs_test.cpp)
 cremona_compile_alone(test_frame_predict tests/apps/frame_predict/score_test.cpp)
-cremona_compile_alone(test_drawing tests/apps/drawing/results_test.cpp)
 cremona_compile_alone(test_femoop_analysis
   tests/femoop/analysis/long_chain_test.cpp
   tests/femoop/analysis/trace_test.cpp)
-cremona_compile_alone(test_femoop_cross
-  tests/femoop/analysis/random_structure.cpp
-  tests/femoop/methods/cross/refusal_test.cpp
-  tests/femoop/methods/cross/staged_test.cpp
-  tests/femoop/methods/cross/symmetry_test.cpp)
 cremona_compile_alone(test_femoop_element
   tests/femoop/element/element_contract_test.cpp
   tests/femoop/element/joint_condensation_test.cpp)

@@ -11,9 +11,9 @@ namespace femoop {
 
 namespace {
 
-constexpr double strainless = 1e-8; // of the largest turn: what bent rods, drawn straight, leave is more
-constexpr double rounding = 1e-13;  // of the terms of a strain that cancel
-constexpr double no_energy = 1e-14; // of the scaled A' A: a free motion leaves less
+constexpr double strainless = 1e-8;       // of the largest turn: what bent rods, drawn straight, leave is more
+constexpr double strain_rounding = 1e-13; // of the terms of a strain that cancel
+constexpr double no_energy = 1e-14;       // of the scaled A' A: a free motion leaves less
 
 /// Rows of a sparse matrix over all unknowns, one after the other.
 class RowList {
@@ -48,16 +48,16 @@ private:
 };
 
 /// Counts displacements in the structure's size beside rotations.
-class Unit {
+class RotationUnit {
 public:
-    explicit Unit(double size) : size_(size) {}
+    explicit RotationUnit(double size) : size_(size) {}
     double operator()(auto axis) const { return is_rotation(axis) ? 1.0 : 1.0 / size_; }
 
 private:
     double size_;
 };
 
-void add_supports(const Assembler& assembler, const Unit& unit, RowList& strains)
+void add_supports(const Assembler& assembler, const RotationUnit& unit, RowList& strains)
 {
     const std::span<const Dof> dofs = model_dofs(assembler.structure().kind);
     for (const Discretisation::SupportRow& support : assembler.structure().supports)
@@ -77,7 +77,7 @@ void add_restraints(const ArtificialRestraints& restraints, RowList& strains)
     for (const MemberEndRestraint& end : restraints.member_ends) strains.add(end.equation, 1.0);
 }
 
-RowList strains_of(const Assembler& assembler, const ArtificialRestraints& restraints, const Unit& unit)
+RowList strains_of(const Assembler& assembler, const ArtificialRestraints& restraints, const RotationUnit& unit)
 {
     RowList strains;
     for (std::size_t i = 0; i < assembler.elements().size(); ++i)
@@ -88,7 +88,7 @@ RowList strains_of(const Assembler& assembler, const ArtificialRestraints& restr
 }
 
 /// Of chords of members, of nodes and of members' ends.
-RowList turns_of(const Assembler& assembler, const Unit& unit)
+RowList turns_of(const Assembler& assembler, const RotationUnit& unit)
 {
     RowList turns;
     const Discretisation& structure = assembler.structure();
@@ -110,7 +110,7 @@ RowList turns_of(const Assembler& assembler, const Unit& unit)
 Compatibility::Compatibility(const Assembler& assembler, const ArtificialRestraints& restraints)
 {
     const std::size_t n_unknowns = assembler.equations().n_unknowns();
-    const Unit unit(assembler.structure().size());
+    const RotationUnit unit(assembler.structure().size());
     const RowList strains = strains_of(assembler, restraints, unit);
     strains_ = strains.matrix(n_unknowns);
     largest_strain_ = strains.largest_entry();
@@ -129,7 +129,7 @@ bool Compatibility::is_free(const Eigen::VectorXd& x) const
     const Eigen::ArrayXd strain = (strains_ * x).cwiseAbs();
     const Eigen::ArrayXd terms = magnitudes_ * x.cwiseAbs();
     const double turn = (turns_ * x).cwiseAbs().maxCoeff();
-    return (strain <= strainless * turn + rounding * terms).all();
+    return (strain <= strainless * turn + strain_rounding * terms).all();
 }
 
 } // namespace femoop

@@ -9,14 +9,14 @@ namespace femoop {
 
 namespace {
 
-using Names = std::array<std::string_view, n_member_components>;
-constexpr Names names_3d{"N", "Vy", "Vz", "T", "My", "Mz", "u", "v", "w"};
-constexpr Names names_plane{"N", "V", "", "", "", "M", "u", "v", ""};
-constexpr Names names_grillage{"", "V", "", "T", "", "M", "", "v", ""};
+using ComponentNames = std::array<std::string_view, n_member_components>;
+constexpr ComponentNames names_in_space{"N", "Vy", "Vz", "T", "My", "Mz", "u", "v", "w"};
+constexpr ComponentNames names_plane{"N", "V", "", "", "", "M", "u", "v", ""};
+constexpr ComponentNames names_grillage{"", "V", "", "T", "", "M", "", "v", ""};
 
-const Names& names(AnalysisKind kind)
+const ComponentNames& component_names(AnalysisKind kind)
 {
-    if (is_3d(kind)) return names_3d;
+    if (is_3d(kind)) return names_in_space;
     return kind == AnalysisKind::Grillage ? names_grillage : names_plane;
 }
 
@@ -34,7 +34,7 @@ bool is_displacement(MemberComponent component)
 
 std::string_view name(MemberComponent component, AnalysisKind kind)
 {
-    return names(kind)[static_cast<std::size_t>(component)];
+    return component_names(kind)[static_cast<std::size_t>(component)];
 }
 
 std::optional<MemberComponent> find_member_component(std::string_view text, AnalysisKind kind)

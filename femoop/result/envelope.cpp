@@ -35,7 +35,7 @@ std::vector<Place> places(const std::vector<Curve>& curves, std::size_t n)
     return all;
 }
 
-void take(GoverningRange& range, double value, CaseId load_case, bool is_first)
+void widen(GoverningRange& range, double value, CaseId load_case, bool is_first)
 {
     if (is_first || value > range.max.value) range.max = {value, load_case};
     if (is_first || value < range.min.value) range.min = {value, load_case};
@@ -53,7 +53,7 @@ Envelope::Envelope(Results results, std::vector<CaseId> cases) : results_(std::m
 template <class Value> GoverningRange Envelope::range(const Value& value) const
 {
     GoverningRange range;
-    for (const CaseId id : cases_) take(range, value(results_[id]), id, id == cases_.front());
+    for (const CaseId id : cases_) widen(range, value(results_[id]), id, id == cases_.front());
     return range;
 }
 
@@ -95,7 +95,7 @@ std::vector<EnvelopeStation> Envelope::stations(MemberId member, const std::vect
         EnvelopeStation station{place.x, place.side, std::vector<GoverningRange>(components.size())};
         for (std::size_t i = 0; i < components.size(); ++i)
             for (std::size_t c = 0; c < curves.size(); ++c)
-                take(station.ranges[i], curves[c].value(components[i], place.x, place.side), cases_[c], c == 0);
+                widen(station.ranges[i], curves[c].value(components[i], place.x, place.side), cases_[c], c == 0);
         stations.push_back(std::move(station));
     }
     return stations;

@@ -11,8 +11,8 @@ namespace femoop {
 
 namespace {
 
-constexpr std::size_t most_terms = 6; // a solution without foundation has degree five at most
-constexpr double noise = 1e-11;       // of the largest term on the member
+constexpr std::size_t most_terms_written = 6; // a solution without foundation has degree five at most
+constexpr double expression_noise = 1e-11;    // of the largest term on the member
 constexpr double series_noise = 1e-8; // a power series carries the round-off of the member's ends on through its terms
 
 /// The same polynomial of x = t + begin.
@@ -35,7 +35,7 @@ void drop_noise(Expression& of, double length)
     }
     power = 1.0;
     for (double& c : of.coefficients) {
-        if (std::abs(c) * power <= (of.is_series ? series_noise : noise) * largest) c = 0.0;
+        if (std::abs(c) * power <= (of.is_series ? series_noise : expression_noise) * largest) c = 0.0;
         power *= length;
     }
     while (!of.coefficients.empty() && of.coefficients.back() == 0.0) of.coefficients.pop_back();
@@ -43,7 +43,7 @@ void drop_noise(Expression& of, double length)
 
 std::string_view power_text(std::size_t power)
 {
-    static constexpr std::array<std::string_view, most_terms> texts{"", " x", " x²", " x³", " x⁴", " x⁵"};
+    static constexpr std::array<std::string_view, most_terms_written> texts{"", " x", " x²", " x³", " x⁴", " x⁵"};
     return texts.at(power);
 }
 
@@ -62,7 +62,7 @@ std::string term_text(double size, std::size_t power, int digits)
 
 Expression expression(const Polynomial& p, double from, double to, double length)
 {
-    Expression of{from, to, shifted(p, from), p.n_terms() > most_terms};
+    Expression of{from, to, shifted(p, from), p.n_terms() > most_terms_written};
     drop_noise(of, length);
     return of;
 }
@@ -80,7 +80,7 @@ bool go_on(const Expression& a, const Expression& b, double length)
         apart = std::max(apart, std::abs(at(a, i) - at(b, i)) * power);
         power *= length;
     }
-    return apart <= noise * largest;
+    return apart <= expression_noise * largest;
 }
 
 std::vector<Expression> expressions(const Curve& curve, MemberComponent component)
@@ -98,7 +98,7 @@ std::vector<Expression> expressions(const Curve& curve, MemberComponent componen
 std::string text(const Expression& expression, int digits)
 {
     std::ostringstream line;
-    const std::size_t n = std::min(expression.coefficients.size(), most_terms);
+    const std::size_t n = std::min(expression.coefficients.size(), most_terms_written);
     for (std::size_t i = 0; i < n; ++i) {
         const double c = expression.coefficients[i];
         if (c == 0.0) continue;

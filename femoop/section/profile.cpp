@@ -72,7 +72,7 @@ constexpr HollowRow rhs_rows[] = {
 
 constexpr double mm = 10.0;     // in a cm
 constexpr double steel = 0.785; // kg/m of a cm^2
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 constexpr double square(double x) { return x * x; }
 constexpr double cube(double x) { return x * x * x; }
 

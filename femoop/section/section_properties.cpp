@@ -17,9 +17,9 @@ namespace femoop {
 
 namespace {
 
-constexpr double pi = std::numbers::pi;
-constexpr double square(double x) { return x * x; }
-constexpr double cube(double x) { return x * x * x; }
+using std::numbers::pi;
+constexpr double squared(double x) { return x * x; }
+constexpr double cubed(double x) { return x * x * x; }
 
 double rectangle_torsion(double b, double h)
 {
@@ -30,15 +30,15 @@ double rectangle_torsion(double b, double h)
     constexpr double zeta_5 = 1.0369277551433699263;
     double sum = 31.0 / 32.0 * zeta_5;
     for (int n = 1; n <= 11; n += 2) sum -= 2.0 / (std::pow(n, 5) * (std::exp(n * pi * a / c) + 1.0));
-    return a * cube(c) * (1.0 / 3.0 - 64.0 * c * sum / (std::pow(pi, 5) * a));
+    return a * cubed(c) * (1.0 / 3.0 - 64.0 * c * sum / (std::pow(pi, 5) * a));
 }
 
-SectionProperties rectangle(double b, double h)
+SectionProperties rectangle_properties(double b, double h)
 {
     const double A = b * h;
     return {.A = A,
-            .Iy = h * cube(b) / 12.0,
-            .Iz = b * cube(h) / 12.0,
+            .Iy = h * cubed(b) / 12.0,
+            .Iz = b * cubed(h) / 12.0,
             .J = rectangle_torsion(b, h),
             .Asy = 5.0 / 6.0 * A,
             .Asz = 5.0 / 6.0 * A,
@@ -46,15 +46,15 @@ SectionProperties rectangle(double b, double h)
             .yc = h / 2.0,
             .b = b,
             .zc = b / 2.0,
-            .Wy = h * square(b) / 6.0,
-            .Wz = b * square(h) / 6.0};
+            .Wy = h * squared(b) / 6.0,
+            .Wz = b * squared(h) / 6.0};
 }
 
 /// A ring of outer diameter d; t = d/2 makes the full circle.
-SectionProperties ring(double d, double t, double shear_factor)
+SectionProperties ring_properties(double d, double t, double shear_factor)
 {
     const double A = pi * t * (d - t);
-    const double I = A / 16.0 * (square(d) + square(d - 2.0 * t));
+    const double I = A / 16.0 * (squared(d) + squared(d - 2.0 * t));
     const double As = shear_factor * A;
     const double W = 2.0 * I / d;
     const double r = d / 2.0;
@@ -76,12 +76,12 @@ SectionProperties box(double b, double h, double t)
 {
     const double bi = b - 2.0 * t;
     const double hi = h - 2.0 * t;
-    const double Iy = (h * cube(b) - hi * cube(bi)) / 12.0;
-    const double Iz = (b * cube(h) - bi * cube(hi)) / 12.0;
+    const double Iy = (h * cubed(b) - hi * cubed(bi)) / 12.0;
+    const double Iz = (b * cubed(h) - bi * cubed(hi)) / 12.0;
     return {.A = 2.0 * t * (b + h - 2.0 * t),
             .Iy = Iy,
             .Iz = Iz,
-            .J = 2.0 * t * square((b - t) * (h - t)) / (b + h - 2.0 * t),
+            .J = 2.0 * t * squared((b - t) * (h - t)) / (b + h - 2.0 * t),
             .Asy = 2.0 * h * t,
             .Asz = 2.0 * b * t,
             .h = h,
@@ -93,29 +93,29 @@ SectionProperties box(double b, double h, double t)
 }
 
 /// One straight part of an open shape; y from the -y' fibre, z from the -z' fibre.
-struct Part {
+struct RectanglePart {
     double y, z;   ///< its centre
     double dy, dz; ///< its sides along y' and z'
 };
 
 /// All of an open shape but its shear areas.
-SectionProperties built_up(std::span<const Part> parts, double h, double b)
+SectionProperties built_up(std::span<const RectanglePart> parts, double h, double b)
 {
     SectionProperties s;
     double y = 0.0;
     double z = 0.0;
-    for (const Part& p : parts) {
+    for (const RectanglePart& p : parts) {
         s.A += p.dy * p.dz;
         y += p.dy * p.dz * p.y;
         z += p.dy * p.dz * p.z;
-        s.J += std::max(p.dy, p.dz) * cube(std::min(p.dy, p.dz)) / 3.0;
+        s.J += std::max(p.dy, p.dz) * cubed(std::min(p.dy, p.dz)) / 3.0;
     }
     y /= s.A;
     z /= s.A;
-    for (const Part& p : parts) {
+    for (const RectanglePart& p : parts) {
         const double area = p.dy * p.dz;
-        s.Iz += area * (square(p.dy) / 12.0 + square(p.y - y));
-        s.Iy += area * (square(p.dz) / 12.0 + square(p.z - z));
+        s.Iz += area * (squared(p.dy) / 12.0 + squared(p.y - y));
+        s.Iy += area * (squared(p.dz) / 12.0 + squared(p.z - z));
         s.Iyz += area * (p.y - y) * (p.z - z);
     }
     s.h = h;
@@ -134,18 +134,19 @@ SectionProperties with_shear_areas(SectionProperties s, double Asy, double Asz)
     return s;
 }
 
-struct Flanged {
+struct FlangedShape {
     double h, bf, tf, tw;
 };
 
-double web_area(const Flanged& f) { return f.h * f.tw; }
-double flange_area(const Flanged& f) { return 5.0 / 6.0 * f.bf * f.tf; }
+double web_area(const FlangedShape& f) { return f.h * f.tw; }
+double flange_area(const FlangedShape& f) { return 5.0 / 6.0 * f.bf * f.tf; }
 
 /// i and c differ in where the web stands: its centre is at z.
-SectionProperties two_flanges(const Flanged& f, double z)
+SectionProperties two_flanges(const FlangedShape& f, double z)
 {
-    const std::array parts{Part{f.h - f.tf / 2.0, f.bf / 2.0, f.tf, f.bf}, Part{f.h / 2.0, z, f.h - 2.0 * f.tf, f.tw},
-                           Part{f.tf / 2.0, f.bf / 2.0, f.tf, f.bf}};
+    const std::array parts{RectanglePart{f.h - f.tf / 2.0, f.bf / 2.0, f.tf, f.bf},
+                           RectanglePart{f.h / 2.0, z, f.h - 2.0 * f.tf, f.tw},
+                           RectanglePart{f.tf / 2.0, f.bf / 2.0, f.tf, f.bf}};
     SectionProperties s = built_up(parts, f.h, f.bf);
     s.yc = f.h / 2.0; // symmetric: no rounding may say otherwise
     s.Wz = 2.0 * s.Iz / f.h;
@@ -153,25 +154,26 @@ SectionProperties two_flanges(const Flanged& f, double z)
     return with_shear_areas(s, web_area(f), 2.0 * flange_area(f));
 }
 
-SectionProperties tee(const Flanged& f)
+SectionProperties tee_properties(const FlangedShape& f)
 {
     const double stem = f.h - f.tf;
-    const std::array parts{Part{f.h - f.tf / 2.0, f.bf / 2.0, f.tf, f.bf}, Part{stem / 2.0, f.bf / 2.0, stem, f.tw}};
+    const std::array parts{RectanglePart{f.h - f.tf / 2.0, f.bf / 2.0, f.tf, f.bf},
+                           RectanglePart{stem / 2.0, f.bf / 2.0, stem, f.tw}};
     SectionProperties s = built_up(parts, f.h, f.bf);
     s.Iyz = 0.0;
     return with_shear_areas(s, web_area(f), flange_area(f));
 }
 
-SectionProperties angle(double h, double b, double t)
+SectionProperties angle_properties(double h, double b, double t)
 {
-    const std::array parts{Part{h / 2.0, t / 2.0, h, t}, Part{t / 2.0, (b + t) / 2.0, t, b - t}};
+    const std::array parts{RectanglePart{h / 2.0, t / 2.0, h, t}, RectanglePart{t / 2.0, (b + t) / 2.0, t, b - t}};
     return with_shear_areas(built_up(parts, h, b), 5.0 / 6.0 * h * t, 5.0 / 6.0 * b * t);
 }
 
-SectionProperties scaled(SectionProperties s, double k)
+SectionProperties scaled_properties(SectionProperties s, double k)
 {
-    const double k2 = square(k);
-    for (double* I : {&s.Iy, &s.Iz, &s.J, &s.Iyz}) *I *= square(k2);
+    const double k2 = squared(k);
+    for (double* I : {&s.Iy, &s.Iz, &s.J, &s.Iyz}) *I *= squared(k2);
     for (std::optional<double>* W : {&s.Wy, &s.Wz})
         if (*W) **W *= k2 * k;
     for (std::optional<double>* As : {&s.Asy, &s.Asz})
@@ -185,7 +187,7 @@ SectionProperties scaled(SectionProperties s, double k)
 /// As of the shape that the profile is like: i, c, l, tube or box.
 SectionProperties with_shear_areas(const SectionProperties& s, const Profile& p)
 {
-    const Flanged f{p.h, p.bf, p.tf, p.tw};
+    const FlangedShape f{p.h, p.bf, p.tf, p.tw};
     switch (p.family) {
     case ProfileFamily::L: return with_shear_areas(s, 5.0 / 6.0 * p.h * p.tw, 5.0 / 6.0 * p.bf * p.tf);
     case ProfileFamily::CHS: return with_shear_areas(s, 0.5 * p.A, 0.5 * p.A);
@@ -203,7 +205,7 @@ SectionProperties with_shear_areas(const SectionProperties& s, const Profile& p)
     return with_shear_areas(s, web_area(f), 2.0 * flange_area(f));
 }
 
-SectionProperties of_profile(const std::string& text, const Units& units)
+SectionProperties profile_properties(const std::string& text, const Units& units)
 {
     const Profile* profile = find_profile(text);
     if (profile == nullptr) throw std::invalid_argument("no profile \"" + text + "\"");
@@ -220,7 +222,7 @@ SectionProperties of_profile(const std::string& text, const Units& units)
                                                   .Wy = p.Wy,
                                                   .Wz = p.Wz},
                                                  p);
-    return p.unit == units.length ? s : scaled(s, metres(p.unit) / metres(units.length));
+    return p.unit == units.length ? s : scaled_properties(s, metres(p.unit) / metres(units.length));
 }
 
 void override_depth(SectionProperties& s, const Section& section)
@@ -240,15 +242,15 @@ void override_depth(SectionProperties& s, const Section& section)
 SectionProperties shape_properties(const SectionShape& shape)
 {
     if (const auto fault = why_not(shape)) throw std::invalid_argument(message(*fault));
-    const auto flanged = [&] { return Flanged{.h = *shape.h, .bf = *shape.bf, .tf = *shape.tf, .tw = *shape.tw}; };
+    const auto flanged = [&] { return FlangedShape{.h = *shape.h, .bf = *shape.bf, .tf = *shape.tf, .tw = *shape.tw}; };
     switch (shape.kind) {
-    case SectionShapeKind::Rectangle: return rectangle(*shape.b, *shape.h);
-    case SectionShapeKind::Circle: return ring(*shape.d, *shape.d / 2.0, 0.9);
-    case SectionShapeKind::Tube: return ring(*shape.d, *shape.t, 0.5);
+    case SectionShapeKind::Rectangle: return rectangle_properties(*shape.b, *shape.h);
+    case SectionShapeKind::Circle: return ring_properties(*shape.d, *shape.d / 2.0, 0.9);
+    case SectionShapeKind::Tube: return ring_properties(*shape.d, *shape.t, 0.5);
     case SectionShapeKind::Box: return box(*shape.b, *shape.h, *shape.t);
     case SectionShapeKind::I: return two_flanges(flanged(), *shape.bf / 2.0);
-    case SectionShapeKind::T: return tee(flanged());
-    case SectionShapeKind::L: return angle(*shape.h, *shape.b, *shape.t);
+    case SectionShapeKind::T: return tee_properties(flanged());
+    case SectionShapeKind::L: return angle_properties(*shape.h, *shape.b, *shape.t);
     case SectionShapeKind::C: return two_flanges(flanged(), *shape.tw / 2.0);
     }
     throw std::invalid_argument("no such shape");
@@ -272,7 +274,7 @@ SectionProperties section_properties(const Section& section, const Units& units)
 {
     SectionProperties s;
     if (section.shape) s = shape_properties(*section.shape);
-    else if (section.profile) s = of_profile(*section.profile, units);
+    else if (section.profile) s = profile_properties(*section.profile, units);
     if (section.turned) s = turned(s);
 
     if (section.A) s.A = *section.A;

@@ -12,7 +12,7 @@ namespace femoop {
 
 namespace {
 
-constexpr double worth_threads = 2e10; // operations, see courseware/decisions/0008-threads-where-they-pay.md
+constexpr double worth_blas_threads = 2e10; // operations, see courseware/decisions/0008-threads-where-they-pay.md
 
 class CholmodSolver final : public SymmetricSolver {
 public:
@@ -36,7 +36,7 @@ private:
 
     std::optional<SerialBlas> serial_where_faster() const
     {
-        return session_.common.fl < worth_threads ? std::optional<SerialBlas>(std::in_place) : std::nullopt;
+        return session_.common.fl < worth_blas_threads ? std::optional<SerialBlas>(std::in_place) : std::nullopt;
     }
 
     mutable CholmodSession session_; // workspace, no state

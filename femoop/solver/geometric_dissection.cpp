@@ -17,7 +17,7 @@ namespace {
 
 constexpr std::size_t smallest_part = 4; // such few blocks are eliminated as they come
 constexpr double slanted = 0.97;
-constexpr std::size_t worth_threads = 10000;      // blocks, whose halves are then cut at the same time
+constexpr std::size_t worth_two_halves = 10000;   // blocks, whose halves are then cut at the same time
 constexpr std::int32_t first_of_others = 1 << 29; // cut of a second half
 
 /// Distances of neighbours along each axis.
@@ -142,7 +142,7 @@ private:
         const auto above = std::stable_partition(blocks.begin(), separator, is_below);
         for (const std::int32_t block : std::span(separator, blocks.end())) set_mark(block, Space::unmarked);
         if (level == 0) result_.first_cut = static_cast<std::size_t>(blocks.end() - separator);
-        if (level == 0 && blocks.size() >= worth_threads) {
+        if (level == 0 && blocks.size() >= worth_two_halves) {
             dissect_together({blocks.begin(), above}, {above, separator});
         } else {
             dissect({blocks.begin(), above}, level + 1);

@@ -10,11 +10,11 @@ static DoubleDouble sqrt(DoubleDouble x) { return std::sqrt(x.hi); }
 
 namespace {
 
-constexpr int most_steps = 60;
-constexpr double finished = 1e-44;     // of the strain energy: the correction changes nothing any more
-constexpr double satisfactory = 1e-20; // where rounding of 32 digits ends the corrections sooner
-constexpr double halting = 0.1;        // of the energy of the correction before: less than that is progress
-constexpr double most_work = 2e9;      // of a factorization: it takes some ten seconds
+constexpr int most_precise_steps = 60;
+constexpr double finished = 1e-44;        // of the strain energy: the correction changes nothing any more
+constexpr double satisfactory = 1e-20;    // where rounding of 32 digits ends the corrections sooner
+constexpr double halting = 0.1;           // of the energy of the correction before: less than that is progress
+constexpr double most_precise_work = 2e9; // of a factorization: it takes some ten seconds
 
 /// The work that each column of R does on that of D.
 Eigen::ArrayXd energies(const PreciseMatrix& D, const PreciseMatrix& R)
@@ -46,7 +46,7 @@ std::optional<PreciseMatrix> PreciseSolver::refined(const PreciseMatrix& B, Corr
     PreciseMatrix X = PreciseMatrix::Zero(B.rows(), B.cols());
     PreciseMatrix R = B;
     Eigen::ArrayXd whole, before;
-    for (int step = 0; step < most_steps; ++step) {
+    for (int step = 0; step < most_precise_steps; ++step) {
         const PreciseMatrix D = correction(R);
         const Eigen::ArrayXd energy = energies(D, R);
         if (step == 0) whole = energy;
@@ -66,7 +66,7 @@ bool PreciseSolver::factorize()
     if (is_positive_) return *is_positive_;
     is_positive_ = false;
     factorization_.analyzePattern(K_);
-    if (factorization_.work() > most_work) return false;
+    if (factorization_.work() > most_precise_work) return false;
     factorization_.factorize(K_);
     is_positive_ = factorization_.info() == Eigen::Success && (rounded(factorization_.vectorD()).array() > 0.0).all();
     return *is_positive_;

@@ -8,15 +8,15 @@ namespace femoop {
 
 namespace {
 
-struct Named {
+struct NamedSolver {
     SolverKind kind;
     std::string_view name;
 };
-constexpr std::array<Named, 5> named{{{SolverKind::Automatic, "automatic"},
-                                      {SolverKind::Multifrontal, "multifrontal"},
-                                      {SolverKind::Skyline, "skyline"},
-                                      {SolverKind::Ldlt, "ldlt"},
-                                      {SolverKind::Cholmod, "cholmod"}}};
+constexpr std::array<NamedSolver, 5> named{{{SolverKind::Automatic, "automatic"},
+                                            {SolverKind::Multifrontal, "multifrontal"},
+                                            {SolverKind::Skyline, "skyline"},
+                                            {SolverKind::Ldlt, "ldlt"},
+                                            {SolverKind::Cholmod, "cholmod"}}};
 
 } // namespace
 
@@ -25,21 +25,21 @@ bool is_available(SolverKind kind) { return kind != SolverKind::Cholmod || has_c
 std::vector<SolverKind> available_solvers()
 {
     std::vector<SolverKind> kinds;
-    for (const Named& each : named)
+    for (const NamedSolver& each : named)
         if (is_available(each.kind)) kinds.push_back(each.kind);
     return kinds;
 }
 
 std::string_view name(SolverKind kind)
 {
-    for (const Named& each : named)
+    for (const NamedSolver& each : named)
         if (each.kind == kind) return each.name;
     return {};
 }
 
 std::optional<SolverKind> solver_named(std::string_view name)
 {
-    for (const Named& each : named)
+    for (const NamedSolver& each : named)
         if (each.name == name && is_available(each.kind)) return each.kind;
     return std::nullopt;
 }

@@ -9,7 +9,7 @@ namespace femoop {
 
 namespace {
 
-SupportKind support_of(Base base) { return base == Base::Fixed ? SupportKind::Fixed : SupportKind::Pin; }
+SupportKind foot_support(Base base) { return base == Base::Fixed ? SupportKind::Fixed : SupportKind::Pin; }
 
 /// The joints of a floor, row by row along x.
 class Floor {
@@ -52,7 +52,7 @@ Model SpaceFrame::model() const
     require_positive("storey", storey);
     Sketch sketch("Space frame", AnalysisKind::Frame3d);
     Floor below(sketch, *this, 0);
-    for (const NodeId foot : below.nodes()) sketch.support(foot, support_of(base));
+    for (const NodeId foot : below.nodes()) sketch.support(foot, foot_support(base));
     for (int level = 1; level <= storeys; ++level) {
         const Floor floor(sketch, *this, level);
         for (std::size_t i = 0; i < floor.nodes().size(); ++i) sketch.member(below.nodes()[i], floor.nodes()[i]);

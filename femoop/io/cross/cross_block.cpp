@@ -11,7 +11,7 @@ namespace femoop::cross {
 
 namespace {
 
-constexpr double most_digits = 16.0;
+constexpr double most_digits_typed = 16.0;
 constexpr double most_balances = 1e5;
 
 JsonValue member(JsonValue object, std::string_view key)
@@ -38,7 +38,7 @@ private:
         block.load_case = reader_.text(member(value, "case"), place_);
         block.order = order(member(value, "order"));
         block.balances = count(member(value, "balances"), most_balances);
-        block.digits = static_cast<int>(count(member(value, "digits"), most_digits).value_or(0));
+        block.digits = static_cast<int>(count(member(value, "digits"), most_digits_typed).value_or(0));
         block.tolerance = number(member(value, "tolerance"));
         block.is_modified = reader_.boolean(member(value, "modified_stiffness"), place_);
         block.is_by_halves = reader_.boolean(member(value, "symmetry"), place_);
@@ -176,7 +176,7 @@ const Labelled& fixed_end_of(const Block& block)
 }
 
 /// How far a problem's fixed-end moments are from a file's.
-double distance(const Problem& problem, const Labelled& wanted)
+double distance_of_moments(const Problem& problem, const Labelled& wanted)
 {
     double sum = 0.0;
     for (const auto& [end, value] : by_end(problem, wanted, "cross.fixed_end_moments"))
@@ -228,8 +228,9 @@ CaseId case_of(const Model& model, const std::optional<Block>& block)
 FarEnds far_ends_of(const Model& model, CaseId load_case, const Block& block)
 {
     if (!block.is_modified) return FarEnds::Plain;
-    const double modified = distance(problem_of(model, load_case, FarEnds::Modified), fixed_end_of(block));
-    const double on_sheet = distance(problem_of(model, load_case, FarEnds::ReleasedOnSheet), fixed_end_of(block));
+    const double modified = distance_of_moments(problem_of(model, load_case, FarEnds::Modified), fixed_end_of(block));
+    const double on_sheet = distance_of_moments(problem_of(model, load_case, FarEnds::ReleasedOnSheet),
+                                                fixed_end_of(block));
     return on_sheet < modified ? FarEnds::ReleasedOnSheet : FarEnds::Modified;
 }
 

@@ -11,7 +11,7 @@ namespace femoop::cross {
 
 namespace {
 
-constexpr int shown_digits = 4;
+constexpr int digits_of_mirror = 4;
 constexpr std::size_t most_named = 8;
 
 class HalfText {
@@ -34,7 +34,7 @@ private:
     std::string about_joints() const
     {
         const std::string axis = localized(
-            quantity_text(rounded(half_.mirror->x, shown_digits) + 0.0, dimension::length, model_.units), tr_);
+            quantity_text(rounded(half_.mirror->x, digits_of_mirror) + 0.0, dimension::length, model_.units), tr_);
         const std::vector<std::string> joints = joint_names(model_, half_);
         if (joints.empty())
             return written(is_symmetric_ ? translatable("Symmetric about x = {0}: no joint turns.")

@@ -9,8 +9,8 @@ namespace femoop::cross {
 
 namespace {
 
-constexpr double round_off = 1e-9; // of the largest of several numbers
-constexpr std::string_view step_names[] = {"FEM", "BAL", "CO", "TOTAL"};
+constexpr double round_off_of_rows = 1e-9; // of the largest of several numbers
+constexpr std::string_view names_of_rows[] = {"FEM", "BAL", "CO", "TOTAL"};
 
 double largest_of(const std::vector<double>& values)
 {
@@ -29,7 +29,7 @@ SheetCheck::SheetCheck(const Model& model, const Block& block, const Problem& pr
 
 SheetCheck::Tolerance SheetCheck::of_exact(double largest) const
 {
-    return {.absolute = round_off * largest, .relative = block_.rtol};
+    return {.absolute = round_off_of_rows * largest, .relative = block_.rtol};
 }
 
 /// Half a unit of the last digit that the file writes.
@@ -98,7 +98,7 @@ void SheetCheck::sheet(const std::vector<Block::Row>& wanted, const Problem& hal
         throw ModelError({{FaultKind::CrossSheetTooLong,
                            {place.in_file, std::to_string(wanted.size()), std::to_string(rows.size())}}});
     for (std::size_t i = 0; i < rows.size(); ++i) {
-        const std::string_view step = step_names[static_cast<std::size_t>(rows[i].kind)];
+        const std::string_view step = names_of_rows[static_cast<std::size_t>(rows[i].kind)];
         row(fill(tr_("{0}: row {1} {2}"), {place.in_words, std::to_string(i + 1), std::string(step)}), wanted[i].values,
             rows[i].values, of_sheet());
         if (wanted[i].step != step && !wanted[i].values.empty()) outcomes_.back().verdict = Verdict::Failed;

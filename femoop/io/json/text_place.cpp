@@ -10,8 +10,8 @@ namespace femoop {
 namespace {
 
 bool is_continuation(char c) { return (static_cast<unsigned char>(c) & 0xC0U) == 0x80U; }
-bool is_digit(char c) { return c >= '0' && c <= '9'; }
-bool is_blank(char c) { return c == ' ' || c == '\t' || c == '\n' || c == '\r'; }
+bool is_decimal_digit(char c) { return c >= '0' && c <= '9'; }
+bool is_json_blank(char c) { return c == ' ' || c == '\t' || c == '\n' || c == '\r'; }
 bool is_word(char c)
 {
     return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_' || c == '.' ||
@@ -48,7 +48,7 @@ std::string hexadecimal(char c)
     return {'0', 'x', digits[code / 16U], digits[code % 16U]};
 }
 
-Fault fault_at(FaultKind kind, std::string_view text, std::size_t offset, std::string found)
+Fault fault_at_offset(FaultKind kind, std::string_view text, std::size_t offset, std::string found)
 {
     const TextPlace place = place_of(text, offset);
     return {kind, {std::to_string(place.line), std::to_string(place.column), std::move(found)}};
@@ -101,7 +101,7 @@ std::size_t token_begin(std::string_view text, std::size_t last)
 /// The last character before `offset` that is not blank, or a blank if there is none.
 char before(std::string_view text, std::size_t offset)
 {
-    while (offset > 0 && is_blank(text[offset - 1])) --offset;
+    while (offset > 0 && is_json_blank(text[offset - 1])) --offset;
     return offset > 0 ? text[offset - 1] : ' ';
 }
 
@@ -118,7 +118,7 @@ bool is_not_finite(std::string_view word)
 /// A number with a decimal comma, of which `begin` is the part behind the comma: 1,5.
 std::optional<std::string> with_comma(std::string_view text, std::size_t begin)
 {
-    if (begin < 2 || text[begin - 1] != ',' || !is_digit(text[begin])) return std::nullopt;
+    if (begin < 2 || text[begin - 1] != ',' || !is_decimal_digit(text[begin])) return std::nullopt;
     const std::string_view whole = word_before(text, begin - 1);
     if (whole.empty() || !is_json(whole)) return std::nullopt;
     return std::string(whole) + ',' + excerpt(text, begin);
@@ -128,21 +128,23 @@ std::optional<std::string> with_comma(std::string_view text, std::size_t begin)
 Fault word_fault(std::string_view text, std::size_t begin)
 {
     const std::string word = excerpt(text, begin);
-    if (is_not_finite(word)) return fault_at(FaultKind::JsonNotFinite, text, begin, word);
+    if (is_not_finite(word)) return fault_at_offset(FaultKind::JsonNotFinite, text, begin, word);
     if (auto number = with_comma(text, begin)) {
-        Fault fault = fault_at(FaultKind::JsonDecimalComma, text, begin - (number->size() - word.size()), *number);
+        Fault fault = fault_at_offset(FaultKind::JsonDecimalComma, text, begin - (number->size() - word.size()),
+                                      *number);
         number->replace(number->find(','), 1, ".");
         fault.arguments.push_back(*number);
         return fault;
     }
     if (const auto spelling = json_spelling(word); spelling && spelling != word) {
-        Fault fault = fault_at(FaultKind::JsonSpelling, text, begin, word);
+        Fault fault = fault_at_offset(FaultKind::JsonSpelling, text, begin, word);
         fault.arguments.push_back(*spelling);
         return fault;
     }
-    if (is_bare_quantity(word)) return fault_at(FaultKind::JsonBareQuantity, text, begin, word);
-    const bool is_numeric = is_digit(word.front()) || std::string_view("+-.").find(word.front()) != std::string::npos;
-    return fault_at(is_numeric ? FaultKind::JsonNoNumber : FaultKind::JsonBareText, text, begin, word);
+    if (is_bare_quantity(word)) return fault_at_offset(FaultKind::JsonBareQuantity, text, begin, word);
+    const bool is_numeric = is_decimal_digit(word.front()) ||
+                            std::string_view("+-.").find(word.front()) != std::string::npos;
+    return fault_at_offset(is_numeric ? FaultKind::JsonNoNumber : FaultKind::JsonBareText, text, begin, word);
 }
 
 /// A number, a blank and a unit: 5 kN. The place is that of the number.
@@ -152,12 +154,12 @@ std::optional<Fault> spaced_quantity(std::string_view text, std::size_t begin)
     const std::string number(word_before(text, begin - 1));
     const std::string words = number + ' ' + excerpt(text, begin);
     if (!is_bare_quantity(words)) return std::nullopt;
-    return fault_at(FaultKind::JsonBareQuantity, text, begin - 1 - number.size(), words);
+    return fault_at_offset(FaultKind::JsonBareQuantity, text, begin - 1 - number.size(), words);
 }
 
 Fault token_fault(std::string_view text, std::size_t begin, SyntaxError error)
 {
-    const auto fault = [&](FaultKind kind) { return fault_at(kind, text, begin, excerpt(text, begin)); };
+    const auto fault = [&](FaultKind kind) { return fault_at_offset(kind, text, begin, excerpt(text, begin)); };
     if (error == SyntaxError::NumberOverflow) return fault(FaultKind::JsonNumberTooLarge);
     if (error == SyntaxError::AfterEnd) return fault(FaultKind::JsonAfterEnd);
     const char c = text[begin], previous = before(text, begin);
@@ -184,13 +186,13 @@ TextPlace place_of(std::string_view text, std::size_t offset)
 
 std::optional<Fault> text_fault(std::string_view text)
 {
-    if (std::all_of(text.begin(), text.end(), is_blank)) return Fault{FaultKind::FileEmpty, {}};
+    if (std::all_of(text.begin(), text.end(), is_json_blank)) return Fault{FaultKind::FileEmpty, {}};
     for (std::size_t i = 0; i < text.size();) {
         const auto code = static_cast<unsigned char>(text[i]);
         const std::size_t length = code < 0x80U ? 1 : character_length(text, i);
-        if (length == 0) return fault_at(FaultKind::FileNotUtf8, text, i, hexadecimal(text[i]));
-        if ((code < 0x20U && !is_blank(text[i])) || code == 0x7FU)
-            return fault_at(FaultKind::FileWithControlCharacter, text, i, hexadecimal(text[i]));
+        if (length == 0) return fault_at_offset(FaultKind::FileNotUtf8, text, i, hexadecimal(text[i]));
+        if ((code < 0x20U && !is_json_blank(text[i])) || code == 0x7FU)
+            return fault_at_offset(FaultKind::FileWithControlCharacter, text, i, hexadecimal(text[i]));
         i += length;
     }
     return std::nullopt;
@@ -208,18 +210,19 @@ Fault depth_fault(std::string_view text, int deepest)
         else if (!is_inside && (text[i] == '}' || text[i] == ']')) --depth;
         if (depth > deepest) break;
     }
-    return fault_at(FaultKind::JsonTooDeep, text, i, std::to_string(deepest));
+    return fault_at_offset(FaultKind::JsonTooDeep, text, i, std::to_string(deepest));
 }
 
 Fault syntax_fault(std::string_view text, std::size_t position, SyntaxError error)
 {
-    if (position > text.size()) return fault_at(FaultKind::JsonCutOff, text, text.find_last_not_of(" \t\r\n") + 1, "");
+    if (position > text.size())
+        return fault_at_offset(FaultKind::JsonCutOff, text, text.find_last_not_of(" \t\r\n") + 1, "");
     const std::size_t last = position == 0 ? 0 : position - 1;
     const bool is_in_text = opening_quote(text, last).has_value();
     if (is_in_text && (text[last] == '\n' || text[last] == '\r'))
-        return fault_at(FaultKind::JsonOpenText, text, last, "");
+        return fault_at_offset(FaultKind::JsonOpenText, text, last, "");
     if (is_in_text && text[last] == '\t')
-        return fault_at(FaultKind::FileWithControlCharacter, text, last, hexadecimal(text[last]));
+        return fault_at_offset(FaultKind::FileWithControlCharacter, text, last, hexadecimal(text[last]));
     const std::size_t begin = token_begin(text, last);
     return token_fault(text, begin, error);
 }

@@ -12,17 +12,17 @@ namespace femoop {
 
 namespace {
 
-constexpr std::size_t indent = 2;
+constexpr std::size_t label_indent = 2;
 constexpr std::size_t most_names = 8;    // of a list that stands in a table
-constexpr std::size_t most_columns = 40; // of a matrix in letters
+constexpr std::size_t most_letters = 40; // of a matrix in letters
 
-std::string section(const std::string& title, const tabular::Table& table, const Translator& tr)
+std::string titled_table(const std::string& title, const tabular::Table& table, const Translator& tr)
 {
     return table.is_empty() ? std::string()
-                            : "\n" + title + "\n" + tabular::plain_text(table, {indent, decimal_mark(tr)});
+                            : "\n" + title + "\n" + tabular::plain_text(table, {label_indent, decimal_mark(tr)});
 }
 
-std::size_t whole(double number) { return static_cast<std::size_t>(number); }
+std::size_t count_of(double number) { return static_cast<std::size_t>(number); }
 
 /// The words of one order's walk.
 class WalkText {
@@ -44,13 +44,13 @@ public:
                            front.n_rows(), front.n_entries(), front.n_update_entries(), front.n_waiting,
                            front.parent == EliminationWalk::none ? "-" : std::to_string(front.parent + 1)});
         }
-        return section(fill(tr_("The front walks, in {0} order"), {words_}), table, tr_);
+        return titled_table(fill(tr_("The front walks, in {0} order"), {words_}), table, tr_);
     }
 
     std::string factor() const
     {
-        const bool by_unknowns = walk_.counts.n_unknowns <= most_columns;
-        if (!by_unknowns && walk_.order.size() > most_columns)
+        const bool by_unknowns = walk_.counts.n_unknowns <= most_letters;
+        if (!by_unknowns && walk_.order.size() > most_letters)
             return "\n" + tr_("L has too many columns to be written in letters; draw it with -o.") + "\n";
         std::string text =
             "\n" +
@@ -82,7 +82,7 @@ public:
             tr_("The matrix of front {0} by blocks, * eliminated: "
                 "K from K, u from the update matrices of children, o filled in by its own elimination"),
             {std::to_string(step + 1)});
-        if (labels.size() > most_columns)
+        if (labels.size() > most_letters)
             return "\n" + tr_("The front has too many blocks to be written in letters; draw it with -o.") + "\n";
         return "\n" + title + "\n" + triangle(labels, [&](std::size_t row, std::size_t column) {
                    switch (matrix.at(row, column)) {
@@ -139,7 +139,8 @@ private:
         std::string text;
         for (std::size_t row = 0; row < labels.size(); ++row) {
             const std::string label = printable(labels[row]);
-            text += std::string(indent, ' ') + label + std::string(width - tabular::shown_width(label), ' ') + ' ';
+            text += std::string(label_indent, ' ') + label + std::string(width - tabular::shown_width(label), ' ') +
+                    ' ';
             for (std::size_t column = 0; column <= row; ++column) text += {' ', letter(row, column)};
             text += '\n';
         }
@@ -176,7 +177,7 @@ std::string choice(const SolverTrace& trace, const Translator& tr)
     const EliminationCounts& counts = trace.walk(*trace.ordering).counts;
     const double taken = trace.solver == SolverKind::Skyline ? counts.n_profile_operations : counts.n_operations;
     std::string text = "\n" + fill(tr("Chosen: {0}, in {1} order: {2} operations."),
-                                   {solver, ordering_text(*trace.ordering, tr), std::to_string(whole(taken))});
+                                   {solver, ordering_text(*trace.ordering, tr), std::to_string(count_of(taken))});
     if (trace.wanted != SolverKind::Automatic) return text + "\n";
     return text + "\n" +
            tr(trace.solver == SolverKind::Skyline
@@ -192,11 +193,11 @@ std::string comparison(const SolverTrace& trace, const Translator& tr)
                           tr("waiting"), tr("profile"), tr("its operations")});
     for (const Ordering ordering : all_orderings) {
         const EliminationCounts& counts = trace.walk(ordering).counts;
-        table.add_row({ordering_text(ordering, tr), counts.n_entries, counts.n_fill(), whole(counts.n_operations),
+        table.add_row({ordering_text(ordering, tr), counts.n_entries, counts.n_fill(), count_of(counts.n_operations),
                        counts.largest_front, counts.n_levels, counts.most_waiting, counts.n_profile_entries,
-                       whole(counts.n_profile_operations)});
+                       count_of(counts.n_profile_operations)});
     }
-    return section(tr("Orders of elimination"), table, tr) +
+    return titled_table(tr("Orders of elimination"), table, tr) +
            tr("Operations are multiplications and divisions. "
               "Of fronts the largest is counted in rows, the height of their\ntree in levels, "
               "what waits at one time in entries of update matrices. The profile is what the skyline keeps.") +

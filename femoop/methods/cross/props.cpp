@@ -15,12 +15,12 @@ namespace femoop::cross {
 
 namespace {
 
-constexpr double no_motion = 1e-9;       // of a node, where the sway's prop moves by 1
-constexpr double nothing = 1e-13;        // of the largest: what combining modes leaves
-constexpr double nice_fixed_end = 100.0; // the largest fixed-end moment of a sway's sheet
+constexpr double no_prop_motion = 1e-9;         // of a node, where the sway's prop moves by 1
+constexpr double rest_of_modes = 1e-13;         // of the largest: what combining modes leaves
+constexpr double largest_of_sway_sheet = 100.0; // the largest fixed-end moment of a sway's sheet
 
 /// How far each sway moves each prop along its direction.
-Eigen::MatrixXd motions(const Problem& problem, const std::vector<Prop>& props)
+Eigen::MatrixXd prop_motions(const Problem& problem, const std::vector<Prop>& props)
 {
     Eigen::MatrixXd D(props.size(), problem.sways.size());
     for (std::size_t j = 0; j < props.size(); ++j)
@@ -30,16 +30,16 @@ Eigen::MatrixXd motions(const Problem& problem, const std::vector<Prop>& props)
     return D;
 }
 
-void clean(std::vector<double>& values)
+void without_rests(std::vector<double>& values)
 {
     double largest = 0.0;
     for (const double value : values) largest = std::max(largest, std::abs(value));
     for (double& value : values)
-        if (std::abs(value) < nothing * largest) value = 0.0;
+        if (std::abs(value) < rest_of_modes * largest) value = 0.0;
 }
 
 /// So much of every sway.
-Sway combined(const Problem& problem, const Eigen::VectorXd& shares, const Prop& prop)
+Sway combined_sway(const Problem& problem, const Eigen::VectorXd& shares, const Prop& prop)
 {
     Sway sum{.prop = prop.node, .direction = prop.direction, .displacement = {}, .chord_rotation = {}, .loading = {}};
     sum.displacement.assign(problem.sways.front().displacement.size(), Eigen::Vector2d::Zero());
@@ -55,8 +55,8 @@ Sway combined(const Problem& problem, const Eigen::VectorXd& shares, const Prop&
         for (std::size_t e = 0; e < sum.loading.fixed_end.size(); ++e)
             sum.loading.fixed_end[e] += share / sway.scale * sway.loading.fixed_end[e];
     }
-    clean(sum.chord_rotation);
-    clean(sum.loading.fixed_end);
+    without_rests(sum.chord_rotation);
+    without_rests(sum.loading.fixed_end);
     return sum;
 }
 
@@ -64,7 +64,7 @@ void scale_to_nice(Sway& sway)
 {
     double largest = 0.0;
     for (const double moment : sway.loading.fixed_end) largest = std::max(largest, std::abs(moment));
-    sway.scale = largest > 0.0 ? nice_fixed_end / largest : 1.0;
+    sway.scale = largest > 0.0 ? largest_of_sway_sheet / largest : 1.0;
     for (double& moment : sway.loading.fixed_end) moment *= sway.scale;
 }
 
@@ -122,14 +122,14 @@ std::array<Eigen::Vector2d, 2> prop_axes(const Model& model, NodeId node)
 bool moves(const Problem& problem, const Prop& prop)
 {
     return std::ranges::any_of(problem.sways, [&](const Sway& sway) {
-        return std::abs(prop.direction.dot(sway.displacement[prop.node.index])) > no_motion;
+        return std::abs(prop.direction.dot(sway.displacement[prop.node.index])) > no_prop_motion;
     });
 }
 
 bool hold_apart(const Problem& problem, const std::vector<Prop>& props)
 {
-    Eigen::FullPivLU<Eigen::MatrixXd> motion(motions(problem, props));
-    motion.setThreshold(no_motion);
+    Eigen::FullPivLU<Eigen::MatrixXd> motion(prop_motions(problem, props));
+    motion.setThreshold(no_prop_motion);
     return motion.rank() == static_cast<Eigen::Index>(props.size());
 }
 
@@ -138,10 +138,10 @@ std::optional<Problem> propped_at(const Problem& problem, const std::vector<Prop
     if (props.size() != problem.sways.size()) return std::nullopt;
     if (props.empty()) return problem;
     if (!hold_apart(problem, props)) return std::nullopt;
-    const Eigen::MatrixXd shares = dense_inverse(motions(problem, props));
+    const Eigen::MatrixXd shares = dense_inverse(prop_motions(problem, props));
     Problem moved = problem;
     for (std::size_t k = 0; k < props.size(); ++k)
-        moved.sways[k] = combined(problem, shares.col(static_cast<Eigen::Index>(k)), props[k]);
+        moved.sways[k] = combined_sway(problem, shares.col(static_cast<Eigen::Index>(k)), props[k]);
     hold_imposed(moved, props);
     for (Sway& sway : moved.sways) scale_to_nice(sway);
     return moved;

@@ -9,10 +9,10 @@ namespace femoop::cross {
 
 namespace {
 
-constexpr double no_pivot = 1e-12; // of a diagonal entry
+constexpr double no_diagonal = 1e-12; // of a diagonal entry
 
 /// Where a member's four displacements stand among the unknowns: d = B x.
-Eigen::Matrix<double, 4, Eigen::Dynamic> motion_of(const Problem& problem, const MemberAction& action)
+Eigen::Matrix<double, 4, Eigen::Dynamic> end_motion_of(const Problem& problem, const MemberAction& action)
 {
     const auto n = static_cast<Eigen::Index>(problem.joints.size());
     const auto n_all = n + static_cast<Eigen::Index>(problem.sways.size());
@@ -29,7 +29,7 @@ Eigen::Matrix<double, 4, Eigen::Dynamic> motion_of(const Problem& problem, const
 /// Adds B' K B, of whose columns most are empty.
 void add_member(const Problem& problem, const MemberAction& action, Eigen::MatrixXd& A)
 {
-    const Eigen::Matrix<double, 4, Eigen::Dynamic> B = motion_of(problem, action);
+    const Eigen::Matrix<double, 4, Eigen::Dynamic> B = end_motion_of(problem, action);
     std::vector<Eigen::Index> used;
     for (Eigen::Index i = 0; i < B.cols(); ++i)
         if (!B.col(i).isZero(0.0)) used.push_back(i);
@@ -39,7 +39,7 @@ void add_member(const Problem& problem, const MemberAction& action, Eigen::Matri
     }
 }
 
-void add_springs(const Problem& problem, Eigen::MatrixXd& A)
+void add_support_springs(const Problem& problem, Eigen::MatrixXd& A)
 {
     for (const End& end : problem.ends)
         if (!end.member && end.joint) A(end.joint->index, end.joint->index) += end.stiffness;
@@ -81,7 +81,7 @@ SlopeDeflection equations_of(const Problem& problem)
     SlopeDeflection system{.A = Eigen::MatrixXd::Zero(n, n), .b = right_hand_side(problem), .x = {}, .moments = {}};
     for (const MemberAction& action : problem.members)
         if (!action.is_overhang) add_member(problem, action, system.A);
-    add_springs(problem, system.A);
+    add_support_springs(problem, system.A);
     return system;
 }
 
@@ -92,7 +92,7 @@ SlopeDeflection slope_deflection(const Model& model, const Problem& problem)
         if (!(system.A.diagonal().minCoeff() > 0.0)) refuse_mechanism(model);
         const Eigen::VectorXd scale = system.A.diagonal().cwiseSqrt().cwiseInverse();
         const Eigen::LDLT<Eigen::MatrixXd> factored(scale.asDiagonal() * system.A * scale.asDiagonal());
-        if (!(factored.vectorD().minCoeff() > no_pivot)) refuse_mechanism(model);
+        if (!(factored.vectorD().minCoeff() > no_diagonal)) refuse_mechanism(model);
         system.x = scale.asDiagonal() * factored.solve(scale.asDiagonal() * system.b);
     }
     system.moments = end_moments(problem, system.x);
@@ -109,7 +109,7 @@ std::vector<double> end_moments(const Problem& problem, const Eigen::VectorXd& u
     }
     for (const MemberAction& action : problem.members) {
         if (action.is_overhang) continue;
-        const Eigen::Vector4d p = action.K * (motion_of(problem, action) * unknowns);
+        const Eigen::Vector4d p = action.K * (end_motion_of(problem, action) * unknowns);
         for (std::size_t which = 0; which < 2; ++which)
             if (action.ends[which]) moments[action.ends[which]->index] += p[static_cast<Eigen::Index>(2 * which + 1)];
     }

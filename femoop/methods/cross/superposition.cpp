@@ -11,7 +11,7 @@ namespace femoop::cross {
 
 namespace {
 
-constexpr double no_pivot = 1e-9; // of the scaled equations
+constexpr double no_scaled_pivot = 1e-9; // of the scaled equations
 
 Stage held_stage(const Model& model, const Problem& problem, const Procedure& procedure, PropForces& forces)
 {
@@ -43,7 +43,7 @@ void solve(const Model& model, Superposition& all)
     const Eigen::VectorXd rows = all.R.cwiseAbs().rowwise().maxCoeff();
     if (!(rows.minCoeff() > 0.0)) refuse_mechanism(model);
     Eigen::FullPivLU<Eigen::MatrixXd> factored(rows.cwiseInverse().asDiagonal() * all.R);
-    factored.setThreshold(no_pivot);
+    factored.setThreshold(no_scaled_pivot);
     if (!factored.isInvertible()) refuse_mechanism(model);
     all.x = factored.solve(rows.cwiseInverse().asDiagonal() * all.r);
     all.x.array() += 0.0; // no minus zero

@@ -8,7 +8,7 @@ namespace {
 
 using Step = ConstructionStep;
 using Mark = ConstructionMark;
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 constexpr auto rule = ShearRule::ClockwiseUp;
 
 /// The points that every step refers to.

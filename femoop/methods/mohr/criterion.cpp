@@ -11,26 +11,26 @@ namespace femoop::mohr {
 
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 constexpr double sqrt3 = std::numbers::sqrt3;
 
 bool is_positive(double value) { return std::isfinite(value) && value > 0.0; }
 
-std::optional<double> ratio(double strength, double demand)
+std::optional<double> safety_ratio(double strength, double demand)
 {
     if (!(demand > 0.0)) return std::nullopt;
     const double factor = strength / demand;
     return std::isfinite(factor) ? std::optional(factor) : std::nullopt;
 }
 
-std::optional<double> least(std::optional<double> a, std::optional<double> b)
+std::optional<double> lesser(std::optional<double> a, std::optional<double> b)
 {
     if (!a || !b) return a ? a : b;
     return std::min(*a, *b);
 }
 
 /// Of a unit vector.
-Eigen::Vector3d clean(const Eigen::Vector3d& v)
+Eigen::Vector3d without_negative_zeros(const Eigen::Vector3d& v)
 {
     return v.unaryExpr([](double part) { return without_rounding(part, 1.0); });
 }
@@ -40,12 +40,12 @@ std::vector<Eigen::Vector3d> planes_at(const SpacePrincipal& stress, double angl
 {
     const Eigen::Vector3d first = stress.directions.col(0), third = stress.directions.col(2);
     const Eigen::Vector3d along = std::cos(angle) * first, across = std::sin(angle) * third;
-    return {clean(along + across), clean(along - across)};
+    return {without_negative_zeros(along + across), without_negative_zeros(along - across)};
 }
 
 std::vector<Eigen::Vector3d> octahedral_plane(const SpacePrincipal& stress)
 {
-    return {clean(stress.directions * Eigen::Vector3d::Ones().normalized())};
+    return {without_negative_zeros(stress.directions * Eigen::Vector3d::Ones().normalized())};
 }
 
 struct Cone {
@@ -76,8 +76,8 @@ std::optional<double> hoek_brown_factor(const Strength& k, double p1, double p3)
     const double d = sum_of({p1, -p3}), b = k.m * k.sci * p3, c = k.s * k.sci * k.sci;
     const double root = std::hypot(b, 2.0 * d * std::sqrt(c));
     // Of the two forms of the root the one without cancellation.
-    if (b <= 0.0) return ratio(2.0 * c, root - b);
-    return ratio(b + root, 2.0 * d * d);
+    if (b <= 0.0) return safety_ratio(2.0 * c, root - b);
+    return safety_ratio(b + root, 2.0 * d * d);
 }
 
 Safety hoek_brown(const Strength& strength, const SpacePrincipal& stress)
@@ -91,8 +91,9 @@ Safety hoek_brown(const Strength& strength, const SpacePrincipal& stress)
 
 Safety rankine(const Strength& strength, const SpacePrincipal& stress)
 {
-    const auto tension = ratio(strength.ft, stress.values[0]), compression = ratio(strength.fc, -stress.values[2]);
-    const auto factor = least(tension, compression);
+    const auto tension = safety_ratio(strength.ft, stress.values[0]),
+               compression = safety_ratio(strength.fc, -stress.values[2]);
+    const auto factor = lesser(tension, compression);
     if (!factor) return {};
     return {factor, {stress.directions.col(factor == tension ? 0 : 2)}};
 }
@@ -100,7 +101,8 @@ Safety rankine(const Strength& strength, const SpacePrincipal& stress)
 Safety mohr_coulomb(const Strength& strength, const SpacePrincipal& stress)
 {
     const auto [centre, radius] = circles(stress)[0];
-    const auto factor = ratio(strength.c * std::cos(strength.phi), sum_of({radius, centre * std::sin(strength.phi)}));
+    const auto factor = safety_ratio(strength.c * std::cos(strength.phi),
+                                     sum_of({radius, centre * std::sin(strength.phi)}));
     if (!factor) return {};
     return {factor, planes_at(stress, 0.25 * pi - 0.5 * strength.phi)};
 }
@@ -204,16 +206,16 @@ Safety safety(Criterion criterion, const Strength& strength, const SpacePrincipa
 {
     switch (criterion) {
     case Criterion::Tresca: {
-        const auto factor = ratio(strength.fy, 2.0 * absolute_largest_shear(stress));
+        const auto factor = safety_ratio(strength.fy, 2.0 * absolute_largest_shear(stress));
         return factor ? Safety{factor, planes_at(stress, 0.25 * pi)} : Safety{};
     }
-    case Criterion::VonMises: return of_energy(ratio(strength.fy, deviator(stress).equivalent), stress);
+    case Criterion::VonMises: return of_energy(safety_ratio(strength.fy, deviator(stress).equivalent), stress);
     case Criterion::Rankine: return rankine(strength, stress);
     case Criterion::MohrCoulomb: return mohr_coulomb(strength, stress);
     case Criterion::DruckerPrager: {
         const Deviator d = deviator(stress);
         const auto [a, k] = drucker_prager(strength);
-        return of_energy(ratio(k, sum_of({d.equivalent / sqrt3, 3.0 * a * d.mean})), stress);
+        return of_energy(safety_ratio(k, sum_of({d.equivalent / sqrt3, 3.0 * a * d.mean})), stress);
     }
     case Criterion::HoekBrown: return hoek_brown(strength, stress);
     }

@@ -10,9 +10,9 @@ namespace femoop::mohr {
 
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
-SpacePrincipal in_order(std::array<double, 3> values)
+SpacePrincipal principal_in_order(std::array<double, 3> values)
 {
     std::ranges::sort(values, std::greater{});
     return {.values = values};
@@ -22,7 +22,7 @@ SpacePrincipal in_order(std::array<double, 3> values)
 SpacePrincipal deviated(double mean, double size, double lode)
 {
     const double reach = std::sqrt(2.0 / 3.0) * size, turn = 2.0 * pi / 3.0;
-    return in_order(
+    return principal_in_order(
         {mean + reach * std::cos(lode), mean + reach * std::cos(lode - turn), mean + reach * std::cos(lode + turn)});
 }
 
@@ -35,7 +35,8 @@ std::vector<StressPair> failing_pairs(Criterion criterion, const Strength& stren
     for (std::size_t i = 0; i < n; ++i) {
         const double t = 2.0 * pi * static_cast<double>(i) / static_cast<double>(n);
         const double a = std::cos(t), b = std::sin(t);
-        const double factor = safety(criterion, strength, in_order({a, b, share * (a + b)})).factor.value_or(reach);
+        const double factor =
+            safety(criterion, strength, principal_in_order({a, b, share * (a + b)})).factor.value_or(reach);
         pairs.push_back({std::min(factor, reach) * a, std::min(factor, reach) * b});
     }
     return pairs;

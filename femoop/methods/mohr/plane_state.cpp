@@ -11,7 +11,7 @@ namespace femoop::mohr {
 
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 double positive_zero(double value) { return value + 0.0; }
 
@@ -38,7 +38,7 @@ struct Turn {
 };
 
 /// Cosine and sine; what is rounding alone is 0, so that a quarter turn swaps the components exactly.
-Turn turn(double angle)
+Turn exact_turn(double angle)
 {
     constexpr double rounding = 8.0 * std::numeric_limits<double>::epsilon();
     Turn t{std::cos(angle), std::sin(angle)};
@@ -83,7 +83,7 @@ std::optional<double> largest_shear_angle(const PlaneState& state)
 
 PlaneState rotated(const PlaneState& state, double angle)
 {
-    const auto [c, s] = turn(2.0 * angle);
+    const auto [c, s] = exact_turn(2.0 * angle);
     if (s == 0.0 && c > 0.0) return {positive_zero(state.x), positive_zero(state.y), positive_zero(state.xy)};
     if (s == 0.0) return {positive_zero(state.y), positive_zero(state.x), positive_zero(-state.xy)};
     const double centre = circle(state).centre, a = half_difference(state);

@@ -13,7 +13,7 @@ namespace {
 
 using Step = ConstructionStep;
 using Mark = ConstructionMark;
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 CirclePoint on(const Circle& circle, double angle)
 {

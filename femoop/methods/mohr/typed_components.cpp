@@ -10,7 +10,7 @@ namespace femoop::mohr {
 
 namespace {
 
-constexpr double largest = 1e100, least = 1e-100;
+constexpr double largest_typed = 1e100, least_typed = 1e-100;
 constexpr Units base{.length = LengthUnit::mm, .force = ForceUnit::N};
 
 struct Split {
@@ -33,9 +33,12 @@ std::optional<Split> split(std::string_view text)
     return result;
 }
 
-bool is_out_of_range(double value) { return std::abs(value) > largest || (value != 0.0 && std::abs(value) < least); }
+bool is_out_of_range(double value)
+{
+    return std::abs(value) > largest_typed || (value != 0.0 && std::abs(value) < least_typed);
+}
 
-Fault fault_at(Fault fault, const std::string& place)
+Fault fault_in(Fault fault, const std::string& place)
 {
     fault.arguments.front() = place;
     return fault;
@@ -74,7 +77,7 @@ std::variant<Components, Fault> parse_components(std::span<const std::string> te
     for (std::size_t i = 0; i < texts.size(); ++i) {
         const std::string where = std::string(place) + (names[i].empty() ? "" : " " + std::string(names[i]));
         const auto value = value_in(texts[i], result.unit, dimension);
-        if (const auto* fault = std::get_if<Fault>(&value)) return fault_at(*fault, where);
+        if (const auto* fault = std::get_if<Fault>(&value)) return fault_in(*fault, where);
         result.values.push_back(std::get<double>(value));
         if (is_out_of_range(result.values.back())) return Fault{FaultKind::QuantityTooLarge, {where, texts[i]}};
     }

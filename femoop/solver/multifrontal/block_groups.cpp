@@ -11,7 +11,7 @@ namespace femoop {
 
 namespace {
 
-constexpr std::int32_t none = BlockGroups::none;
+constexpr std::int32_t no_group = BlockGroups::none;
 
 double entries(double n_pivots, double n_rows) { return n_pivots * n_rows - 0.5 * n_pivots * (n_pivots - 1.0); }
 
@@ -34,7 +34,7 @@ BlockGroups::BlockGroups(const ColumnBlocks& blocks, const BlockElimination& eli
 std::int32_t BlockGroups::parent(std::int32_t head_group) const
 {
     const std::int32_t above = parent_[at(head_group)];
-    return above == none ? none : head(above);
+    return above == no_group ? no_group : head(above);
 }
 
 /// Those that follow one another with the same rows below.
@@ -51,10 +51,10 @@ void BlockGroups::gather(const ColumnBlocks& blocks, const BlockElimination& eli
         n_pivots_.back() += blocks.size(block);
         group_of_.push_back(n() - 1);
     }
-    parent_.assign(at(n()), none);
+    parent_.assign(at(n()), no_group);
     for (std::int32_t block = 0; block < blocks.n(); ++block)
         if (const std::int32_t above = elimination.parent[at(block)];
-            above != none && group_of_[at(above)] != group_of_[at(block)])
+            above != no_group && group_of_[at(above)] != group_of_[at(block)])
             parent_[at(group_of_[at(block)])] = group_of_[at(above)];
 }
 
@@ -77,7 +77,7 @@ Lists BlockGroups::children() const
 {
     Lists parent;
     for (std::int32_t group = 0; group < n(); ++group) {
-        if (parent_[at(group)] != none) parent.items.push_back(parent_[at(group)]);
+        if (parent_[at(group)] != no_group) parent.items.push_back(parent_[at(group)]);
         parent.close();
     }
     return transposed(parent, at(n()));
@@ -128,7 +128,7 @@ private:
         }
         need_[at(head)] = std::max(need, held + left(head));
         const std::int32_t parent = groups_.parent(head);
-        children_[parent == none ? children_.size() - 1 : at(parent)].push_back(head);
+        children_[parent == no_group ? children_.size() - 1 : at(parent)].push_back(head);
     }
     void visit(std::int32_t root)
     {

@@ -18,9 +18,8 @@ namespace femoop {
 namespace {
 
 using Front = FrontTree::Front;
-using Numbers = std::unique_ptr<double[]>;
+using Workspace = std::unique_ptr<double[]>;
 
-constexpr std::int32_t none = FrontTree::none;
 constexpr std::int32_t columns_at_once = 128; // of a large front that a member of the team assembles
 
 /// Memory that is taken and given back in the order of a stack.
@@ -31,14 +30,14 @@ public:
     double* pop(std::size_t n) { return numbers_.get() + (top_ -= n); }
 
 private:
-    Numbers numbers_;
+    Workspace numbers_;
     std::size_t top_ = 0;
 };
 
 /// What a member of the team works with.
 struct Bench {
     std::array<Stack, 2> stacks;
-    Numbers workspace;
+    Workspace workspace;
     std::vector<std::int32_t> place; ///< of an equation in the present front
 };
 
@@ -113,7 +112,7 @@ private:
                 front, waits_in_task(front, task) ? bench.stacks[side].push(update_size(front)) : hand_up(f));
             find_places(front, bench);
             add_columns(here, front, 0, front.n_rows, bench.place);
-            for (std::int32_t c = front.first_child; c != none; c = fronts_[at(c)].next_sibling)
+            for (std::int32_t c = front.first_child; c != FrontTree::none; c = fronts_[at(c)].next_sibling)
                 add_child(here, c, bench.stacks[1 - side].pop(update_size(fronts_[at(c)])), 0, front.n_rows);
             note(here, front, kernel_.eliminate(here, bench.workspace.get(), one_by_one), pivots);
         }
@@ -130,10 +129,11 @@ private:
         team_.for_each((front.n_rows + columns_at_once - 1) / columns_at_once, [&](std::int32_t part, int) {
             const std::int32_t begin = part * columns_at_once, end = std::min(front.n_rows, begin + columns_at_once);
             add_columns(here, front, begin, end, bench.place);
-            for (std::int32_t c = front.first_child; c != none; c = fronts_[at(c)].next_sibling)
+            for (std::int32_t c = front.first_child; c != FrontTree::none; c = fronts_[at(c)].next_sibling)
                 add_child(here, c, handed_up_[at(c)].get(), begin, end);
         });
-        for (std::int32_t c = front.first_child; c != none; c = fronts_[at(c)].next_sibling) handed_up_[at(c)].reset();
+        for (std::int32_t c = front.first_child; c != FrontTree::none; c = fronts_[at(c)].next_sibling)
+            handed_up_[at(c)].reset();
         const TileWorkers together{
             &team_, [](void* team, std::int32_t n, void (*work)(void*, std::int32_t), void* context) {
                 static_cast<Team*>(team)->for_each(n, [&](std::int32_t tile, int) { work(context, tile); });
@@ -222,7 +222,7 @@ private:
     const Schedule schedule_;
     const Depths depths_;
     const DenseKernel& kernel_ = dense_kernel();
-    std::vector<Numbers> handed_up_; ///< update matrices that are in no stack
+    std::vector<Workspace> handed_up_; ///< update matrices that are in no stack
 };
 
 } // namespace

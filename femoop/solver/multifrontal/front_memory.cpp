@@ -10,11 +10,10 @@ namespace femoop {
 
 namespace {
 
-constexpr std::int32_t none = FrontTree::none;
-
 template <class Visit> void for_each_child(const std::vector<FrontTree::Front>& fronts, std::int32_t f, Visit visit)
 {
-    for (std::int32_t c = fronts[at(f)].first_child; c != none; c = fronts[at(c)].next_sibling) visit(fronts[at(c)]);
+    for (std::int32_t c = fronts[at(f)].first_child; c != FrontTree::none; c = fronts[at(c)].next_sibling)
+        visit(fronts[at(c)]);
 }
 
 } // namespace
@@ -22,7 +21,7 @@ template <class Visit> void for_each_child(const std::vector<FrontTree::Front>& 
 Depths::Depths(const std::vector<FrontTree::Front>& fronts) : is_odd_(fronts.size(), false)
 {
     for (std::size_t f = fronts.size(); f-- > 0;)
-        if (fronts[f].parent != none) is_odd_[f] = !is_odd_[at(fronts[f].parent)];
+        if (fronts[f].parent != FrontTree::none) is_odd_[f] = !is_odd_[at(fronts[f].parent)];
 }
 
 FrontMemory::FrontMemory(const FrontTree& tree, const Schedule& schedule, const Depths& depths)

@@ -11,7 +11,6 @@ namespace femoop {
 namespace {
 
 using Front = FrontTree::Front;
-constexpr std::int32_t none = FrontTree::none;
 
 /// Of one right-hand side, which is quicker where the compiler knows that it is one, or of many.
 template <int columns_at_compile_time> class Solution {
@@ -61,7 +60,7 @@ private:
         for (Eigen::Index c = 0; c < b.cols(); ++c)
             for (std::int32_t i = 0; i < front.n_pivots; ++i) b(i, c) = X_(rows[at(i)], c);
         b.bottomRows(front.n_updated()).setZero();
-        for (std::int32_t child = front.first_child; child != none; child = fronts_[at(child)].next_sibling)
+        for (std::int32_t child = front.first_child; child != FrontTree::none; child = fronts_[at(child)].next_sibling)
             add(fronts_[at(child)], b);
         const auto L = columns(front);
         auto pivots = b.topRows(front.n_pivots);

@@ -9,7 +9,7 @@ namespace femoop {
 
 namespace {
 
-constexpr std::int32_t none = -1;
+constexpr std::int32_t no_column = -1;
 
 /// Follows the row subtrees through the tree in postorder.
 class Counter {
@@ -17,9 +17,9 @@ public:
     Counter(const OrderedGraph& graph, const std::vector<std::int32_t>& parent)
         : graph_(graph),
           parent_(parent),
-          first_(parent.size(), none),
-          latest_(parent.size(), none),
-          leaf_(parent.size(), none),
+          first_(parent.size(), no_column),
+          latest_(parent.size(), no_column),
+          leaf_(parent.size(), no_column),
           ancestor_(parent.size()),
           counts_(parent.size(), 0)
     {
@@ -34,7 +34,7 @@ public:
         find_first_descendants(tree_order);
         for (const std::int32_t j : tree_order) visit(j);
         for (std::int32_t j = 0; j < graph_.n(); ++j)
-            if (parent_[at(j)] != none) counts_[at(parent_[at(j)])] += counts_[at(j)];
+            if (parent_[at(j)] != no_column) counts_[at(parent_[at(j)])] += counts_[at(j)];
         return counts_;
     }
 
@@ -43,23 +43,24 @@ private:
     {
         for (std::int32_t k = 0; k < graph_.n(); ++k) {
             const std::int32_t leaf = tree_order[at(k)];
-            if (first_[at(leaf)] == none) counts_[at(leaf)] = graph_.sizes[at(leaf)];
-            for (std::int32_t j = leaf; j != none && first_[at(j)] == none; j = parent_[at(j)]) first_[at(j)] = k;
+            if (first_[at(leaf)] == no_column) counts_[at(leaf)] = graph_.sizes[at(leaf)];
+            for (std::int32_t j = leaf; j != no_column && first_[at(j)] == no_column; j = parent_[at(j)])
+                first_[at(j)] = k;
         }
     }
 
     void visit(std::int32_t j)
     {
-        if (parent_[at(j)] != none) counts_[at(parent_[at(j)])] -= graph_.sizes[at(j)];
+        if (parent_[at(j)] != no_column) counts_[at(parent_[at(j)])] -= graph_.sizes[at(j)];
         for (const std::int32_t i : graph_.neighbours[at(j)]) {
             // A leaf of row subtree i has no descendant that was in it before.
             if (i <= j || first_[at(j)] <= latest_[at(i)]) continue;
             latest_[at(i)] = first_[at(j)];
             counts_[at(j)] += graph_.sizes[at(i)];
-            if (leaf_[at(i)] != none) counts_[at(meeting(leaf_[at(i)]))] -= graph_.sizes[at(i)];
+            if (leaf_[at(i)] != no_column) counts_[at(meeting(leaf_[at(i)]))] -= graph_.sizes[at(i)];
             leaf_[at(i)] = j;
         }
-        if (parent_[at(j)] != none) ancestor_[at(j)] = parent_[at(j)];
+        if (parent_[at(j)] != no_column) ancestor_[at(j)] = parent_[at(j)];
     }
 
     /// Where the paths of the last leaf and of this one meet: counted twice otherwise.

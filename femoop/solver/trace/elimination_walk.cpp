@@ -10,12 +10,12 @@ namespace femoop {
 
 namespace {
 
-constexpr std::int32_t none = EliminationWalk::none;
+constexpr std::int32_t no_block = EliminationWalk::none;
 
 /// Operations on a column, or a row, with c entries beside the diagonal.
 double operations(double c) { return 0.5 * c * (c + 3.0); }
 
-class Walker {
+class FrontWalker {
     auto neighbours() const
     {
         return [this](std::int32_t k, const auto& visit) {
@@ -24,9 +24,9 @@ class Walker {
     }
 
 public:
-    Walker(const BlockGraph& graph, const BlockAdjacency& adjacency, std::span<const std::int32_t> order)
+    FrontWalker(const BlockGraph& graph, const BlockAdjacency& adjacency, std::span<const std::int32_t> order)
     {
-        std::vector<std::int32_t> place(graph.n_blocks(), none);
+        std::vector<std::int32_t> place(graph.n_blocks(), no_block);
         for (const std::int32_t block : order) {
             if (graph.block_sizes[at(block)] == 0) continue;
             place[at(block)] = static_cast<std::int32_t>(walk_.order.size());
@@ -100,7 +100,7 @@ private:
         }
         const std::vector<std::int32_t> front_of = walk_.front_of_place();
         for (EliminationWalk::Front& front : walk_.fronts)
-            if (const std::int32_t above = walk_.parent[at(front.end) - 1]; above != none)
+            if (const std::int32_t above = walk_.parent[at(front.end) - 1]; above != no_block)
                 front.parent = front_of[at(above)];
     }
 
@@ -117,7 +117,7 @@ private:
             counts.most_waiting = std::max(counts.most_waiting, waiting);
             counts.largest_front = std::max(counts.largest_front, front.n_rows());
             counts.n_levels = std::max(counts.n_levels, levels[f]);
-            if (front.parent == none) continue;
+            if (front.parent == no_block) continue;
             taken[at(front.parent)] += front.n_update_entries();
             levels[at(front.parent)] = std::max(levels[at(front.parent)], levels[f] + 1);
         }
@@ -159,7 +159,7 @@ std::vector<std::int32_t> EliminationWalk::front_of_place() const
 EliminationWalk walk_elimination(const BlockGraph& graph, const BlockAdjacency& adjacency,
                                  std::span<const std::int32_t> order, WalkDetail detail)
 {
-    return Walker(graph, adjacency, order).run(detail);
+    return FrontWalker(graph, adjacency, order).run(detail);
 }
 
 } // namespace femoop

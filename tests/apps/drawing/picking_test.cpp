@@ -20,11 +20,11 @@ TEST_SUITE_BEGIN("frame");
 
 namespace {
 
-constexpr double L = 8.0, q = 5.0;
+constexpr double picked_span = 8.0, picked_load = 5.0;
 const ui::PlaneCamera camera({100.0, 300.0}, 50.0); // the beam runs from (100, 300) to (500, 300)
 
 struct PickingScene {
-    femoop::Model model = view_test::simple_beam(L, q);
+    femoop::Model model = view_test::simple_beam(picked_span, picked_load);
     femoop::Results results = femoop::analyse(model);
     ui::Fonts fonts;
     ui::Painter painter{{900.0, 600.0}, fonts};
@@ -63,7 +63,7 @@ TEST_CASE("Over a diagram a member is picked from farther off")
 
 TEST_CASE("A hand takes hold of a moment's arrow anywhere along its arc, however large symbols are")
 {
-    femoop::Model model = view_test::simple_beam(L, q);
+    femoop::Model model = view_test::simple_beam(picked_span, picked_load);
     model.load_cases[0].nodes.push_back(
         {.node = femoop::NodeId{1}, .components = {{femoop::Dof::rz, femoop::Quantity(12.0)}}});
     const ui::Fonts fonts;

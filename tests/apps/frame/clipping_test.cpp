@@ -27,7 +27,7 @@ femoop::Model model_of(const std::string& file)
     return femoop::read_model_file(source_folder() + "/examples/" + file);
 }
 
-constexpr MemberId BC{1}; // of the portal: the beam, loaded in G and Q, from B (0, 4.5) to C (8, 4.5)
+constexpr MemberId loaded_beam{1}; // of the portal: the beam, loaded in G and Q, from B (0, 4.5) to C (8, 4.5)
 
 } // namespace
 
@@ -51,7 +51,7 @@ TEST_SUITE("frame document: clipboard")
     TEST_CASE("A member is copied with its nodes, loads, material and section, and nothing else")
     {
         const femoop::Model model = model_of("portal.json");
-        const auto clipping = clipping_of(Document{model}, std::vector<Part>{BC});
+        const auto clipping = clipping_of(Document{model}, std::vector<Part>{loaded_beam});
         REQUIRE(clipping);
         CHECK(clipping->holds == Clipping::Holds::Structure);
         CHECK(clipping->model.members.size() == 1);
@@ -66,7 +66,7 @@ TEST_SUITE("frame document: clipboard")
     {
         Document document{model_of("portal.json")};
         const femoop::Model before = document.model;
-        paste(document, *clipping_of(Document{before}, std::vector<Part>{BC}), {20.0, 1.0, 0.0});
+        paste(document, *clipping_of(Document{before}, std::vector<Part>{loaded_beam}), {20.0, 1.0, 0.0});
         CHECK(document.model.members.size() == before.members.size() + 1);
         CHECK(document.model.materials == before.materials);
         CHECK(document.model.sections == before.sections);
@@ -102,7 +102,7 @@ TEST_SUITE("frame document: clipboard")
                                       for (femoop::Material& material : document.model.materials)
                                           material.density = 7850.0;
                                   }});
-        workspace.session.selection = Part(BC);
+        workspace.session.selection = Part(loaded_beam);
         CHECK(!run(workspace, "edit.clip"));
         CHECK(!run(workspace, "file.new"));
         workspace.session.change({"draw", [](Document& document) {
@@ -126,7 +126,7 @@ TEST_SUITE("frame document: clipboard")
         const Solution solution = solve(empty), original = solve(Document{model});
         REQUIRE(solution.results);
         const auto moment = [](const Solution& of) {
-            return (*of.results)[femoop::CaseId(0)].curve(BC).extremes(femoop::MemberComponent::Mz).max.value;
+            return (*of.results)[femoop::CaseId(0)].curve(loaded_beam).extremes(femoop::MemberComponent::Mz).max.value;
         };
         CHECK(moment(solution) == doctest::Approx(moment(original)));
     }
@@ -136,7 +136,8 @@ TEST_SUITE("frame document: clipboard")
         Document inches;
         inches.model.units.length = femoop::LengthUnit::in;
         inches.model.units.force = femoop::ForceUnit::lbf;
-        paste(inches, *clipping_of(Document{model_of("portal.json")}, std::vector<Part>{BC}), {100.0, 0.0, 0.0});
+        paste(inches, *clipping_of(Document{model_of("portal.json")}, std::vector<Part>{loaded_beam}),
+              {100.0, 0.0, 0.0});
         CHECK(inches.model.nodes[0].at[0] == doctest::Approx(100.0));
         CHECK(inches.model.nodes[1].at[0] == doctest::Approx(100.0 + 8.0 / 0.0254));
     }
@@ -147,7 +148,7 @@ TEST_SUITE("frame document: clipboard")
         portal.companion.dimensions = {
             {.nodes = {"B", "C"}, .direction = DimensionDirection::Horizontal, .offset = 1.5},
             {.nodes = {"A", "B"}, .direction = DimensionDirection::Vertical, .offset = 0.75}};
-        const Clipping beam = *clipping_of(portal, std::vector<Part>{BC});
+        const Clipping beam = *clipping_of(portal, std::vector<Part>{loaded_beam});
         REQUIRE(beam.dimensions.size() == 1);
         Document inches;
         inches.model.units.length = femoop::LengthUnit::in;
@@ -166,7 +167,7 @@ TEST_SUITE("frame document: clipboard")
         const DimensionLine span{.nodes = {"B", "C"}, .direction = DimensionDirection::Horizontal, .offset = 1.5};
         workspace.session.change({"Draw", [&](Document& document) { document.companion.dimensions = {span}; }});
         const auto lines = [&] { return workspace.session.document().companion.dimensions; };
-        for (const Selection& what : {everything(workspace.session.model()), Selection(Part(BC))}) {
+        for (const Selection& what : {everything(workspace.session.model()), Selection(Part(loaded_beam))}) {
             workspace.session.selection = what;
             CHECK(!run(workspace, "edit.cut"));
             const std::size_t n_left = workspace.session.model().nodes.empty() ? 0 : 1;
@@ -186,7 +187,7 @@ TEST_SUITE("frame document: clipboard")
     {
         Document document{model_of("portal.json")};
         const femoop::Model before = document.model;
-        const std::vector<Part> loads = loads_on(before, BC);
+        const std::vector<Part> loads = loads_on(before, loaded_beam);
         REQUIRE(!loads.empty());
         const auto clipping = clipping_of(Document{before}, std::vector<Part>{loads.front()});
         REQUIRE(clipping);
@@ -204,7 +205,7 @@ TEST_SUITE("frame document: clipboard")
         Workspace workspace = workspace_with("portal.json");
         CHECK(run(workspace, "edit.paste") == "nothing was copied yet");
         CHECK(run(workspace, "edit.clip") == "nothing is selected that can be copied");
-        workspace.session.selection = Part(BC);
+        workspace.session.selection = Part(loaded_beam);
         const std::size_t n_states = workspace.session.history().n_states();
         CHECK(!run(workspace, "edit.cut"));
         CHECK(workspace.session.model().members.size() == 2);

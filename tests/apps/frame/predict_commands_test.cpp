@@ -17,12 +17,13 @@ using frame_test::workspace_with;
 
 namespace {
 
-constexpr MemberId BC{1};
+constexpr MemberId predicted_beam{1};
 
 void sketch(Workspace& workspace)
 {
     const std::vector<StrokePoint> stroke{{0.0, -0.1}, {0.5, 0.1}, {1.0, -0.1}};
-    workspace.session.prediction.draw(workspace.session.model(), workspace.session.view.load_case, BC, stroke);
+    workspace.session.prediction.draw(workspace.session.model(), workspace.session.view.load_case, predicted_beam,
+                                      stroke);
 }
 
 } // namespace
@@ -147,7 +148,7 @@ TEST_SUITE("frame session")
         workspace.session.change(
             {ui::translatable("Change"), [](Document& document) { remove(document, std::vector<Part>{MemberId(0)}); }});
         CHECK(workspace.session.prediction.on(MemberId(0)) != nullptr);
-        CHECK(workspace.session.prediction.on(BC) == nullptr);
+        CHECK(workspace.session.prediction.on(predicted_beam) == nullptr);
         workspace.session.change(
             {ui::translatable("Change"), [](Document& document) { remove(document, std::vector<Part>{MemberId(0)}); }});
         CHECK(workspace.session.prediction.is_empty());

@@ -9,7 +9,7 @@ using namespace femoop;
 
 namespace {
 
-const Part column = SectionId(0);
+const Part column_section = SectionId(0);
 
 std::string undo_label(const Session& session) { return ui::Catalogue()(*session.history().undo_label()); }
 
@@ -45,11 +45,11 @@ TEST_SUITE("frame: commands on property sets")
     TEST_CASE("A section that is renamed stays the selection; a name that is taken changes nothing")
     {
         Session session(starting_document());
-        session.selection = column;
-        CHECK_FALSE(rename(session, column, "HEB 200"));
-        CHECK(session.selection == Selection(column));
+        session.selection = column_section;
+        CHECK_FALSE(rename(session, column_section, "HEB 200"));
+        CHECK(session.selection == Selection(column_section));
         CHECK(undo_label(session) == "Rename: Section column");
-        CHECK(rename(session, column, "beam"));
+        CHECK(rename(session, column_section, "beam"));
         CHECK(session.model().sections[0].id == "HEB 200");
         CHECK(session.history().n_states() == 2);
     }
@@ -57,7 +57,7 @@ TEST_SUITE("frame: commands on property sets")
     TEST_CASE("The members of a section are selected together")
     {
         Session session(starting_document());
-        select_members_with(session, column);
+        select_members_with(session, column_section);
         CHECK(session.selection.size() == 2);
         CHECK(session.selection.contains(MemberId(2)));
     }
@@ -65,7 +65,7 @@ TEST_SUITE("frame: commands on property sets")
     TEST_CASE("A section that was duplicated and not changed is condensed away, and the reader is told")
     {
         Session session(starting_document());
-        duplicate(session, column);
+        duplicate(session, column_section);
         CHECK(session.model().sections[2].id == "column2");
         CHECK(session.selection == Selection(Part(SectionId(2))));
         condense_properties(session);

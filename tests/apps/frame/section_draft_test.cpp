@@ -24,7 +24,7 @@ struct Making {
     double moment() const { return (*session.solution().results)[CaseId(0)].curve(MemberId(1)).forces(3.0).Mz; }
 };
 
-const Part column = MemberId(0), beam = MemberId(1);
+const Part a_column = MemberId(0), the_beam = MemberId(1);
 
 } // namespace
 
@@ -32,7 +32,7 @@ TEST_SUITE("frame: making a section")
 {
     TEST_CASE("The section of the selected member is changed in one step, while the results follow")
     {
-        Making making(beam);
+        Making making(the_beam);
         const double before = making.moment();
         making.run_command("shape", "i");
         making.run_command("set", "h 800 mm");
@@ -47,7 +47,7 @@ TEST_SUITE("frame: making a section")
 
     TEST_CASE("A new section is for the selected members alone")
     {
-        Making making(column);
+        Making making(a_column);
         making.run_command("new");
         making.run_command("profile", "HEB 200");
         making.run_command("name", "strong");
@@ -60,7 +60,7 @@ TEST_SUITE("frame: making a section")
 
     TEST_CASE("Going back from a new section to the old one leaves no section behind")
     {
-        Making making(column);
+        Making making(a_column);
         making.run_command("profile", "HEB 200");
         making.run_command("new");
         making.draft.set_target(making.session, SectionTarget::This);
@@ -79,7 +79,7 @@ TEST_SUITE("frame: making a section")
 
     TEST_CASE("What cannot be is answered, and leaves the section as it was")
     {
-        Making making(beam);
+        Making making(the_beam);
         making.run_command("shape", "i");
         const Section before = making.draft.section();
         CHECK(making.draft.run_command(making.session, "set", "tf 40 cm") == "tf must be less than h/2 = 15 cm");

@@ -40,7 +40,7 @@ std::string names(const Workspace& workspace)
     return all;
 }
 
-void run(Workspace& workspace, std::string_view id) { CHECK(!ui::run(*command_table().find(id), workspace)); }
+void run_soundly(Workspace& workspace, std::string_view id) { CHECK(!ui::run(*command_table().find(id), workspace)); }
 
 } // namespace
 
@@ -66,7 +66,7 @@ TEST_SUITE("frame session")
     {
         Workspace workspace = workspace_with("portal.json");
         CHECK(description(workspace.session).find("changes most") == std::string::npos);
-        run(workspace, "view.compare_case");
+        run_soundly(workspace, "view.compare_case");
         CHECK(description(workspace.session).find("No change: N, V, M, fx, fy, mz, ux, uy, rz.") != std::string::npos);
         workspace.session.view.load_case = femoop::CaseId(1);
         const std::string words = description(workspace.session);
@@ -254,10 +254,10 @@ TEST_SUITE("frame session")
     {
         Workspace workspace = workspace_with("portal.json");
         workspace.session.view.show = {Show::Loads, Show::M};
-        run(workspace, "view.hide_results");
+        run_soundly(workspace, "view.hide_results");
         REQUIRE(open_file(workspace, examples + "truss.json"));
         CHECK(workspace.session.view.show == ShowSet{Show::Loads});
-        run(workspace, "view.hide_results");
+        run_soundly(workspace, "view.hide_results");
         CHECK(workspace.session.view.show == ShowSet{Show::Loads, Show::N});
         show_tab(workspace, 0);
         CHECK(workspace.session.view.show == ShowSet{Show::Loads, Show::M});
@@ -326,24 +326,24 @@ TEST_SUITE("frame session")
     {
         Workspace workspace = workspace_with("portal.json");
         const Document before = workspace.session.document();
-        run(workspace, "edit.select_all");
+        run_soundly(workspace, "edit.select_all");
         const Selection selected = workspace.session.selection;
-        run(workspace, "edit.mirror");
+        run_soundly(workspace, "edit.mirror");
         CHECK(workspace.session.model().members.size() == 5); // the columns at the mirror are one
         CHECK(workspace.session.model().members.back().id == "FC");
-        run(workspace, "edit.deselect");
+        run_soundly(workspace, "edit.deselect");
         CHECK(workspace.session.document() == before);
         CHECK(workspace.session.selection == selected);
         CHECK(!workspace.session.history().can_undo());
         CHECK(!workspace.transform);
-        run(workspace, "edit.copy");
+        run_soundly(workspace, "edit.copy");
         workspace.transform->times = 3;
         change_transform(workspace);
-        run(workspace, "edit.accept");
+        run_soundly(workspace, "edit.accept");
         CHECK(workspace.session.model().members.size() == 9);
         CHECK(workspace.session.model().nodes.size() == 10); // neighbours share a column
         CHECK(workspace.session.history().n_states() == 2);
-        run(workspace, "edit.undo");
+        run_soundly(workspace, "edit.undo");
         CHECK(workspace.session.document() == before);
     }
 
@@ -381,16 +381,16 @@ TEST_SUITE("frame session")
     TEST_CASE("A transformation with numbers that lead too far keeps what was shown before")
     {
         Workspace workspace = workspace_with("portal.json");
-        run(workspace, "edit.select_all");
-        run(workspace, "edit.move");
+        run_soundly(workspace, "edit.select_all");
+        run_soundly(workspace, "edit.move");
         const Document shown = workspace.session.document();
         for (const double far : {1e7, 1e100, 1e300}) {
             workspace.transform->at[0] = far;
             CHECK(change_transform(workspace));
             CHECK(workspace.session.document() == shown);
         }
-        run(workspace, "edit.deselect");
-        run(workspace, "edit.scale");
+        run_soundly(workspace, "edit.deselect");
+        run_soundly(workspace, "edit.scale");
         workspace.transform->factor = 1e9;
         CHECK(change_transform(workspace));
     }
@@ -398,9 +398,9 @@ TEST_SUITE("frame session")
     TEST_CASE("What was mirrored and joined is selected, and its members have the names of their nodes")
     {
         Workspace workspace = workspace_with("portal.json");
-        run(workspace, "edit.select_all");
-        run(workspace, "edit.mirror"); // about the right column
-        run(workspace, "edit.accept");
+        run_soundly(workspace, "edit.select_all");
+        run_soundly(workspace, "edit.mirror"); // about the right column
+        run_soundly(workspace, "edit.accept");
         const femoop::Model& model = workspace.session.model();
         REQUIRE(model.members.size() == 5);
         for (const femoop::Member& member : model.members) CHECK(femoop::is_named_after_nodes(model, member));
@@ -415,15 +415,15 @@ TEST_SUITE("frame session")
         Workspace workspace = workspace_with("portal.json");
         const std::string name = workspace.session.model().load_cases[0].id;
         workspace.session.selection = Part(LoadCasePlace{0});
-        run(workspace, "edit.delete");
+        run_soundly(workspace, "edit.delete");
         REQUIRE(workspace.session.notice);
         const std::string words = ui::Catalogue()(workspace.session.notice->sentence);
         CAPTURE(words);
         CHECK(words.starts_with(name + " went out of the combinations "));
-        run(workspace, "edit.undo");
+        run_soundly(workspace, "edit.undo");
         CHECK(!workspace.session.notice); // it is back
         workspace.session.selection = Part(NodeId(0));
-        run(workspace, "edit.nudge_up");
+        run_soundly(workspace, "edit.nudge_up");
         CHECK(!workspace.session.notice);
     }
 
@@ -434,7 +434,7 @@ TEST_SUITE("frame session")
                                       document.model.expected = {{.member = MemberId(1)}, {.member = MemberId(1)}};
                                   }});
         workspace.session.selection = Part(MemberId(1));
-        run(workspace, "edit.delete");
+        run_soundly(workspace, "edit.delete");
         REQUIRE(workspace.session.notice);
         CHECK(ui::Catalogue()(workspace.session.notice->sentence).find("belong to: 2.") != std::string::npos);
     }
@@ -470,7 +470,7 @@ TEST_SUITE("frame session")
         for (const char* const command : {"case.new", "case.combination", "case.copy", "case.delete"}) {
             CAPTURE(command);
             show_case(workspace.session, *workspace.session.model().find_case("Q"));
-            run(workspace, command);
+            run_soundly(workspace, command);
             const std::string after = shown();
             CHECK(after != "Q");
             workspace.session.undo();
@@ -480,7 +480,7 @@ TEST_SUITE("frame session")
             workspace.session.undo();
         }
         workspace.session.view.is_envelope = true;
-        run(workspace, "case.combination");
+        run_soundly(workspace, "case.combination");
         workspace.session.undo();
         CHECK(workspace.session.view.is_envelope);
     }
@@ -518,7 +518,7 @@ TEST_SUITE("frame session")
         workspace.session.selection = Part(NodeId(1));
         workspace.tool_controller.settings().grid = 0.5;
         workspace.tool_controller.settings().plane.normal = WorkingPlane::Normal::Y;
-        run(workspace, "edit.nudge_up");
+        run_soundly(workspace, "edit.nudge_up");
         CHECK(place(1).isApprox(b + Eigen::Vector3d(0, 0, 0.5)));
     }
 
@@ -528,7 +528,7 @@ TEST_SUITE("frame session")
         workspace.session.selection = Part(NodeId(1));
         workspace.tool_controller.settings().grid = 0.5;
         const double before = workspace.session.model().nodes[1].at[0];
-        run(workspace, "edit.nudge_right");
+        run_soundly(workspace, "edit.nudge_right");
         CHECK(workspace.session.model().nodes[1].at[0] == before + 0.5);
     }
 
@@ -536,7 +536,7 @@ TEST_SUITE("frame session")
     {
         Workspace workspace = workspace_with("portal.json");
         workspace.session.selection = Part(MemberId(1));
-        run(workspace, "edit.delete");
+        run_soundly(workspace, "edit.delete");
         CHECK(workspace.session.model().members.size() == 2);
         CHECK(workspace.session.selection.is_empty());
         CHECK(ui::why_not(*command_table().find("edit.delete"), workspace));
@@ -549,7 +549,7 @@ TEST_CASE("A moment stands where its menu was asked for, and from the palette at
         Workspace workspace = workspace_with("portal.json");
         workspace.session.selection = Part(MemberId(1));
         workspace.menu_cut = menu_cut;
-        run(workspace, "load.moment");
+        run_soundly(workspace, "load.moment");
         const auto& loads = workspace.session.model().load_cases.front().members;
         return femoop::along(std::get<femoop::PointLoad>(loads.back().load).at, 8.0);
     };
@@ -561,9 +561,9 @@ TEST_CASE("A moment stands where its menu was asked for, and from the palette at
 TEST_CASE("The properties of a case are those of the case that is shown")
 {
     Workspace workspace = workspace_with("portal.json");
-    run(workspace, "case.combination");
+    run_soundly(workspace, "case.combination");
     const Part first = *workspace.session.selection.only();
-    run(workspace, "case.copy");
+    run_soundly(workspace, "case.copy");
     REQUIRE(workspace.session.selection.only());
     CHECK(*workspace.session.selection.only() != first);
     CHECK(case_id_of(workspace.session.model(), *workspace.session.selection.only()) ==
@@ -579,7 +579,7 @@ TEST_CASE("A window opens with the table that it was left with")
 {
     Workspace left = workspace_with("portal.json");
     const std::string without = left.kept_tools();
-    run(left, "view.table.node_loads");
+    run_soundly(left, "view.table.node_loads");
     CHECK(left.kept_tools() == without + " table node_loads");
     Workspace next = workspace_with("portal.json");
     next.take_up_tools(left.kept_tools());
@@ -592,7 +592,7 @@ TEST_CASE("A window opens with the table that it was left with")
     CHECK_FALSE(other.bottom.is_open);
     other.take_up_tools(without + " table of a later version");
     CHECK_FALSE(other.bottom.is_open);
-    run(left, "view.member_results"); // of one member, which another model lacks
+    run_soundly(left, "view.member_results"); // of one member, which another model lacks
     CHECK(left.kept_tools() == without);
 }
 
@@ -604,6 +604,6 @@ TEST_CASE("Nothing can be taken over where no linked window offers a change")
         CHECK(ui::why_not(*command_table().find(id), workspace));
     }
     workspace.offer = "Moment distribution has changed the structure";
-    run(workspace, "edit.take_over");
+    run_soundly(workspace, "edit.take_over");
     CHECK(workspace.asked == std::vector{ui::Request::TakeOver});
 }

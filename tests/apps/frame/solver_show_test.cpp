@@ -5,21 +5,15 @@
 #include "apps/frame/document/command.h"
 #include "apps/frame/session/solver_commands.h"
 #include "apps/frame/session/tabs.h"
-#include "tests/source_folder.h"
+#include "tests/apps/frame/example_workspace.h"
 
 using namespace frame;
 using femoop::Ordering;
+using frame_test::workspace_with;
 
 namespace {
 
-Workspace workspace_with(const std::string& file)
-{
-    Workspace workspace{Session{Document{}}};
-    REQUIRE(open_file(workspace, source_folder() + "/examples/" + file));
-    return workspace;
-}
-
-std::string run(Workspace& workspace, std::string_view id)
+std::string reason_of(Workspace& workspace, std::string_view id)
 {
     const auto reason = ui::run(*command_table().find(id), workspace);
     return reason ? ui::Catalogue()(*reason) : "";
@@ -32,16 +26,16 @@ TEST_SUITE("frame session")
     TEST_CASE("The solver's steps are commands: they stop at the first and the last front, in any order")
     {
         Workspace workspace = workspace_with("storey_frame.json");
-        CHECK(run(workspace, "solver.next") == "the solver is not shown; Ctrl+F4 shows it");
-        CHECK(run(workspace, "view.solver") == "");
+        CHECK(reason_of(workspace, "solver.next") == "the solver is not shown; Ctrl+F4 shows it");
+        CHECK(reason_of(workspace, "view.solver") == "");
         CHECK(workspace.solver.ordering() == Ordering::CuthillMcKee);
         CHECK(workspace.solver.n_steps() == 30);
-        CHECK(run(workspace, "solver.previous") == "");
+        CHECK(reason_of(workspace, "solver.previous") == "");
         CHECK(workspace.solver.step() == 0);
-        CHECK(run(workspace, "solver.last") == "");
-        CHECK(run(workspace, "solver.next") == "");
+        CHECK(reason_of(workspace, "solver.last") == "");
+        CHECK(reason_of(workspace, "solver.next") == "");
         CHECK(workspace.solver.step() == 29);
-        CHECK(run(workspace, "solver.nested_dissection") == "");
+        CHECK(reason_of(workspace, "solver.nested_dissection") == "");
         CHECK(workspace.solver.n_steps() == 24);
         CHECK(workspace.solver.step() == 23);
     }
@@ -49,29 +43,29 @@ TEST_SUITE("frame session")
     TEST_CASE("The front walks by itself, a step in 0.8 s, rests at the last and begins again from there")
     {
         Workspace workspace = workspace_with("pratt_truss.json");
-        run(workspace, "view.solver");
-        run(workspace, "solver.nested_dissection");
+        reason_of(workspace, "view.solver");
+        reason_of(workspace, "solver.nested_dissection");
         REQUIRE(workspace.solver.n_steps() == 6);
-        run(workspace, "solver.play");
+        reason_of(workspace, "solver.play");
         for (int frame = 0; frame < 100; ++frame) workspace.solver.advance(1.0 / 60.0);
         CHECK(workspace.solver.step() == 2);
         for (int frame = 0; frame < 600; ++frame) workspace.solver.advance(1.0 / 60.0);
         CHECK(workspace.solver.step() == 5);
         CHECK_FALSE(workspace.solver.is_playing());
-        run(workspace, "solver.play");
+        reason_of(workspace, "solver.play");
         CHECK(workspace.solver.step() == 0);
-        run(workspace, "solver.next");
+        reason_of(workspace, "solver.next");
         CHECK_FALSE(workspace.solver.is_playing());
     }
 
     TEST_CASE("What has no front that walks says why: a mechanism, one with errors, too many nodes")
     {
         Workspace workspace = workspace_with("mechanism.json");
-        run(workspace, "view.solver");
+        reason_of(workspace, "view.solver");
         CHECK(workspace.solver.trace() == nullptr);
         CHECK(ui::Catalogue()(workspace.solver.why_none().value()) ==
               "The structure cannot be solved, so no front walks: see the problems.");
-        CHECK(run(workspace, "solver.next") == "there is no front that walks");
+        CHECK(reason_of(workspace, "solver.next") == "there is no front that walks");
         Document many;
         for (int i = 0; i < 2001; ++i)
             many.model.add(
@@ -85,7 +79,7 @@ TEST_SUITE("frame session")
     TEST_CASE("An empty document, and a structure that is held everywhere, have nothing to eliminate")
     {
         Workspace workspace{Session{Document{}}};
-        run(workspace, "view.solver");
+        reason_of(workspace, "view.solver");
         CHECK(workspace.solver.n_steps() == 0);
         workspace = workspace_with("portal.json");
         workspace.session.change({"Hold all", [](Document& document) {
@@ -99,10 +93,10 @@ TEST_SUITE("frame session")
     TEST_CASE("F4 goes from the solver to the tables, and from there it closes them")
     {
         Workspace workspace = workspace_with("portal.json");
-        run(workspace, "view.solver");
-        run(workspace, "view.tables");
+        reason_of(workspace, "view.solver");
+        reason_of(workspace, "view.tables");
         CHECK(workspace.bottom.shows(BottomContent::Table));
-        run(workspace, "view.tables");
+        reason_of(workspace, "view.tables");
         CHECK_FALSE(workspace.bottom.is_open);
     }
 }

@@ -52,7 +52,7 @@ Snap snapped(double x, double y, SnapOptions options = {.reach = 0.3})
     return frame::snap(crossing(), {x, y}, options);
 }
 
-frame::Aim at(double x, double y)
+frame::Aim aim_at(double x, double y)
 {
     return {.pointer = {x, y},
             .on_sheet = {100.0 * x, -100.0 * y},
@@ -298,7 +298,7 @@ TEST_SUITE("frame tools")
     {
         Bench bench;
         frame::MemberTool tool;
-        for (const auto& place : {at(0, 0), at(0, 3), at(5, 3), at(5, 3)}) bench.click(tool, place);
+        for (const auto& place : {aim_at(0, 0), aim_at(0, 3), aim_at(5, 3), aim_at(5, 3)}) bench.click(tool, place);
         CHECK(bench.model().members.size() == 2);
         CHECK(!tool.from());
     }
@@ -307,10 +307,10 @@ TEST_SUITE("frame tools")
     {
         Bench bench;
         frame::MemberTool tool;
-        bench.press(tool, at(1, 1));
-        bench.move(tool, at(4, 2));
+        bench.press(tool, aim_at(1, 1));
+        bench.move(tool, aim_at(4, 2));
         CHECK(tool.preview().lines.size() == 1);
-        bench.release(tool, at(4, 2));
+        bench.release(tool, aim_at(4, 2));
         CHECK(bench.model().members.size() == 1);
         CHECK(!tool.from());
     }
@@ -319,14 +319,14 @@ TEST_SUITE("frame tools")
     {
         Bench bench;
         frame::MemberTool tool;
-        frame::Aim pressed = at(7.263, 5.114), released = at(7.28, 5.1);
+        frame::Aim pressed = aim_at(7.263, 5.114), released = aim_at(7.28, 5.1);
         pressed.snap.place = {7.25, 5.1};
         released.snap.place = {7.272, 5.078};
         bench.press(tool, pressed);
         bench.release(tool, released);
         CHECK(bench.model().members.empty());
         CHECK(tool.from() == Vector2d(7.25, 5.1));
-        bench.click(tool, at(9, 6));
+        bench.click(tool, aim_at(9, 6));
         CHECK(bench.model().members.size() == 1);
     }
 
@@ -343,7 +343,7 @@ TEST_SUITE("frame tools")
         frame::ToolController tool_controller;
         tool_controller.select(frame::ToolKind::Member);
         Bench bench;
-        bench.press(tool_controller.tool(), at(1, 1));
+        bench.press(tool_controller.tool(), aim_at(1, 1));
         CHECK(tool_controller.escape());
         CHECK(tool_controller.kind() == frame::ToolKind::Member);
         CHECK(tool_controller.escape());
@@ -380,16 +380,16 @@ TEST_SUITE("frame tools")
         Bench bench(frame::starting_document());
         frame::DimensionTool tool;
         const auto on = [](std::size_t i) {
-            frame::Aim aim = at(0, 0);
+            frame::Aim aim = aim_at(0, 0);
             aim.node = femoop::NodeId(i);
             return aim;
         };
         bench.click(tool, on(0));
         bench.click(tool, on(2)); // (0, 0) and (6, 4)
-        bench.move(tool, at(3, -1.01));
+        bench.move(tool, aim_at(3, -1.01));
         REQUIRE(tool.preview().dimension);
         CHECK(tool.preview().dimension->direction == frame::DimensionDirection::Horizontal);
-        bench.click(tool, at(3, -1.01));
+        bench.click(tool, aim_at(3, -1.01));
         const auto& lines = bench.history.current().companion.dimensions;
         REQUIRE(lines.size() == 1);
         CHECK(lines[0].nodes == std::vector<std::string>{"A", "C"});
@@ -401,7 +401,7 @@ TEST_SUITE("frame tools")
         CHECK(tool.preview().lines.empty());
         bench.click(tool, on(1));
         bench.click(tool, on(3));
-        frame::Aim exact = at(-0.513, 2);
+        frame::Aim exact = aim_at(-0.513, 2);
         exact.is_exact = true;
         bench.click(tool, exact);
         CHECK(bench.history.current().companion.dimensions.size() == 2);
@@ -424,8 +424,8 @@ TEST_SUITE("frame tools")
         CHECK(bench.history.current().companion.is_empty());
         tool_controller.type("6,4");
         tool_controller.enter(bench.work());
-        tool_controller.tool().move(bench.work(), at(2, 5));
-        tool_controller.point_at(at(2, 5));
+        tool_controller.tool().move(bench.work(), aim_at(2, 5));
+        tool_controller.point_at(aim_at(2, 5));
         tool_controller.type("0.75"); // so far off, on the side of the pointer
         bench.carry_out(tool_controller.enter(bench.work()));
         REQUIRE(bench.history.current().companion.dimensions.size() == 1);
@@ -440,9 +440,9 @@ TEST_SUITE("frame tools")
             {.nodes = {"A", "D"}, .direction = frame::DimensionDirection::Horizontal, .offset = -1.0});
         Bench bench(document);
         frame::SelectTool select;
-        frame::Aim line = at(2, -1);
+        frame::Aim line = aim_at(2, -1);
         line.dimension = frame::DimensionPlace{0};
-        bench.drag(select, line, at(2.5, -1.7));
+        bench.drag(select, line, aim_at(2.5, -1.7));
         CHECK(bench.history.current().companion.dimensions[0].offset == doctest::Approx(-1.7));
         CHECK(bench.selection.contains(frame::DimensionPlace{0}));
         CHECK(bench.history.n_states() == 2);
@@ -455,7 +455,7 @@ TEST_SUITE("frame tools")
     {
         Bench bench(frame::starting_document());
         frame::NodeTool tool;
-        bench.click(tool, at(3, 4));
+        bench.click(tool, aim_at(3, 4));
         CHECK(bench.model().members.size() == 4);
     }
 
@@ -463,18 +463,18 @@ TEST_SUITE("frame tools")
     {
         Bench bench(frame::starting_document());
         frame::SelectTool tool;
-        frame::Aim node = at(0, 4);
+        frame::Aim node = aim_at(0, 4);
         node.node = femoop::NodeId(1);
         bench.click(tool, node);
         CHECK(bench.selection.only() == frame::Part(femoop::NodeId(1)));
-        frame::Aim member = at(3, 4);
+        frame::Aim member = aim_at(3, 4);
         member.cut = frame::Cut{femoop::MemberId(1), 3.0};
         member.adds = true;
         bench.click(tool, member);
         CHECK(bench.selection.size() == 2);
         bench.click(tool, member);
         CHECK(bench.selection.only() == frame::Part(femoop::NodeId(1)));
-        bench.click(tool, at(20, 20));
+        bench.click(tool, aim_at(20, 20));
         CHECK(bench.selection.is_empty());
         CHECK(!bench.history.can_undo());
     }
@@ -483,11 +483,11 @@ TEST_SUITE("frame tools")
     {
         Bench bench(frame::starting_document()); // A(0,0) B(0,4) C(6,4) D(6,0)
         frame::SelectTool tool;
-        bench.drag(tool, at(-1, -1), at(2, 5));
+        bench.drag(tool, aim_at(-1, -1), aim_at(2, 5));
         CHECK(bench.selection.size() == 3); // A, B, AB
-        bench.drag(tool, at(2, 5), at(-1, -1));
+        bench.drag(tool, aim_at(2, 5), aim_at(-1, -1));
         CHECK(bench.selection.size() == 4); // and BC, which it crosses
-        bench.drag(tool, at(3, 3), at(2, 2));
+        bench.drag(tool, aim_at(3, 3), aim_at(2, 2));
         CHECK(bench.selection.is_empty());
     }
 
@@ -500,7 +500,7 @@ TEST_SUITE("frame tools")
         ui::OrbitCamera camera;
         const frame::Projection projection{drawing::Camera(camera)};
         const auto aim_on = [&](ui::Point place) {
-            frame::Aim aim = at(0, 0);
+            frame::Aim aim = aim_at(0, 0);
             aim.on_sheet = place;
             aim.projection = projection;
             return aim;
@@ -548,18 +548,18 @@ TEST_SUITE("frame tools")
     {
         Bench bench(frame::starting_document());
         frame::SelectTool tool;
-        frame::Aim corner = at(6, 4);
+        frame::Aim corner = aim_at(6, 4);
         corner.node = femoop::NodeId(2);
         bench.press(tool, corner);
-        bench.move(tool, at(7, 5));
-        bench.move(tool, at(8, 6));
+        bench.move(tool, aim_at(7, 5));
+        bench.move(tool, aim_at(8, 6));
         CHECK(bench.model().nodes[2].at[0] == 8.0);
-        bench.release(tool, at(8, 6));
+        bench.release(tool, aim_at(8, 6));
         CHECK(bench.history.n_states() == 2);
         CHECK(bench.model().nodes[2].at[1] == 6.0);
-        frame::Aim foot = at(6, 0);
+        frame::Aim foot = aim_at(6, 0);
         foot.node = femoop::NodeId(3);
-        bench.drag(tool, foot, at(8, 6));
+        bench.drag(tool, foot, aim_at(8, 6));
         CHECK(bench.model().nodes.size() == 3);
         bench.history.undo();
         bench.history.undo();
@@ -570,16 +570,16 @@ TEST_SUITE("frame tools")
     {
         Bench bench(frame::starting_document());
         frame::SelectTool tool;
-        frame::Aim foot = at(6, 0); // of the right column
+        frame::Aim foot = aim_at(6, 0); // of the right column
         foot.node = femoop::NodeId(3);
         bench.press(tool, foot);
-        bench.move(tool, at(0, 0));
+        bench.move(tool, aim_at(0, 0));
         CHECK(bench.model().nodes.size() == 3); // on the left foot
-        bench.move(tool, at(-3, 0));
+        bench.move(tool, aim_at(-3, 0));
         CHECK(bench.model().nodes.size() == 5); // CD crosses the left column
-        bench.move(tool, at(2, 1));
+        bench.move(tool, aim_at(2, 1));
         CHECK(bench.model().nodes.size() == 4);
-        bench.release(tool, at(2, 1));
+        bench.release(tool, aim_at(2, 1));
         CHECK(bench.model().nodes[3].at[0] == 2.0);
         CHECK(bench.history.n_states() == 2);
     }
@@ -591,9 +591,9 @@ TEST_SUITE("frame tools")
         const frame::Part load = frame::MemberLoadPlace{0, 0};
         const auto value = [&] { return frame::numbers(bench.model(), load).front().value->value(); };
         const double before = value();
-        frame::Aim arrow = at(3, 5);
+        frame::Aim arrow = aim_at(3, 5);
         arrow.grip = frame::LoadGrip{load, femoop::Dof::uy, {0.0, 1.0}};
-        bench.drag(tool, arrow, at(3, 6));
+        bench.drag(tool, arrow, aim_at(3, 6));
         CHECK(value() == doctest::Approx(2.0 * before));
         CHECK(bench.history.n_states() == 2);
     }
@@ -609,16 +609,16 @@ TEST_SUITE("frame tools")
             made.load("AB", femoop::PointLoad{.at = start, .components = {{femoop::Dof::uy, -30.0}}});
             Bench bench(frame::Document{.model = made.model, .companion = {}});
             frame::SelectTool tool;
-            frame::Aim arrow = at(2, 0.5);
+            frame::Aim arrow = aim_at(2, 0.5);
             arrow.grip = frame::LoadGrip{frame::MemberLoadPlace{0, 0}, femoop::Dof::uy, {0.0, 1.0}};
             const auto point = [&] { return std::get<femoop::PointLoad>(bench.model().load_cases[0].members[0].load); };
-            bench.drag(tool, arrow, at(5.512, 0.7));
+            bench.drag(tool, arrow, aim_at(5.512, 0.7));
             CHECK(point().at.index() == start.index());
             CHECK(*frame::place_of_load(bench.model(), frame::MemberLoadPlace{0, 0}) == doctest::Approx(5.5));
             CHECK(point().components[0].value.value() == -30.0);
             CHECK(bench.history.n_states() == 2);
             arrow.pointer = {5.5, 0.5};
-            bench.drag(tool, arrow, at(12, 0.5));
+            bench.drag(tool, arrow, aim_at(12, 0.5));
             CHECK(*frame::place_of_load(bench.model(), frame::MemberLoadPlace{0, 0}) ==
                   doctest::Approx(8.0)); // its end
         }
@@ -631,18 +631,18 @@ TEST_SUITE("frame tools")
         const Eigen::Vector2d node{start.model.nodes[0].at[0], start.model.nodes[0].at[1]};
         Bench bench(start);
         frame::SelectTool tool;
-        const auto aim_at = [&](double degrees) {
+        const auto aim_around = [&](double degrees) {
             const double t = degrees * std::numbers::pi / 180.0;
-            return at(node.x() + 0.4 * std::cos(t), node.y() + 0.4 * std::sin(t));
+            return aim_at(node.x() + 0.4 * std::cos(t), node.y() + 0.4 * std::sin(t));
         };
-        frame::Aim below = aim_at(-90.0);
+        frame::Aim below = aim_around(-90.0);
         below.support = frame::SupportGrip{femoop::NodeId(0), -90.0};
-        bench.drag(tool, below, aim_at(-62.0));
+        bench.drag(tool, below, aim_around(-62.0));
         const femoop::Support& turned = *bench.model().nodes[0].support;
         CHECK(turned.angle == 30.0);
         CHECK(turned.blocked(femoop::AnalysisKind::Frame2d) == femoop::DofSet{femoop::Dof::uy});
         CHECK(bench.history.n_states() == 2);
-        frame::Aim exact = aim_at(-60.0 - 38.0);
+        frame::Aim exact = aim_around(-60.0 - 38.0);
         exact.is_exact = true;
         below.support->angle = -60.0;
         bench.drag(tool, below, exact);
@@ -657,7 +657,7 @@ TEST_SUITE("frame tools")
         Bench bench(frame::starting_document());
         frame::ToolController tool_controller;
         tool_controller.select(frame::ToolKind::Support);
-        frame::Aim corner = at(0, 4);
+        frame::Aim corner = aim_at(0, 4);
         corner.node = femoop::NodeId(1);
         bench.click(tool_controller.tool(), corner);
         REQUIRE(bench.model().nodes[1].support);
@@ -665,7 +665,7 @@ TEST_SUITE("frame tools")
         bench.click(tool_controller.tool(), corner);
         CHECK(!bench.model().nodes[1].support);
         tool_controller.select(frame::ToolKind::Hinge);
-        frame::Aim near_end = at(5, 4);
+        frame::Aim near_end = aim_at(5, 4);
         near_end.cut = frame::Cut{femoop::MemberId(1), 5.0};
         bench.click(tool_controller.tool(), near_end);
         CHECK(bench.model().members[1].end.release.contains(femoop::Dof::rz));
@@ -683,12 +683,12 @@ TEST_SUITE("frame tools")
         Bench bench(document);
         frame::ToolController tool_controller;
         tool_controller.select(frame::ToolKind::Load);
-        frame::Aim beam = at(2, 4);
+        frame::Aim beam = aim_at(2, 4);
         beam.cut = frame::Cut{femoop::MemberId(1), 2.0};
         bench.click(tool_controller.tool(), beam);
         tool_controller.settings().load = {frame::LoadKind::Force, frame::LoadWay::X};
         tool_controller.settings().force = femoop::Quantity(7.0);
-        frame::Aim corner = at(0, 4);
+        frame::Aim corner = aim_at(0, 4);
         corner.node = femoop::NodeId(1);
         bench.click(tool_controller.tool(), corner);
         bench.click(tool_controller.tool(), corner);
@@ -733,7 +733,7 @@ TEST_SUITE("frame tools")
         Bench bench(start);
         frame::ToolSettings settings{.load = {frame::LoadKind::Uniform, frame::LoadWay::Y}, .line_load = 7.0};
         frame::LoadTool tool(settings);
-        frame::Aim beam = at(2, 4);
+        frame::Aim beam = aim_at(2, 4);
         beam.cut = frame::Cut{femoop::MemberId(1), 2.0};
         bench.click(tool, beam);
         const auto& load = std::get<femoop::DistributedLoad>(bench.model().load_cases[0].members.back().load);
@@ -748,7 +748,7 @@ TEST_SUITE("frame tools")
         frame::ToolSettings settings{.load = {frame::LoadKind::Triangular, frame::LoadWay::Down}, .line_load = 7.0};
         frame::LoadTool tool(settings);
         const auto on_beam = [](double x, double pixel = 0.01) {
-            frame::Aim aim = at(x, 4.0);
+            frame::Aim aim = aim_at(x, 4.0);
             aim.cut = frame::Cut{femoop::MemberId(1), x};
             aim.pixel = pixel;
             return aim;
@@ -795,11 +795,11 @@ TEST_SUITE("frame tools")
     {
         Bench bench(frame::starting_document());
         frame::DeleteTool tool;
-        frame::Aim beam = at(3, 4);
+        frame::Aim beam = aim_at(3, 4);
         beam.cut = frame::Cut{femoop::MemberId(1), 3.0};
         bench.click(tool, beam);
         CHECK(bench.model().members.size() == 2);
-        bench.click(tool, at(20, 20));
+        bench.click(tool, aim_at(20, 20));
         CHECK(bench.history.n_states() == 2);
     }
 

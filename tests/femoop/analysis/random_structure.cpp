@@ -6,9 +6,9 @@ using namespace femoop;
 
 namespace {
 
-class Maker {
+class StructureMaker {
 public:
-    Maker(AnalysisKind kind, unsigned seed) : generator_(seed), tapers_(seed) { model_.analysis = kind; }
+    StructureMaker(AnalysisKind kind, unsigned seed) : generator_(seed), tapers_(seed) { model_.analysis = kind; }
 
     Model make()
     {
@@ -188,7 +188,7 @@ private:
 
 } // namespace
 
-Model random_structure(AnalysisKind kind, unsigned seed) { return Maker(kind, seed).make(); }
+Model random_structure(AnalysisKind kind, unsigned seed) { return StructureMaker(kind, seed).make(); }
 
 void make_prismatic(Model& model)
 {

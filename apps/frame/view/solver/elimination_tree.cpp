@@ -1,6 +1,7 @@
 #include <algorithm>
 
 #include "apps/frame/view/solver/solver_scene.h"
+#include "femoop/solver/index.h"
 
 namespace frame {
 
@@ -10,8 +11,6 @@ using ui::Point;
 using ui::Role;
 
 namespace {
-
-std::size_t index(std::int32_t i) { return static_cast<std::size_t>(i); }
 
 /// The fronts as a tree, its roots at the top and its leaves from left to right as they are eliminated.
 class TreePicture {
@@ -35,7 +34,7 @@ public:
             const ui::LayerScope layer(painter, ui::Layer::Lines);
             const bool is_path = is_above_or_at(f);
             const ui::Color color = is_path ? scene_.left().stroke.color : scene_.theme().stroke(Role::Leader).color;
-            painter.line(place(f), place(index(fronts_[f].parent)),
+            painter.line(place(f), place(femoop::at(fronts_[f].parent)),
                          {.color = color, .width = scene_.px(is_path ? 2.6 : 1.0)});
         }
         for (std::size_t f = 0; f < fronts_.size(); ++f) {
@@ -48,7 +47,7 @@ private:
     void arrange()
     {
         for (std::size_t f = fronts_.size(); f-- > 0;) {
-            if (fronts_[f].parent != EliminationWalk::none) depths_[f] = depths_[index(fronts_[f].parent)] + 1;
+            if (fronts_[f].parent != EliminationWalk::none) depths_[f] = depths_[femoop::at(fronts_[f].parent)] + 1;
             deepest_ = std::max(deepest_, depths_[f]);
         }
         std::vector<double> sum(fronts_.size(), 0.0);
@@ -56,8 +55,8 @@ private:
         for (std::size_t f = 0; f < fronts_.size(); ++f) {
             columns_[f] = n_children[f] == 0 ? n_leaves_++ : sum[f] / n_children[f];
             if (fronts_[f].parent == EliminationWalk::none) continue;
-            sum[index(fronts_[f].parent)] += columns_[f];
-            ++n_children[index(fronts_[f].parent)];
+            sum[femoop::at(fronts_[f].parent)] += columns_[f];
+            ++n_children[femoop::at(fronts_[f].parent)];
         }
     }
 
@@ -71,7 +70,7 @@ private:
         if (f == scene_.step()) return BlockState::Eliminated;
         if (f > scene_.step()) return is_above_or_at(f) ? BlockState::Left : BlockState::Untouched;
         const std::int32_t parent = fronts_[f].parent;
-        const bool waits = parent != EliminationWalk::none && index(parent) > scene_.step();
+        const bool waits = parent != EliminationWalk::none && femoop::at(parent) > scene_.step();
         return waits ? BlockState::Waiting : BlockState::Done;
     }
 
@@ -81,7 +80,7 @@ private:
         for (std::size_t above = scene_.step();;) {
             if (above == f) return true;
             if (fronts_[above].parent == EliminationWalk::none) return false;
-            above = index(fronts_[above].parent);
+            above = femoop::at(fronts_[above].parent);
         }
     }
 

@@ -2,6 +2,7 @@
 
 #include "apps/frame/view/solver/solver_scene.h"
 #include "femoop/io/results/solver_trace_text.h"
+#include "femoop/solver/index.h"
 
 namespace frame {
 
@@ -11,8 +12,6 @@ using ui::Point;
 using ui::Role;
 
 namespace {
-
-std::size_t index(std::int32_t i) { return static_cast<std::size_t>(i); }
 
 /// Of the name over a pattern.
 double head_height(const SolverScene& scene) { return 1.6 * scene.theme().type().small; }
@@ -25,7 +24,7 @@ public:
     {
         starts_.push_back(0.0);
         for (const std::int32_t block : walk_.order)
-            starts_.push_back(starts_.back() + scene.trace().graph.block_sizes[index(block)]);
+            starts_.push_back(starts_.back() + scene.trace().graph.block_sizes[femoop::at(block)]);
         const double head = head_height(scene);
         const double side = std::min(box.width(), box.height() - head);
         cell_ = std::max(side, 0.0) / starts_.back();
@@ -40,7 +39,7 @@ public:
         for (std::size_t column = 0; column < walk_.columns.size(); ++column) {
             draw_diagonal(column);
             for (const EliminationWalk::Entry& entry : walk_.columns[column])
-                draw_entry(index(entry.row), column, entry.is_fill);
+                draw_entry(femoop::at(entry.row), column, entry.is_fill);
         }
     }
 
@@ -74,8 +73,8 @@ private:
     void draw_progress() const
     {
         const ui::LayerScope layer(painter_, ui::Layer::Background);
-        const double n = starts_.back(), done = starts_[index(scene_.front().first)],
-                     now = starts_[index(scene_.front().end)];
+        const double n = starts_.back(), done = starts_[femoop::at(scene_.front().first)],
+                     now = starts_[femoop::at(scene_.front().end)];
         painter_.polygon({at(0, 0), at(done, done), at(done, n), at(0, n)}, scene_.theme().stroke(Role::Grid).color);
         painter_.set_layer(ui::Layer::Symbols);
         painter_.polyline({at(done, done), at(now, now), at(now, n), at(done, n)},

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "femoop/solver/index.h"
 #include "ui/paint/wrapped_lines.h"
 #include "ui/text/shortened.h"
 
@@ -16,8 +17,6 @@ namespace {
 
 constexpr std::size_t most_names = 8, most_letters = 12;
 
-std::size_t index(std::int32_t i) { return static_cast<std::size_t>(i); }
-
 ui::Box square_at(Point center, double half) { return ui::Box{center, center}.grown(half); }
 
 } // namespace
@@ -30,14 +29,14 @@ SolverScene::SolverScene(ui::Painter& painter, const femoop::SolverTrace& trace,
       step_(std::min(look.step, walk_.fronts.size() - 1)),
       states_(trace.blocks.size(), BlockState::Held)
 {
-    for (const std::int32_t block : walk_.order) states_[index(block)] = BlockState::Untouched;
+    for (const std::int32_t block : walk_.order) states_[femoop::at(block)] = BlockState::Untouched;
     for (std::size_t f = 0; f < step_; ++f)
         for (const EliminationWalk::Entry& entry : walk_.left(walk_.fronts[f]))
-            states_[index(block_at(entry.row))] = BlockState::Waiting;
+            states_[femoop::at(block_at(entry.row))] = BlockState::Waiting;
     for (const EliminationWalk::Entry& entry : walk_.left(front()))
-        states_[index(block_at(entry.row))] = BlockState::Left;
+        states_[femoop::at(block_at(entry.row))] = BlockState::Left;
     for (std::int32_t place = 0; place < front().end; ++place)
-        states_[index(block_at(place))] = place < front().first ? BlockState::Done : BlockState::Eliminated;
+        states_[femoop::at(block_at(place))] = place < front().first ? BlockState::Done : BlockState::Eliminated;
 }
 
 std::string SolverScene::joined(const std::vector<std::string>& names) const
@@ -63,7 +62,7 @@ std::string SolverScene::names(std::span<const EliminationWalk::Entry> entries) 
 
 std::string SolverScene::name_of(std::int32_t block) const
 {
-    return ui::shortened(trace_.blocks[index(block)].name, most_letters);
+    return ui::shortened(trace_.blocks[femoop::at(block)].name, most_letters);
 }
 
 ui::TextStyle SolverScene::fitted(const std::string& words, ui::TextStyle style, double width) const

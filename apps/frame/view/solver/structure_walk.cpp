@@ -6,6 +6,7 @@
 #include "apps/drawing/geometry/projection.h"
 #include "apps/frame/document/drawing_names.h"
 #include "apps/frame/view/solver/solver_scene.h"
+#include "femoop/solver/index.h"
 #include "femoop/solver/trace/front_matrix.h"
 
 namespace frame {
@@ -19,8 +20,6 @@ namespace {
 
 constexpr std::size_t first_series = 3; // of separators: hues that no state of a block has
 constexpr double bulge = 0.14;          // of an arc's length
-
-std::size_t index(std::int32_t i) { return static_cast<std::size_t>(i); }
 
 /// The structure on the sheet with the front on it.
 class StructureWalk {
@@ -67,7 +66,8 @@ private:
         // A member's own unknowns are drawn on it.
         for (std::size_t clique = 0; clique < trace().graph.n_cliques(); ++clique)
             if (const auto blocks = trace().graph.clique(clique); blocks.size() > 2)
-                places_[index(blocks[2])] = 0.65 * places_[index(blocks[0])] + 0.35 * places_[index(blocks[1])];
+                places_[femoop::at(blocks[2])] = 0.65 * places_[femoop::at(blocks[0])] +
+                                                 0.35 * places_[femoop::at(blocks[1])];
     }
 
     /// The mean distance of neighbours.
@@ -79,7 +79,7 @@ private:
             sum += distance(end(clique, 0), end(clique, 1));
         return n == 0 ? std::min(box_.width(), box_.height()) : sum / static_cast<double>(n);
     }
-    Point end(std::size_t clique, std::size_t i) const { return places_[index(trace().graph.clique(clique)[i])]; }
+    Point end(std::size_t clique, std::size_t i) const { return places_[femoop::at(trace().graph.clique(clique)[i])]; }
 
     void draw_separators() const
     {
@@ -150,11 +150,11 @@ private:
     }
     bool is_in_K(std::int32_t column, std::int32_t row) const
     {
-        const auto& entries = scene_.walk().columns[index(column)];
+        const auto& entries = scene_.walk().columns[femoop::at(column)];
         const auto found = std::ranges::find(entries, row, &femoop::EliminationWalk::Entry::row);
         return found != entries.end() && !found->is_fill;
     }
-    Point place_of(std::int32_t place) const { return places_[index(scene_.block_at(place))]; }
+    Point place_of(std::int32_t place) const { return places_[femoop::at(scene_.block_at(place))]; }
 
     void draw_arc(Point a, Point b, const ui::Stroke& stroke) const
     {

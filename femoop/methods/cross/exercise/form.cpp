@@ -12,10 +12,10 @@ namespace femoop::cross {
 namespace {
 
 constexpr double by_hand = 0.02;       // of the largest fixed-end moment: where a hand stops
-constexpr double no_moment = 1e-9;     // of the largest
+constexpr double no_end_moment = 1e-9; // of the largest
 constexpr std::size_t most_loads = 12; // of which each is tried to be forgotten
 
-double largest_of(const std::vector<double>& moments)
+double largest_end_moment(const std::vector<double>& moments)
 {
     double largest = 0.0;
     for (const double moment : moments) largest = std::max(largest, std::abs(moment));
@@ -23,9 +23,10 @@ double largest_of(const std::vector<double>& moments)
 }
 
 /// Lays out the cells in the order in which they are worked.
-class Layout {
+class FormLayout {
 public:
-    Layout(const Model& model, Form& form, const FormOptions& options) : model_(model), form_(form), options_(options)
+    FormLayout(const Model& model, Form& form, const FormOptions& options)
+        : model_(model), form_(form), options_(options)
     {}
 
     void lay_out()
@@ -57,7 +58,7 @@ private:
         const Loading& loading = form_.loading(sheet);
         add_fixed_ends(sheet);
         Procedure procedure = options_.procedure;
-        if (!procedure.tolerance || sheet > 0) procedure.tolerance = by_hand * largest_of(loading.fixed_end);
+        if (!procedure.tolerance || sheet > 0) procedure.tolerance = by_hand * largest_end_moment(loading.fixed_end);
         procedure.most_steps = options_.most_turns;
         procedure.digits = 0;
         const Sheet worked = try_to_distribute(model_, problem, loading, procedure);
@@ -88,7 +89,7 @@ private:
     {
         const std::vector<double>& moments = form_.loading(sheet).fixed_end;
         const End& end = form_.problem[id];
-        const double least = no_moment * largest_of(moments);
+        const double least = no_end_moment * largest_end_moment(moments);
         const auto has_moment = [&](EndId e) { return std::abs(moments[e.index]) > least; };
         return has_moment(id) || (end.far && !end.is_overhang && has_moment(*end.far));
     }
@@ -238,7 +239,7 @@ std::optional<Form> form_of(const Model& model, CaseId load_case, FarEnds far_en
         const MemberAction& unit = form.problem.members[form.slenderest.index];
         if (unit.EI_over_L > 0.0) form.EI = unit.EI_over_L * unit.length;
     }
-    Layout layout(model, form, options);
+    FormLayout layout(model, form, options);
     layout.lay_out();
     if (layout.is_full()) return std::nullopt;
     find_plain(form, model, load_case);

@@ -13,7 +13,7 @@ using namespace femoop::cross;
 
 namespace {
 
-Model two_spans()
+Model refused_spans()
 {
     FrameMaker made;
     made.node("A", 0, 0, fixed).node("B", 4, 0, roller).node("C", 9, 0, fixed).member("A", "B").member("B", "C");
@@ -34,12 +34,12 @@ Fault found_in(const Model& model, CaseId load_case = CaseId(0))
     return {};
 }
 
-FaultKind fault_of(const Model& model) { return found_in(model).kind; }
+FaultKind refusal_of(const Model& model) { return found_in(model).kind; }
 
 /// Two spans between fixed ends, with a cause of their own in every case.
 Model held_spans()
 {
-    Model model = two_spans();
+    Model model = refused_spans();
     model.materials[0].alpha = 1.2e-5;
     model.sections[0].h = 0.3;
     model.add(LoadCase{.id = "warm", .members = {{.member = MemberId(1), .load = TemperatureLoad{20.0, 20.0}}}});
@@ -58,30 +58,30 @@ TEST_CASE("Moment distribution refuses other structures than plane frames")
     made.model.analysis = AnalysisKind::Truss2d;
     made.node("A", 0, 0, pin).node("B", 4, 0, roller).node("C", 2, 3);
     made.member("A", "B").member("B", "C").member("C", "A");
-    CHECK(fault_of(made.model) == FaultKind::CrossNeedsPlaneFrame);
+    CHECK(refusal_of(made.model) == FaultKind::CrossNeedsPlaneFrame);
 }
 
 TEST_CASE("Moment distribution refuses members that have no stiffness factor")
 {
-    Model rigid = two_spans(), skew = two_spans(), sprung = two_spans();
+    Model rigid = refused_spans(), skew = refused_spans(), sprung = refused_spans();
     rigid.members[1].rigid = true;
     skew.members[1].start.offset = {0.0, 0.3};
     sprung.members[1].end.springs.push_back({.dof = Dof::ux, .stiffness = 500.0});
-    CHECK(fault_of(rigid) == FaultKind::CrossRigidMember);
-    CHECK(fault_of(skew) == FaultKind::CrossSkewOffset);
-    CHECK(fault_of(sprung) == FaultKind::CrossAxialSpring);
+    CHECK(refusal_of(rigid) == FaultKind::CrossRigidMember);
+    CHECK(refusal_of(skew) == FaultKind::CrossSkewOffset);
+    CHECK(refusal_of(sprung) == FaultKind::CrossAxialSpring);
 }
 
 TEST_CASE("Moment distribution refuses models without a load case and models beyond its size")
 {
-    Model idle = two_spans();
+    Model idle = refused_spans();
     idle.load_cases.clear();
-    CHECK(fault_of(idle) == FaultKind::CrossWithoutCase);
+    CHECK(refusal_of(idle) == FaultKind::CrossWithoutCase);
     FrameMaker made;
     for (std::size_t i = 0; i <= most_nodes; ++i)
         made.node("n" + std::to_string(i), 3.0 * static_cast<double>(i), 0, i == 0 ? fixed : roller);
     for (std::size_t i = 0; i < most_nodes; ++i) made.member("n" + std::to_string(i), "n" + std::to_string(i + 1));
-    CHECK(fault_of(made.model) == FaultKind::CrossTooLarge);
+    CHECK(refusal_of(made.model) == FaultKind::CrossTooLarge);
 }
 
 TEST_CASE("A temperature that lengthens a member between held ends is refused with the member and the case")

@@ -44,13 +44,14 @@ std::string refusal(const json& file)
     return "";
 }
 
-const std::string portal = "tests/cases/own/staged-portal.json", storeys = "tests/cases/own/staged-two-storeys.json";
+const std::string staged_portal = "tests/cases/own/staged-portal.json",
+                  storeys = "tests/cases/own/staged-two-storeys.json";
 
 } // namespace
 
 TEST_CASE("Any number of a staged sheet that is a thousandth off fails")
 {
-    for (const std::string& path : {portal, storeys}) {
+    for (const std::string& path : {staged_portal, storeys}) {
         CAPTURE(path);
         json file = file_of(path);
         REQUIRE(verified(file).failed == 0);
@@ -69,7 +70,7 @@ TEST_CASE("Any number of a staged sheet that is a thousandth off fails")
 
 TEST_CASE("A prop whose reaction is not told is a prop all the same")
 {
-    json file = file_of(portal);
+    json file = file_of(staged_portal);
     const int n_before = verified(file).passed;
     file["cross"]["stages"][0]["prop"].erase("reaction");
     CHECK(verified(file).passed == n_before - 1);
@@ -93,7 +94,7 @@ namespace {
 /// The portal with an overhang from C.
 json with_overhang(double dx, double dy)
 {
-    json file = file_of(portal);
+    json file = file_of(staged_portal);
     const auto corner = std::ranges::find(file["nodes"], "C", [](const json& node) { return node["id"]; });
     const double x = (*corner)["at"][0], y = (*corner)["at"][1];
     json member = file["members"][0];
@@ -121,7 +122,7 @@ TEST_CASE("A prop at the tip of an overhang holds the sway where it acts along t
 
 TEST_CASE("A prop that no sway moves is refused with those that would do")
 {
-    json file = file_of(portal);
+    json file = file_of(staged_portal);
     json& prop = file["cross"]["stages"][0]["prop"];
     prop["node"] = "A";
     CHECK(refusal(file) == "cross.stages[0].prop: \"A ux\" is none of B ux, C ux; choose one of them");
@@ -131,7 +132,7 @@ TEST_CASE("A prop that no sway moves is refused with those that would do")
     CHECK(refusal(file).starts_with("cross.stages[0].prop.dof: \"rz\" is none of ux, uy"));
     prop = "B";
     CHECK(refusal(file).starts_with("cross.stages[0].prop: "));
-    file = file_of(portal);
+    file = file_of(staged_portal);
     file["cross"]["stages"][1]["sway"]["node"] = "D";
     CHECK(refusal(file).starts_with("cross.stages[1].sway: \"D ux\" is none of B ux, C ux"));
 }
@@ -147,7 +148,7 @@ TEST_CASE("Props that leave a sway free, or hold one twice, are refused")
 
 TEST_CASE("A cell of a sheet that is no number is refused")
 {
-    json file = file_of(portal);
+    json file = file_of(staged_portal);
     file["cross"]["stages"][0]["sheet"][1]["BA"] = "-12";
     CHECK(refusal(file).find("\"-12\"") != std::string::npos);
 }

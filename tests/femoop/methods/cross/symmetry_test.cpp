@@ -23,7 +23,7 @@ namespace {
 
 constexpr double H = 4, B = 7, q = 12, W = 30; // of the portals
 
-FrameMaker portal()
+FrameMaker symmetric_portal()
 {
     FrameMaker made;
     made.node("A", 0, 0, fixed).node("B", 0, H).node("C", B, H).node("D", B, 0, fixed);
@@ -36,7 +36,7 @@ Problem half_of(const Model& model, FarEnds far_ends = FarEnds::Modified)
     return problem_of(model, CaseId(0), far_ends, Extent::Half);
 }
 
-double at(const Problem& problem, const std::vector<double>& moments, std::string_view end)
+double moment_at(const Problem& problem, const std::vector<double>& moments, std::string_view end)
 {
     return moments[problem.find_end(end)->index];
 }
@@ -110,7 +110,7 @@ struct RandomFrame {
 };
 
 /// Why half of it cannot be worked.
-std::optional<FaultKind> fault_of(const Model& model)
+std::optional<FaultKind> symmetry_fault_of(const Model& model)
 {
     try {
         static_cast<void>(by_halves(model, problem_of(model, CaseId(0))));
@@ -139,29 +139,29 @@ TEST_CASE("One balance is exact on a symmetric beam of three spans")
     CHECK(all.held.sheet.steps.size() == 1);
     // the three-moment equation: 2 (l + L) M + L M = q l^3 / 4 + q L^3 / 4
     const double M = q * (l * l * l + L * L * L) / (4 * (2 * l + 3 * L));
-    CHECK(at(problem, all.moments, "BA") == Approx(-M));
-    CHECK(at(problem, all.moments, "CB") == Approx(-M));
-    CHECK(at(problem, all.moments, "CD") == Approx(M));
+    CHECK(moment_at(problem, all.moments, "BA") == Approx(-M));
+    CHECK(moment_at(problem, all.moments, "CB") == Approx(-M));
+    CHECK(moment_at(problem, all.moments, "CD") == Approx(M));
 }
 
 TEST_CASE("One balance is exact on a symmetric portal, and it does not sway")
 {
-    const Model model = portal().uniform("BC", -q).model;
+    const Model model = symmetric_portal().uniform("BC", -q).model;
     const Problem problem = half_of(model);
     CHECK(problem.sways.empty());
     const Superposition all = superpose(model, problem, {});
     CHECK(all.held.sheet.steps.size() == 1);
     // M_BA = q B^2 / 12 . k1 / (k1 + k2 / 2), k = I / L: the joint's share of 4EI/H against 2EI/B
     const double M = q * B * B / 12 * (4 / H) / (4 / H + 2 / B);
-    CHECK(at(problem, all.moments, "BA") == Approx(-M));
-    CHECK(at(problem, all.moments, "AB") == Approx(-M / 2));
-    CHECK(at(problem, all.moments, "CD") == Approx(M));
-    CHECK(at(problem, all.moments, "DC") == Approx(M / 2));
+    CHECK(moment_at(problem, all.moments, "BA") == Approx(-M));
+    CHECK(moment_at(problem, all.moments, "AB") == Approx(-M / 2));
+    CHECK(moment_at(problem, all.moments, "CD") == Approx(M));
+    CHECK(moment_at(problem, all.moments, "DC") == Approx(M / 2));
 }
 
 TEST_CASE("A force on a portal sways it antisymmetrically: one balance with 6EI/L, then the shear equation")
 {
-    const Model model = portal().force("B", Dof::ux, W).model;
+    const Model model = symmetric_portal().force("B", Dof::ux, W).model;
     const Problem problem = half_of(model);
     REQUIRE(problem.sways.size() == 1);
     CHECK(formula(problem.of_sheet(1), *problem.find_end("BC")) == "6EI/L");
@@ -170,14 +170,14 @@ TEST_CASE("A force on a portal sways it antisymmetrically: one balance with 6EI/
     CHECK(all.sways.front().sheet.steps.size() == 1);
     // k = (I_BC / B) / (I_AB / H): M_B = W H / 2 . 3k / (6k + 1), M_A = W H / 2 . (3k + 1) / (6k + 1)
     const double k = H / B;
-    CHECK(at(problem, all.moments, "BA") == Approx(W * H / 2 * 3 * k / (6 * k + 1)));
-    CHECK(at(problem, all.moments, "AB") == Approx(W * H / 2 * (3 * k + 1) / (6 * k + 1)));
-    CHECK(at(problem, all.moments, "CB") == Approx(at(problem, all.moments, "BC")));
+    CHECK(moment_at(problem, all.moments, "BA") == Approx(W * H / 2 * 3 * k / (6 * k + 1)));
+    CHECK(moment_at(problem, all.moments, "AB") == Approx(W * H / 2 * (3 * k + 1) / (6 * k + 1)));
+    CHECK(moment_at(problem, all.moments, "CB") == Approx(moment_at(problem, all.moments, "BC")));
 }
 
 TEST_CASE("Loads of both kinds: the loads' sheet is symmetric, the sway's antisymmetric")
 {
-    const Model model = portal().uniform("BC", -q).force("C", Dof::ux, W).model;
+    const Model model = symmetric_portal().uniform("BC", -q).force("C", Dof::ux, W).model;
     const Problem problem = half_of(model);
     CHECK(problem.of_sheet(0).mirror->kind == SymmetryKind::Symmetric);
     CHECK(problem.of_sheet(1).mirror->kind == SymmetryKind::Antisymmetric);
@@ -201,7 +201,7 @@ TEST_CASE("A joint on the axis of a symmetric sheet is never turned")
         const Superposition all = superpose(made.model, problem, {.order = order, .joints = {}});
         CHECK(all.held.sheet.steps.size() == 1);
         CHECK(all.rotations[problem.joint_at(NodeId(2))->index] == 0.0);
-        CHECK(at(problem, all.moments, "CB") == Approx(-at(problem, all.moments, "CD")));
+        CHECK(moment_at(problem, all.moments, "CB") == Approx(-moment_at(problem, all.moments, "CD")));
     }
 }
 
@@ -213,8 +213,8 @@ TEST_CASE("Where all joints of a symmetric beam stand on its axis nothing is bal
     const Problem problem = half_of(made.model);
     const Superposition all = superpose(made.model, problem, {.order = Order::AllAtOnce, .joints = {}});
     CHECK(all.held.sheet.steps.empty());
-    CHECK(at(problem, all.moments, "AB") == Approx(q * 25 / 12));
-    CHECK(at(problem, all.moments, "BA") == Approx(-q * 25 / 12));
+    CHECK(moment_at(problem, all.moments, "AB") == Approx(q * 25 / 12));
+    CHECK(moment_at(problem, all.moments, "BA") == Approx(-q * 25 / 12));
 }
 
 TEST_CASE("A column that stands on its own axis is worked as it is")
@@ -319,18 +319,19 @@ TEST_CASE("Half of 300 random frames gives the moments of the whole, with fewer 
 
 TEST_CASE("What keeps a structure from being halved is named")
 {
-    Model aside = portal().uniform("BC", -q).model;
+    Model aside = symmetric_portal().uniform("BC", -q).model;
     aside.nodes[3].at[0] = B + 1.0;
-    CHECK(fault_of(aside) == FaultKind::CrossNodeWithoutImage);
-    Model pinned = portal().uniform("BC", -q).model;
+    CHECK(symmetry_fault_of(aside) == FaultKind::CrossNodeWithoutImage);
+    Model pinned = symmetric_portal().uniform("BC", -q).model;
     pinned.nodes[3].support = Support{.kind = pin};
-    CHECK(fault_of(pinned) == FaultKind::CrossEndWithoutImage);
-    CHECK(fault_of(portal().point("BC", 2, -q).model) == FaultKind::CrossSkewLoads);
-    CHECK(fault_of(portal().uniform("BC", -q).force("B", Dof::rz, 5).model) == FaultKind::CrossSkewLoads);
+    CHECK(symmetry_fault_of(pinned) == FaultKind::CrossEndWithoutImage);
+    CHECK(symmetry_fault_of(symmetric_portal().point("BC", 2, -q).model) == FaultKind::CrossSkewLoads);
+    CHECK(symmetry_fault_of(symmetric_portal().uniform("BC", -q).force("B", Dof::rz, 5).model) ==
+          FaultKind::CrossSkewLoads);
     FrameMaker gable;
     gable.node("A", 0, 0, fixed).node("B", 0, 4).node("C", 4, 6).node("D", 8, 4).node("E", 8, 0, fixed);
     gable.member("A", "B").member("B", "C").member("C", "D").member("D", "E").uniform("BC", -q).uniform("CD", -q);
-    CHECK(fault_of(gable.model) == FaultKind::CrossSkewSway);
+    CHECK(symmetry_fault_of(gable.model) == FaultKind::CrossSkewSway);
     CHECK_THROWS_AS(half_of(aside), ModelError);
-    CHECK(!fault_of(portal().model));
+    CHECK(!symmetry_fault_of(symmetric_portal().model));
 }
