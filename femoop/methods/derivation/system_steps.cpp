@@ -153,7 +153,8 @@ std::vector<Step> SystemSteps::tie_forces(CaseId load_case, const CaseResult& re
 std::vector<Step> SystemSteps::solved(CaseId load_case, const CaseResult& result) const
 {
     std::vector<Step> steps;
-    if (!rows_.empty() || system_.has_few_unknowns()) steps.push_back(right_hand_side(load_case));
+    const bool has_unknowns = system_.trace().f.rows() > 0; // else supports hold all
+    if (!rows_.empty() || (has_unknowns && system_.has_few_unknowns())) steps.push_back(right_hand_side(load_case));
     if (auto imposed = this->imposed(load_case)) steps.push_back(std::move(*imposed));
     if (!system_.trace().place.empty()) steps.push_back(equations(load_case, result));
     return steps;

@@ -341,6 +341,17 @@ TEST_SUITE("derivation")
         CHECK(std::ranges::count(derivation.steps, StepKind::EndForces, &Step::kind) == 2);
     }
 
+    TEST_CASE("Where supports hold every node there are no equations, and none are written")
+    {
+        Model model = propped_beam();
+        model.nodes[1].support = Support{.kind = SupportKind::Fixed};
+        const Derivation derivation = derived(model, along(MemberComponent::Mz, Percent{50.0}));
+        CHECK(derivation.value == doctest::Approx(q * L * L / 24.0));
+        CHECK(std::ranges::none_of(derivation.steps, [](const Step& step) {
+            return step.kind == StepKind::RightHandSide || step.kind == StepKind::Equations;
+        }));
+    }
+
     TEST_CASE("Of an envelope the largest and the smallest extreme are each of the case that has it")
     {
         // down, V falls from 5/8 q L to -3/8 q L; up by half, from -5/16 q L to 3/16 q L
