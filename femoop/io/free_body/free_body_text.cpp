@@ -282,8 +282,10 @@ std::vector<tabular::Table> tables(const FreeBody& body, const Model& model, con
 {
     const std::vector<Equation> equations = free_body::equations(body, model.analysis, about);
     const auto first_moment = std::ranges::find_if(equations, [](const Equation& one) { return is_rotation(one.dof); });
-    std::vector<tabular::Table> all{force_table(body, model, {equations.begin(), first_moment}, tr)};
-    for (const Equation& equation : std::span(first_moment, equations.end()))
+    const auto n_forces = static_cast<std::size_t>(first_moment - equations.begin());
+    const std::span<const Equation> all_equations = equations;
+    std::vector<tabular::Table> all{force_table(body, model, all_equations.first(n_forces), tr)};
+    for (const Equation& equation : all_equations.subspan(n_forces))
         if (!equation.moments.empty()) all.push_back(moment_table(body, model, equation, tr));
     return all;
 }
