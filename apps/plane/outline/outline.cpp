@@ -70,7 +70,7 @@ private:
     struct Hash {
         std::size_t operator()(const Cell& cell) const
         {
-            constexpr std::size_t mixing = 0x9E3779B97F4A7C15U;
+            constexpr auto mixing = static_cast<std::size_t>(0x9E3779B97F4A7C15ULL);
             return static_cast<std::size_t>(cell[0]) * mixing ^ static_cast<std::size_t>(cell[1]);
         }
     };
