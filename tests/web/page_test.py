@@ -13,6 +13,7 @@ from browser import Browser
 
 SITE = pathlib.Path(sys.argv.pop(1)) if len(sys.argv) > 1 else pathlib.Path('build/web/site')
 PICTURES = pathlib.Path(sys.argv.pop(1)) if len(sys.argv) > 1 else pathlib.Path(tempfile.mkdtemp())
+APPS = ('frame', 'plane', 'cross', 'mohr', 'euler')
 B, D = (392, 349), (774, 564)  # nodes of the portal frame in a page of 1280 x 800 [px]
 
 
@@ -48,7 +49,7 @@ class Pages(unittest.TestCase):
         return json.loads(page.value(f"FS.readFile('/documents/{name}.json', {{ encoding: 'utf8' }})"))
 
     def test_every_app_opens_and_complains_of_nothing(self):
-        for app in ('frame', 'cross', 'mohr', 'euler'):
+        for app in APPS:
             with self.subTest(app=app), Browser() as page:
                 took = page.open(f'{self.address}{app}.html')
                 print(f'{app}: {took:.1f} s until it draws')
@@ -90,7 +91,7 @@ class Pages(unittest.TestCase):
                 self.assertEqual(json.loads(again), kept)
 
     def test_the_single_file_opens_from_the_disk(self):
-        for app in ('frame', 'cross', 'mohr', 'euler'):
+        for app in APPS:
             with self.subTest(app=app), Browser() as page:
                 took = page.open((SITE / 'single' / f'{app}.html').resolve().as_uri())
                 print(f'{app}: {took:.1f} s until its single file draws')
