@@ -1,3 +1,6 @@
+# cremona_site(): what is read before and beside the apps, in site/ too: the entrance page with its pictures, which cremona
+# draws, and the pages of courseware/.
+#
 # cremona_page(APP TITLE): the page of an app, in site/ of the build folder: APP.html, what it runs, and its files: the fonts,
 # cut down to the characters that widgets show, and the examples. site/single/APP.html is all of it in one file.
 set(site "${PROJECT_BINARY_DIR}/site")
@@ -29,11 +32,34 @@ function(cremona_page app title)
     "SHELL:--preload-file ${page_files}@/")
   configure_file("${page_folder}/app.html.in" "${site}/${app}.html" @ONLY)
   configure_file("${page_folder}/page.js" "${site}/page.js" COPYONLY)
-  configure_file("${page_folder}/index.html" "${site}/index.html" COPYONLY)
   set(single "${site}/single/${app}.html")
   add_custom_command(OUTPUT "${single}"
     COMMAND /usr/bin/python3 "${page_folder}/single_file.py" "${site}" ${app} "${single}"
     DEPENDS ${app} "${page_folder}/single_file.py" "${site}/${app}.html" "${site}/page.js"
     VERBATIM)
   add_custom_target(${app}_page ALL DEPENDS "${single}")
+endfunction()
+
+function(cremona_site)
+  set(folder "${PROJECT_SOURCE_DIR}/apps/web")
+  set(done "${PROJECT_BINARY_DIR}/site_done")
+  file(MAKE_DIRECTORY "${done}")
+  file(GLOB read CONFIGURE_DEPENDS "${folder}/*.py" "${folder}/gallery.json")
+  file(GLOB_RECURSE courseware CONFIGURE_DEPENDS "${PROJECT_SOURCE_DIR}/courseware/*")
+  foreach(file site.css entrance.js)
+    configure_file("${folder}/${file}" "${site}/${file}" COPYONLY)
+  endforeach()
+  add_custom_command(OUTPUT "${done}/pictures"
+    COMMAND /usr/bin/python3 "${folder}/gallery.py" "${PROJECT_SOURCE_DIR}" "${site}" ${CMAKE_CROSSCOMPILING_EMULATOR}
+            $<TARGET_FILE:cremona>
+    COMMAND "${CMAKE_COMMAND}" -E touch "${done}/pictures"
+    DEPENDS cremona "${folder}/gallery.py" "${folder}/gallery.json" ${examples}
+    VERBATIM)
+  add_custom_command(OUTPUT "${done}/pages"
+    COMMAND /usr/bin/python3 "${folder}/entrance.py" "${PROJECT_SOURCE_DIR}" "${site}"
+    COMMAND /usr/bin/python3 "${folder}/courseware_pages.py" "${PROJECT_SOURCE_DIR}" "${site}"
+    COMMAND "${CMAKE_COMMAND}" -E touch "${done}/pages"
+    DEPENDS ${read} ${courseware} ${examples}
+    VERBATIM)
+  add_custom_target(site ALL DEPENDS "${done}/pictures" "${done}/pages")
 endfunction()

@@ -15,7 +15,7 @@ KEY_NUMBERS = {'Backspace': 8, 'Tab': 9, 'Enter': 13, 'Escape': 27, 'Delete': 46
 class Browser:
     """One page of a browser whose profile begins empty, unless it is given one."""
 
-    def __init__(self, width=1280, height=800, profile=None, scale=1):
+    def __init__(self, width=1280, height=800, profile=None, scale=1, language='en-US'):
         self.profile = profile or tempfile.mkdtemp(prefix='cremona-browser-')
         to_browser, self.requests = os.pipe()
         self.answers, from_browser = os.pipe()
@@ -29,13 +29,14 @@ class Browser:
             ['chromium', '--headless=new', '--no-sandbox', '--use-gl=angle', '--use-angle=swiftshader',
              '--enable-unsafe-swiftshader', '--no-first-run', '--disable-extensions', '--remote-debugging-pipe',
              f'--user-data-dir={self.profile}', f'--window-size={width},{height}',
-             f'--force-device-scale-factor={scale}', 'about:blank'],
+             f'--force-device-scale-factor={scale}', f'--accept-lang={language}', 'about:blank'],
             preexec_fn=as_descriptors_3_and_4, close_fds=False, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
         os.close(to_browser)
         os.close(from_browser)
         self.number, self.heard, self.events, self.session = 0, b'', [], None
         self.downloads = tempfile.mkdtemp(prefix='cremona-downloads-')
         self.call('Browser.setDownloadBehavior', behavior='allow', downloadPath=self.downloads)
+        self.call('Browser.grantPermissions', permissions=['clipboardReadWrite', 'clipboardSanitizedWrite'])
         target = next(t for t in self.call('Target.getTargets')['targetInfos'] if t['type'] == 'page')
         self.session = self.call('Target.attachToTarget', targetId=target['targetId'], flatten=True)['sessionId']
         for domain in ('Page', 'Runtime', 'Log', 'Network'):
@@ -101,6 +102,11 @@ class Browser:
             if time.monotonic() > end:
                 raise TimeoutError(expression)
             self.wait(0.05)
+
+    def read(self, address):
+        """Opens a page that is read."""
+        self.call('Page.navigate', url=address)
+        self.wait_for("document.readyState === 'complete' && location.href !== 'about:blank'")
 
     def open(self, address):
         """Opens the page of an app, and waits until the app draws. Returns how long that took [s]."""

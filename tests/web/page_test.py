@@ -10,6 +10,7 @@ import threading
 import unittest
 
 from browser import Browser
+from well_formed import PageReader, leads_nowhere
 
 SITE = pathlib.Path(sys.argv.pop(1)) if len(sys.argv) > 1 else pathlib.Path('build/web/site')
 PICTURES = pathlib.Path(sys.argv.pop(1)) if len(sys.argv) > 1 else pathlib.Path(tempfile.mkdtemp())
@@ -69,6 +70,35 @@ class Pages(unittest.TestCase):
             self.assertTrue(page.value("document.title.startsWith('*')"))
             self.assertEqual(len(self.saved(page, 'after')['members']), before + 1)
             self.assertEqual(page.complaints(), [])
+
+    def test_the_entrance_opens_an_example_at_one_click(self):
+        with Browser() as page:
+            page.read(f'{self.address}index.html')
+            self.picture(page, 'entrance')
+            loaded = "[...document.images].filter((image) => image.complete && image.naturalWidth > 0).length"
+            page.value("document.querySelectorAll('img').forEach((image) => { image.loading = 'eager'; })")
+            page.wait_for(f'{loaded} === document.images.length', 20)
+            page.value("document.querySelector('.gallery a').click()")
+            page.wait_for("document.title.includes('portal.json') && document.title.includes('\u2013')")
+            self.assertEqual(page.complaints(), [])
+
+    def test_who_speaks_portuguese_is_met_in_portuguese(self):
+        with Browser(language='pt-BR') as page:
+            page.read(f'{self.address}index.html')
+            page.wait_for("document.documentElement.lang === 'pt-BR'", 10)
+            page.value("document.querySelector('header a').click()")
+            page.wait_for("document.documentElement.lang === 'en'", 10)
+            page.wait(0.5)
+            self.assertEqual(page.value('document.documentElement.lang'), 'en')
+
+    def test_every_link_of_every_page_that_is_read_leads_somewhere(self):
+        names = [path.relative_to(SITE).as_posix() for path in SITE.rglob('*.html') if path.parent.name != 'single']
+        self.assertGreater(len(names), 30)
+        for name in names:
+            text = (SITE / name).read_text(encoding='utf-8')
+            with self.subTest(page=name):
+                self.assertEqual(leads_nowhere(SITE, name, text), [])
+                self.assertEqual(PageReader(text).faults, [])
 
     def test_nothing_is_asked_of_another_machine(self):
         with Browser() as page:

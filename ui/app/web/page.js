@@ -6,12 +6,13 @@
 'use strict';
 
 const language = new URLSearchParams(location.search).get('lang') || navigator.language;
-const texts = {
+const allTexts = {
     en: { open: 'Open a file…', over: 'The program has ended; load the page again to start it.',
           old: 'This browser is too old for this file: it cannot unpack it (DecompressionStream).' },
     pt: { open: 'Abrir um arquivo…', over: 'O programa terminou; recarregue a página para iniciá-lo.',
           old: 'Este navegador é antigo demais para este arquivo: não consegue descompactá-lo (DecompressionStream).' },
-}[language.startsWith('pt') ? 'pt' : 'en'];
+};
+const texts = allTexts[language.startsWith('pt') ? 'pt' : 'en'];
 
 const kept = ['/documents', '/home'];
 const delivered = ['/documents', '/examples'];
@@ -128,6 +129,8 @@ function listen() {
     const chooser = document.getElementById('file');
     document.getElementById('open').onclick = () => chooser.click();
     document.getElementById('open').textContent = texts.open;
+    const entrance = document.querySelector('footer a');
+    if (entrance && texts === allTexts.pt) entrance.href = 'index.pt_BR.html';
     chooser.onchange = () => { openFiles([...chooser.files]); chooser.value = ''; };
     document.addEventListener('dragover', (event) => event.preventDefault());
     document.addEventListener('drop', (event) => {
