@@ -32,10 +32,11 @@ function(cremona_page app title)
     "SHELL:--preload-file ${page_files}@/")
   configure_file("${page_folder}/app.html.in" "${site}/${app}.html" @ONLY)
   configure_file("${page_folder}/page.js" "${site}/page.js" COPYONLY)
+  configure_file("${page_folder}/share.js" "${site}/share.js" COPYONLY)
   set(single "${site}/single/${app}.html")
   add_custom_command(OUTPUT "${single}"
     COMMAND /usr/bin/python3 "${page_folder}/single_file.py" "${site}" ${app} "${single}"
-    DEPENDS ${app} "${page_folder}/single_file.py" "${site}/${app}.html" "${site}/page.js"
+    DEPENDS ${app} "${page_folder}/single_file.py" "${site}/${app}.html" "${site}/page.js" "${site}/share.js"
     VERBATIM)
   add_custom_target(${app}_page ALL DEPENDS "${single}")
 endfunction()

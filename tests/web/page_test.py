@@ -1,5 +1,6 @@
 """page_test.py SITE [PICTURES]: the pages in a real browser, by mouse and keyboard. Each test has a page of its own."""
 
+import base64
 import functools
 import http.server
 import json
@@ -8,6 +9,8 @@ import sys
 import tempfile
 import threading
 import unittest
+import urllib.parse
+import zlib
 
 from browser import Browser
 from well_formed import PageReader, leads_nowhere
@@ -18,18 +21,29 @@ APPS = ('frame', 'plane', 'cross', 'mohr', 'euler')
 B, D = (392, 349), (774, 564)  # nodes of the portal frame in a page of 1280 x 800 [px]
 
 
+def fragment(data, version=1):
+    return f'#m={version}.' + base64.urlsafe_b64encode(data).decode().rstrip('=')
+
+
+def link(document):
+    return fragment(zlib.compress(document.encode()))
+
+
 class Quiet(http.server.SimpleHTTPRequestHandler):
     def log_message(self, *_):
         pass
 
 
 class Pages(unittest.TestCase):
+    @staticmethod
+    def serve():
+        server = http.server.ThreadingHTTPServer(('127.0.0.1', 0), functools.partial(Quiet, directory=str(SITE)))
+        threading.Thread(target=server.serve_forever, daemon=True).start()
+        return server, f'http://127.0.0.1:{server.server_port}/'
+
     @classmethod
     def setUpClass(cls):
-        handler = functools.partial(Quiet, directory=str(SITE))
-        cls.server = http.server.ThreadingHTTPServer(('127.0.0.1', 0), handler)
-        threading.Thread(target=cls.server.serve_forever, daemon=True).start()
-        cls.address = f'http://127.0.0.1:{cls.server.server_port}/'
+        cls.server, cls.address = cls.serve()
 
     @classmethod
     def tearDownClass(cls):
@@ -99,6 +113,90 @@ class Pages(unittest.TestCase):
             with self.subTest(page=name):
                 self.assertEqual(leads_nowhere(SITE, name, text), [])
                 self.assertEqual(PageReader(text).faults, [])
+
+    def test_a_document_that_another_page_hands_over_is_opened(self):
+        text = (SITE / '../page_files/examples/three_spans.json').read_text(encoding='utf-8')
+        with Browser() as page:
+            page.open(f'{self.address}frame.html')
+            page.value(f'localStorage.setItem("cremona.handed.1", {json.dumps(text)})')
+            page.open(f'{self.address}cross.html?handed=cremona.handed.1')
+            self.assertIn('Continuous beam of three unequal spans', page.value('Module.copyOfDocument()[0]'))
+            self.assertEqual(page.value('localStorage.length'), 0)
+
+    def copied_link(self, page):
+        page.value("document.getElementById('copy').click()")
+        page.wait_for("document.getElementById('message').textContent !== ''", 10)
+        self.assertIn('was copied', page.value("document.getElementById('message').textContent"))
+        return page.value('navigator.clipboard.readText()')
+
+    def test_a_link_opens_the_same_document_and_view_in_another_browser(self):
+        with Browser() as page:
+            page.open(f'{self.address}frame.html?open=/examples/portal.json&show=loads,V&lang=pt_BR')
+            page.key('m')
+            page.click(*B)
+            page.click(*D)
+            page.key('Escape')
+            page.value("texts.copied = 'The link was copied'")  # it speaks Portuguese
+            copied = self.copied_link(page)
+            drawn = self.saved(page, 'drawn')
+            self.picture(page, 'link_of')
+        self.assertLess(len(copied), 3000)
+        with Browser() as page:
+            page.open(copied)
+            self.picture(page, 'link_opened')
+            self.assertIn('show=loads%2CV', page.value('location.search'))
+            self.assertIn('lang=pt', page.value('location.search'))
+            self.assertEqual(page.value('texts.copy'), 'Copiar link')
+            self.assertEqual(self.saved(page, 'opened'), drawn)
+            self.assertEqual(page.complaints(), [])
+
+    def test_every_app_and_every_single_file_gives_a_link_that_it_opens(self):
+        other = {'frame': 'truss.json', 'plane': 'dam.json', 'cross': 'three_spans.json', 'euler': 'torus.eul'}
+        for app in APPS:
+            for address in (f'{self.address}{app}.html', (SITE / 'single' / f'{app}.html').resolve().as_uri()):
+                with self.subTest(address=address), Browser() as page:
+                    page.open(address + (f'?open=/examples/{other[app]}' if app in other else ''))
+                    document = page.value('Module.copyOfDocument()[0]')
+                    copied = self.copied_link(page)
+                    self.assertTrue(copied.startswith(address + '?lang=en'), copied)
+                    page.open(copied)
+                    self.assertEqual(page.value('Module.copyOfDocument()[0]'), document)
+                    self.assertEqual(self.copied_link(page), copied)
+                    self.assertEqual(page.complaints(), [])
+
+    def test_a_link_that_is_no_good_opens_the_app_and_says_so(self):
+        portal = link((SITE / '../page_files/examples/portal.json').read_text(encoding='utf-8'))
+        for bad, words in ((portal[:200], 'cut off'), (portal.replace('#m=1', '#m=2'), 'later version'),
+                           (fragment(zlib.compress(bytes(10 << 20))), 'too large'), ('#m=1.<b>', 'cut off')):
+            with self.subTest(link=bad[:40]), Browser() as page:
+                page.open(f'{self.address}frame.html{bad}')
+                self.assertIn(words, page.value("document.getElementById('message').textContent"))
+                self.assertEqual([text for text in page.complaints() if text.startswith('exception')], [])
+
+    def test_what_a_document_holds_never_runs(self):
+        script = '<img src=x onerror="window.ran = true"></script><script>window.ran = true</script>'
+        model = json.loads((SITE / '../page_files/examples/portal.json').read_text(encoding='utf-8'))
+        model['title'] = script
+        model['notes'] = script
+        for document in (json.dumps(model), script):
+            with self.subTest(document=document[:30]), Browser() as page:
+                page.open(f'{self.address}frame.html{link(document)}')
+                page.wait(0.5)
+                self.assertEqual('onerror' in page.value('Module.copyOfDocument()[0]'), document != script)
+                self.assertIsNone(page.value('window.ran'))
+                self.assertEqual(page.value("document.querySelectorAll('img').length"), 0)
+        with Browser() as page:  # in the address; the program ends, and says why
+            page.read(f'{self.address}frame.html?case={urllib.parse.quote(script)}{link(json.dumps(model))}x')
+            page.wait(3.0)
+            self.assertIsNone(page.value('window.ran'))
+
+    def test_a_link_that_is_pasted_over_an_open_page_is_opened(self):
+        with Browser() as page:
+            page.open(f'{self.address}frame.html')
+            text = (SITE / '../page_files/examples/truss.json').read_text(encoding='utf-8')
+            page.value(f"window.before = true; location.hash = '{link(text)}'")
+            page.wait_for("!window.before && document.title.includes('\u2013')")
+            self.assertEqual(len(self.saved(page, 'pasted')['members']), len(json.loads(text)['members']))
 
     def test_nothing_is_asked_of_another_machine(self):
         with Browser() as page:

@@ -7,6 +7,7 @@
 #include "ui/context/context.h"
 #include "ui/context/imgui_session.h"
 #include "ui/context/input.h"
+#include "ui/workspace/export_to_app.h"
 
 namespace ui {
 
@@ -24,6 +25,8 @@ public:
     virtual void ask_to_quit() = 0;
     virtual bool wants_to_quit() const = 0;
     virtual std::string window_title() const = 0;
+    /// The document as it stands and how it is looked at, for another window of this app.
+    virtual ExportToApp copy_of_document() const = 0;
     virtual ImGuiSession& gui() = 0;
     virtual const ImGuiSession& gui() const = 0;
 

@@ -51,6 +51,12 @@ public:
     {
         return (session().is_dirty() ? "*" : "") + workspace_.name() + " – " + session().tr()(face_.name);
     }
+    ExportToApp copy_of_document() const final
+    {
+        ExportToApp copy{.program = {}, .document = session().document_text(), .options = common_look()};
+        for (std::string& option : own_look()) copy.options.push_back(std::move(option));
+        return copy;
+    }
     ImGuiSession& gui() final { return gui_; }
     const ImGuiSession& gui() const final { return gui_; }
 
@@ -105,6 +111,8 @@ protected:
     virtual void show_beside_words() {} ///< more buttons
     /// Whether undo is the document's although a field of text has the keyboard: nothing was typed into it.
     virtual bool leaves_undo() const { return false; }
+    /// Options of the command line that show the document as it is shown, but for the language and the theme.
+    virtual std::vector<std::string> own_look() const { return {}; }
     virtual void show_own_dialogs() {}
     virtual void handle_own_requests() {}
     virtual float covered_width() const
@@ -146,6 +154,12 @@ private:
     void begin_export(const std::filesystem::path& path);
     void go_on_with_export();
     void hand_over(ExportToApp exported);
+    /// Options for every app: it speaks and looks as this one does.
+    std::vector<std::string> common_look() const
+    {
+        return {"--lang", std::string(code(session().tr().language())), "--theme",
+                std::string(text(workspace_.theme()))};
+    }
     void show_menu_bar();
     void show_dialogs();
     void ask_about_unsaved();
@@ -297,11 +311,9 @@ template <class Workspace> void DocumentApp<Workspace>::handle_common_request(Re
     }
 }
 
-// The other program speaks and looks as this one does.
 template <class Workspace> void DocumentApp<Workspace>::hand_over(ExportToApp exported)
 {
-    exported.options = {"--lang", std::string(code(session().tr().language())), "--theme",
-                        std::string(text(workspace_.theme()))};
+    exported.options = common_look();
     handed_ = std::move(exported);
     if (start_program_) start(*handed_);
 }

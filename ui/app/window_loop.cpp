@@ -5,6 +5,7 @@
 
 #include "ui/app/deliver_frame.h"
 #include "ui/context/frame_loop.h"
+#include "ui/context/offered_copy.h"
 #include "ui/context/window.h"
 
 namespace ui {
@@ -62,6 +63,7 @@ private:
     Fonts fonts_;
     Window window_;
     std::unique_ptr<App> app_;
+    OfferedCopy offered_copy_{[this] { return app_->copy_of_document(); }};
     int n_due_ = settling_frames;
     std::optional<Point> pointer_;
     std::string title_;

@@ -61,6 +61,8 @@ public:
     std::optional<AnyNotice> notice;
     void notify(const Message& sentence) { notice = AnyNotice{Notice{sentence}}; }
 
+    std::string document_text() const { return file_text(); } ///< what its file would hold
+
     virtual const Catalogue& tr() const = 0;
 
 protected:

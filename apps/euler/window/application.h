@@ -1,6 +1,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "apps/euler/session/commands.h"
 #include "apps/euler/window/canvas.h"
@@ -38,6 +39,7 @@ private:
     void follow_draft();
     void show_status() const override;
     std::string words() const override;
+    std::vector<std::string> own_look() const override { return {"--step", std::to_string(session().step())}; }
 
     Canvas canvas_;
     ScriptPanel script_;

@@ -317,4 +317,17 @@ std::string_view Application::written() const
                             : DocumentApp::written();
 }
 
+std::vector<std::string> Application::own_look() const
+{
+    const DrawOptions& view = session().view;
+    std::vector<std::string> look;
+    if (const std::string shown = words_of(view.show); !shown.empty()) look = {"--show", shown};
+    const femoop::Model& model = session().model();
+    if (!view.is_envelope && view.load_case.index < model.n_cases()) {
+        look.emplace_back("--case");
+        look.push_back(model.case_name(view.load_case));
+    }
+    return look;
+}
+
 } // namespace frame

@@ -43,6 +43,7 @@ private:
     ui::Picture picture() override { return canvas_.picture_of(workspace()); }
     std::optional<ui::Message> write(const std::filesystem::path& path) override; ///< what export.h says
     std::string_view written() const override;
+    std::vector<std::string> own_look() const override; ///< what is shown of which case
     void show_left() override;
     void show_right() override;
     void show_tabs();

@@ -4,6 +4,7 @@
 #include "apps/frame/document/number.h"
 #include "apps/frame/session/tabs.h"
 #include "apps/frame/window/application.h"
+#include "femoop/io/model_file.h"
 #include "tests/apps/frame_window/opened.h"
 #include "tests/golden/scene.h"
 #include "tests/source_folder.h"
@@ -12,6 +13,7 @@
 #include <doctest/doctest.h>
 
 #include <string>
+#include <vector>
 
 using namespace frame;
 
@@ -38,6 +40,29 @@ TEST_CASE("Files that are dropped on the window open in tabs of their own, and n
             REQUIRE(n_tabs(workspace) == 3);
             CHECK(workspace.session.file_name() == "gerber_beam.json");
             CHECK(tab(workspace, 0).model().title == "Changed");
+            return context.pixels();
+        },
+        golden::this_machine());
+}
+
+TEST_CASE("A copy for another window is what the file would hold, not what it holds, with what is shown and how")
+{
+    const ui::Fonts fonts;
+    golden::if_drawn(
+        [&] {
+            ui::Offscreen context({.size = {320, 200}});
+            Application application(context, fonts, opened("examples/portal.json"));
+            Session& session = application.workspace().session;
+            session.change({ui::translatable("Change"), [](Document& document) { set_title(document, "Changed"); }});
+            session.view.show = ShowSet{Show::N, Show::Loads};
+            session.view.load_case = femoop::CaseId(1);
+            const ui::ExportToApp copy = application.copy_of_document();
+            CHECK(copy.document == femoop::write_model(session.model()));
+            CHECK(copy.document.find("Changed") != std::string::npos);
+            CHECK(copy.options == std::vector<std::string>{"--lang", "en", "--theme", "light", "--show", "loads,N",
+                                                           "--case", session.model().case_name(femoop::CaseId(1))});
+            session.view.is_envelope = true; // which no option asks for
+            CHECK(application.copy_of_document().options.size() == 6);
             return context.pixels();
         },
         golden::this_machine());

@@ -21,6 +21,7 @@ public:
     void ask_to_quit() override {}
     bool wants_to_quit() const override { return false; }
     std::string window_title() const override { return "clock"; }
+    ui::ExportToApp copy_of_document() const override { return {}; }
     ui::ImGuiSession& gui() override { return stage_.session; }
     const ui::ImGuiSession& gui() const override { return stage_.session; }
 

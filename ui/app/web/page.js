@@ -7,9 +7,19 @@
 
 const language = new URLSearchParams(location.search).get('lang') || navigator.language;
 const allTexts = {
-    en: { open: 'Open a file…', over: 'The program has ended; load the page again to start it.',
+    en: { open: 'Open a file…', copy: 'Copy link', copied: 'The link was copied. It holds the document itself: {n} characters.',
+          here: 'The link, to be copied from here:', tooLarge: 'This document is too large for a link; send the file instead:',
+          cut: 'The document in this link cannot be read: the link was cut off, or changed on its way.',
+          later: 'This link was made by a later version of Cremona, and cannot be read by this one.',
+          large: 'The document in this link is too large, and was not opened.',
+          over: 'The program has ended; load the page again to start it.',
           old: 'This browser is too old for this file: it cannot unpack it (DecompressionStream).' },
-    pt: { open: 'Abrir um arquivo…', over: 'O programa terminou; recarregue a página para iniciá-lo.',
+    pt: { open: 'Abrir um arquivo…', copy: 'Copiar link', copied: 'O link foi copiado. Contém o próprio documento: {n} caracteres.',
+          here: 'O link, para ser copiado daqui:', tooLarge: 'Este documento é grande demais para um link; envie o arquivo:',
+          cut: 'O documento deste link não pode ser lido: o link foi cortado, ou mudado no caminho.',
+          later: 'Este link foi feito por uma versão posterior do Cremona, e não pode ser lido por esta.',
+          large: 'O documento deste link é grande demais, e não foi aberto.',
+          over: 'O programa terminou; recarregue a página para iniciá-lo.',
           old: 'Este navegador é antigo demais para este arquivo: não consegue descompactá-lo (DecompressionStream).' },
 };
 const texts = allTexts[language.startsWith('pt') ? 'pt' : 'en'];
@@ -17,26 +27,81 @@ const texts = allTexts[language.startsWith('pt') ? 'pt' : 'en'];
 const kept = ['/documents', '/home'];
 const delivered = ['/documents', '/examples'];
 const message = document.getElementById('message');
+const app = document.body.dataset.app;
+const options = ['lang', 'theme', ...({ frame: ['show', 'case'], euler: ['step'] }[app] || [])]; // of an address
 
-function tell(text) { message.textContent = text; }
+// Always as text: what a document holds is never read as HTML.
+function tell(...parts) { message.replaceChildren(...parts); }
 
-// What the address asks for: ?open=/examples/truss.json&lang=pt_BR&theme=dark
+// What the address asks for: #m=1.DATA, or ?open=/examples/truss.json; and &lang=pt_BR&theme=dark
 function programArguments() {
     const asked = new URLSearchParams(location.search);
     const words = [];
-    if (asked.has('handed')) words.push('-');
-    for (const file of asked.getAll('open')) words.push(file);
-    for (const option of ['lang', 'theme'])
-        if (asked.has(option)) words.push('--' + option, asked.get(option));
+    if (share.isAsked(location.hash) || asked.has('handed')) words.push('-');
+    else for (const file of asked.getAll('open')) words.push(file);
+    for (const option of options) if (asked.get(option)) words.push(`--${option}=${asked.get(option)}`);
     return words;
 }
 
-// A document that the page of another app gave to this one.
-function handedDocument() {
+// A document that the page of another app gave to this one, or that the link holds: what the program reads as its input.
+let input = '';
+function readHandedDocument() {
     const key = new URLSearchParams(location.search).get('handed');
-    const text = key && localStorage.getItem(key);
+    if (key) input = localStorage.getItem(key) || '';
     if (key) localStorage.removeItem(key);
-    return new TextEncoder().encode(text || '');
+    if (share.isAsked(location.hash)) readLink();
+}
+
+let warning = ''; // that stays when the program has begun
+function readLink() {
+    addRunDependency('document of the link');
+    share.text(location.hash).then((text) => { input = text; }, (fault) => {
+        warning = texts[fault.message];
+        Module.arguments.splice(Module.arguments.indexOf('-'), 1);
+    }).finally(() => removeRunDependency('document of the link'));
+}
+
+// The address of this page with the document that is shown, and how it is shown.
+async function linkToDocument([text, ...shown]) {
+    const address = new URL(location.pathname, location.href);
+    for (let i = 0; i + 1 < shown.length; i += 2)
+        if (options.includes(shown[i].slice(2))) address.searchParams.set(shown[i].slice(2), shown[i + 1]);
+    return address.href + await share.fragment(text);
+}
+
+async function copyLink() {
+    const copy = Module.copyOfDocument();
+    if (copy.length === 0) return; // the program has told why
+    const link = await linkToDocument(copy).catch(() => null);
+    if (link === null) tell(texts.tooLarge + ' ', fileLink(copy[0]));
+    else if (await isCopied(link)) tell(texts.copied.replace('{n}', link.length));
+    else tell(texts.here + ' ', fieldWith(link));
+    Module.canvas.focus();
+}
+
+async function isCopied(text) {
+    try {
+        await navigator.clipboard.writeText(text);
+        return true;
+    } catch {
+        return false; // not allowed, or a page that did not come by https or from this machine
+    }
+}
+
+function fieldWith(text) {
+    const field = document.createElement('input');
+    field.readOnly = true;
+    field.value = text;
+    field.onfocus = () => field.select();
+    return field;
+}
+
+function fileLink(text) {
+    const link = document.createElement('a');
+    link.download = 'document' + ({ euler: '.eul', mohr: '.mohr' }[app] || '.json');
+    link.href = URL.createObjectURL(new Blob([text]));
+    link.textContent = link.download;
+    return link;
 }
 
 function openApp(program, text, options) {
@@ -131,6 +196,9 @@ function listen() {
     document.getElementById('open').textContent = texts.open;
     const entrance = document.querySelector('footer a');
     if (entrance && texts === allTexts.pt) entrance.href = 'index.pt_BR.html';
+    document.getElementById('copy').onclick = copyLink;
+    document.getElementById('copy').textContent = texts.copy;
+    window.addEventListener('hashchange', () => { if (share.isAsked(location.hash)) location.reload(); });
     chooser.onchange = () => { openFiles([...chooser.files]); chooser.value = ''; };
     document.addEventListener('dragover', (event) => event.preventDefault());
     document.addEventListener('drop', (event) => {
@@ -149,16 +217,18 @@ var Module = {
     arguments: programArguments(),
     openedFiles: [],
     openApp: openApp,
-    preRun: [setEnvironment, readKeptFiles],
-    stdin: (() => {
-        const bytes = handedDocument();
-        let next = 0;
-        return () => (next < bytes.length ? bytes[next++] : null);
-    })(),
+    preRun: [setEnvironment, readKeptFiles, readHandedDocument],
+    stdin: () => null,
     printErr: (text) => { console.warn(text); tell(text); },
-    whenOver: () => tell(texts.over),
+    whenOver: () => {
+        document.getElementById('copy').disabled = true;
+        tell(texts.over);
+    },
     onRuntimeInitialized: () => {
-        tell('');
+        FS.unlink('/dev/stdin'); // a device, of which an app would read no document
+        FS.writeFile('/dev/stdin', input);
+        tell(warning);
+        document.getElementById('copy').disabled = false;
         setInterval(deliverNewFiles, 500);
         setInterval(keepFiles, 5000);
         Module.canvas.focus();

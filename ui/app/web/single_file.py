@@ -34,13 +34,14 @@ def packed(part, path):
 
 def single_file(site, app):
     page = (site / f'{app}.html').read_text(encoding='utf-8')
-    page_script = (site / 'page.js').read_text(encoding='utf-8')
     page = re.sub(r"script-src 'self'", "script-src 'unsafe-inline'", page)
     page = page.replace("connect-src 'self'", "connect-src 'none'")
     page = page.replace('<a href="index.html">Cremona</a>\n', '<span>Cremona</span>\n')
     parts = [packed('files', site / f'{app}.data'), packed('wasm', site / f'{app}.wasm'),
              packed('program', site / f'{app}.js')]
-    page = page.replace('<script src="page.js"></script>\n', f'<script>\n{page_script}</script>\n')
+    for script in ('share.js', 'page.js'):
+        text = (site / script).read_text(encoding='utf-8')
+        page = page.replace(f'<script src="{script}"></script>\n', f'<script>\n{text}</script>\n')
     return page.replace(f'<script src="{app}.js"></script>\n', ''.join(parts) + f'<script>{UNPACK}</script>\n')
 
 
