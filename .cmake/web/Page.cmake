@@ -1,5 +1,5 @@
 # cremona_site(): what is read before and beside the apps, in site/ too: the entrance page with its pictures, which cremona
-# draws, and the pages of courseware/.
+# draws, the pages of courseware/, and what keeps all of it for a visit without a network.
 #
 # cremona_page(APP TITLE): the page of an app, in site/ of the build folder: APP.html, what it runs, and its files: the fonts,
 # cut down to the characters that widgets show, and the examples. site/single/APP.html is all of it in one file.
@@ -39,6 +39,7 @@ function(cremona_page app title)
     DEPENDS ${app} "${page_folder}/single_file.py" "${site}/${app}.html" "${site}/page.js" "${site}/share.js"
     VERBATIM)
   add_custom_target(${app}_page ALL DEPENDS "${single}")
+  set_property(GLOBAL APPEND PROPERTY CREMONA_PAGES "${single}")
 endfunction()
 
 function(cremona_site)
@@ -47,7 +48,7 @@ function(cremona_site)
   file(MAKE_DIRECTORY "${done}")
   file(GLOB read CONFIGURE_DEPENDS "${folder}/*.py" "${folder}/gallery.json")
   file(GLOB_RECURSE courseware CONFIGURE_DEPENDS "${PROJECT_SOURCE_DIR}/courseware/*")
-  foreach(file site.css entrance.js)
+  foreach(file site.css entrance.js offline.js)
     configure_file("${folder}/${file}" "${site}/${file}" COPYONLY)
   endforeach()
   add_custom_command(OUTPUT "${done}/pictures"
@@ -62,5 +63,12 @@ function(cremona_site)
     COMMAND "${CMAKE_COMMAND}" -E touch "${done}/pages"
     DEPENDS ${read} ${courseware} ${examples}
     VERBATIM)
-  add_custom_target(site ALL DEPENDS "${done}/pictures" "${done}/pages")
+  # Last, since it knows all that is there.
+  get_property(pages GLOBAL PROPERTY CREMONA_PAGES)
+  add_custom_command(OUTPUT "${site}/service_worker.js"
+    COMMAND /usr/bin/python3 "${folder}/offline.py" "${PROJECT_SOURCE_DIR}" "${site}"
+    DEPENDS "${done}/pictures" "${done}/pages" ${pages} "${folder}/offline.py" "${folder}/service_worker.js" "${site}/site.css"
+            "${site}/entrance.js" "${site}/offline.js"
+    VERBATIM)
+  add_custom_target(site ALL DEPENDS "${site}/service_worker.js")
 endfunction()

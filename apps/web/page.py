@@ -3,7 +3,8 @@
 import html
 
 # Nothing but the page's own files: what is written in a document never runs.
-POLICY = ("default-src 'none'; script-src 'self'; style-src 'self'; img-src 'self' data:")
+POLICY = ("default-src 'none'; script-src 'self'; style-src 'self'; img-src 'self' data:; connect-src 'self'; "
+          "manifest-src 'self'; worker-src 'self'")
 
 
 def page(title, body, *, top='', language='en', heading='', footing='', head=''):
@@ -15,9 +16,11 @@ def page(title, body, *, top='', language='en', heading='', footing='', head='')
 <meta name="viewport" content="width=device-width, initial-scale=1">
 <meta http-equiv="Content-Security-Policy" content="{POLICY}">
 <link rel="icon" href="data:,">
+<link rel="manifest" href="{top}manifest.webmanifest">
 <link rel="stylesheet" href="{top}site.css">
 <title>{html.escape(title, quote=False)}</title>
-{head}</head>
+{head}<script src="{top}offline.js" defer></script>
+</head>
 <body>
 <header>
 {heading}</header>

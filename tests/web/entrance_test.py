@@ -65,7 +65,7 @@ class Entrance(unittest.TestCase):
                               ('single', (f'{app}.html' for app in entrance.APPS)),
                               ('courseware', ['index.html']),
                               ('courseware', (path.stem + '.html' for path in (ROOT / 'courseware').glob('*.md'))),
-                              ('', (f'{app}.html' for app in entrance.APPS)), ('', ['site.css', 'entrance.js'])):
+                              ('', (f'{app}.html' for app in entrance.APPS)), ('', ['site.css', 'entrance.js', 'offline.js', 'manifest.webmanifest'])):
             (self.site / folder).mkdir(exist_ok=True)
             for name in names:
                 (self.site / folder / name).touch()

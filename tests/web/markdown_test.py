@@ -75,7 +75,7 @@ class Courseware(unittest.TestCase):
         cls.site = pathlib.Path(cls.folder.name)
         cls.pages = Pages(ROOT)
         cls.pages.write(cls.site)
-        for file in ('site.css', 'index.html', 'frame.html', 'plane.html', 'euler.html'):
+        for file in ('site.css', 'offline.js', 'manifest.webmanifest', 'index.html', 'frame.html', 'plane.html', 'euler.html'):
             (cls.site / file).write_text('', encoding='utf-8')  # of others
 
     @classmethod

@@ -198,6 +198,22 @@ class Pages(unittest.TestCase):
             page.wait_for("!window.before && document.title.includes('\u2013')")
             self.assertEqual(len(self.saved(page, 'pasted')['members']), len(json.loads(text)['members']))
 
+    def test_what_was_visited_opens_without_a_network(self):
+        server, address = self.serve()
+        with Browser() as page:
+            page.open(f'{address}frame.html?open=/examples/truss.json')
+            page.wait_for("caches.keys().then((names) => names.length === 1)", 20)
+            kept = "caches.keys().then((names) => caches.match('frame.wasm').then((found) => !!found))"
+            page.wait_for(kept, 20)
+            page.wait_for("caches.match('courseware/06-a-hole.html').then((found) => !!found)", 20)
+            server.shutdown()
+            server.server_close()
+            page.open(f'{address}frame.html?open=/examples/portal.json')
+            self.assertIn('portal.json', page.value('document.title'))
+            page.read(f'{address}courseware/06-a-hole.html')
+            self.assertEqual(page.value("document.querySelector('h1').textContent"), 'A hole')
+            self.picture(page, 'offline')
+
     def test_nothing_is_asked_of_another_machine(self):
         with Browser() as page:
             page.open(f'{self.address}frame.html')

@@ -228,6 +228,7 @@ var Module = {
         FS.unlink('/dev/stdin'); // a device, of which an app would read no document
         FS.writeFile('/dev/stdin', input);
         tell(warning);
+        if (window.keepLoaded) window.keepLoaded(); // offline.js, where there is a server
         document.getElementById('copy').disabled = false;
         setInterval(deliverNewFiles, 500);
         setInterval(keepFiles, 5000);
