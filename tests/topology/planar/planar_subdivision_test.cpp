@@ -124,7 +124,7 @@ TEST_SUITE("planar subdivision")
             CHECK(plane.n_holes(plane.face_at({5.0, 5.0})) == 0);
             CHECK(plane.perimeter(plane.face_at({3.0, 3.0})) == Approx(32.0));
             check_sound(plane);
-        } while (std::ranges::next_permutation(order).found);
+        } while (std::next_permutation(order.begin(), order.end()));
     }
 
     TEST_CASE("Lines that overlap are one chain of edges, and each edge knows all that run along it")
@@ -240,7 +240,7 @@ TEST_SUITE("planar subdivision")
                     plane.undo();
                     CHECK(plane.solid() == states.back());
                 }
-                std::ranges::shuffle(curves, dice);
+                std::shuffle(curves.begin(), curves.end(), dice);
             }
         }
     }
