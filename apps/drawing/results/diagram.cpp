@@ -234,10 +234,12 @@ void draw_diagram(const Scene& scene, const SolvedCase& solved, const Diagram& d
 void mark_effect(const Scene& scene, const SolvedCase& solved, const Diagram& diagram,
                  const femoop::MovingEffect& effect)
 {
+    constexpr double rounding = 1e-9; // of the largest value
     const MemberShape& member = scene.shape[*effect.member];
     const Curve& curve = solved[*effect.member];
     const double x = std::clamp(femoop::along(*effect.at, member.length), 0.0, member.length);
-    const double value = curve.value(diagram.component, x, effect.side.value_or(femoop::Side::After));
+    const double found = curve.value(diagram.component, x, effect.side.value_or(femoop::Side::After));
+    const double value = std::abs(found) <= rounding * diagram.largest || diagram.is_zero() ? 0.0 : found;
     const SymbolFrame frame = diagram_frame(scene, member, diagram.component);
     const double along = x * scene.projection.scale();
     const ui::Point foot = frame(along, 0.0), top = frame(along, value * diagram.pixels_per_unit);

@@ -54,8 +54,7 @@ std::vector<CandidatePosition> candidate_positions(const femoop::influence::Trai
     const SearchProof proof = search.proof(kind);
     std::vector<CandidatePosition> all;
     for (const SearchProof::Entry& entry : proof.entries)
-        all.push_back({entry.candidate.x, entry.reversed, entry.candidate.value + proof.uniform + proof.concentrated,
-                       kind_of(entry)});
+        all.push_back({entry.candidate.x, entry.reversed, proof.sum(entry), kind_of(entry)});
     std::ranges::stable_sort(all, {}, [](const CandidatePosition& one) {
         return std::tuple(one.reversed, one.position, one.kind == Kind::BreakAfter);
     });

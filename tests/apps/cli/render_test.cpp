@@ -7,6 +7,7 @@
 
 #include "tests/apps/cli/run_cremona.h"
 #include "tests/source_folder.h"
+#include "tests/text_of.h"
 
 using cli_test::cantilever;
 using cli_test::cremona;
@@ -218,6 +219,34 @@ TEST_CASE("A train is drawn where it is worst, with the sum that says so")
                   crane_runway)
               .status == 0);
     CHECK(has(folder.read("a.svg"), "fy(A) = 10 kN under crane: leading axle at s = 11 m")); // one axle, 1 m from B
+}
+
+TEST_CASE(
+    "What an axle brings is 0 where rounding alone is left of it, in the sentence, over the curve and in the diagrams")
+{
+    struct Standing {
+        std::vector<std::string> train;
+        std::string zero;
+    };
+    const Folder folder;
+    std::string bridge = text_of_source("examples/bridge.json");
+    const std::string list = "\"trains\": [";
+    bridge.insert(bridge.find(list) + list.size(), R"({"id": "one", "path": "deck", "axles": [10], "spacings": []},)");
+    for (const auto& [train, zero] : std::vector<Standing>{
+             {{"one", "--member", "BC", "--at", "52", "--component", "M", "--at-position", "60"}, "M(BC, 52 ft) = 0 "},
+             {{"one", "--member", "BC", "--at", "52", "--component", "M", "--at-position", "0"}, "M(BC, 52 ft) = 0 "},
+             {{"one", "--member", "BC", "--at", "52", "--component", "V", "--at-position", "60"}, "V(BC, 52 ft) = 0 "},
+             {{"one", "--node", "B", "--component", "fy", "--at-position", "200"}, "fy(B) = 0 "},
+             {{"one", "--node", "C", "--component", "rz", "--at-position", "60"}, "rz(C) = 0 "},
+             {{"HS20", "--member", "BC", "--at", "48", "--component", "M", "--at-position", "228"},
+              "M(BC, 48 ft) = 0 "}}) {
+        std::vector<std::string> words{"render", "-", "-o", folder.path("a.svg"), "--train"};
+        words.insert(words.end(), train.begin(), train.end());
+        CHECK(cremona(words, bridge).status == 0);
+        const std::string picture = folder.read("a.svg");
+        CHECK_MESSAGE(has(picture, zero), zero);
+        CHECK_MESSAGE(!has(picture, "e-1"), zero);
+    }
 }
 
 TEST_CASE("What goes wrong with moving loads is told by the option")

@@ -128,6 +128,7 @@ std::vector<StandingForce> standing_forces(const MovingTrain& train, const Placi
 
 std::vector<double> covered_areas(const Placing& placing, const PiecewiseLine& line)
 {
+    const double size = line.largest() * line.length();
     std::vector<double> areas;
     for (const Stretch& stretch : placing.uniform) {
         double& area = areas.emplace_back(0.0);
@@ -135,6 +136,7 @@ std::vector<double> covered_areas(const Placing& placing, const PiecewiseLine& l
             const double from = std::max(stretch.from, piece.from), to = std::min(stretch.to, piece.to);
             if (to > from) area += piece.integral(from, to);
         }
+        area = without_rounding(area, size);
     }
     return areas;
 }

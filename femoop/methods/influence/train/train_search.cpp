@@ -7,6 +7,7 @@
 
 #include "femoop/methods/influence/polynomial_terms.h"
 #include "femoop/methods/influence/train/train_run.h"
+#include "femoop/result/magnitudes.h"
 
 namespace femoop::influence {
 
@@ -66,6 +67,7 @@ public:
     {
         const PositionFunction plain(line);
         line_ = PositionFunction::sum({{&plain, sign, 0.0}}, 0.0);
+        scale_ = largest_force() * line_.largest_magnitude();
         lay_uniform();
         stand_concentrated();
         if (train.axles.empty()) return;
@@ -91,7 +93,7 @@ public:
         const std::vector<Trial> along = candidates(*forwards_),
                                  back = reversed_ ? candidates(*reversed_) : std::vector<Trial>();
         const double most = std::max({largest_of(along), largest_of(back), 0.0});
-        const double margin = most - equal_values * scale();
+        const double margin = most - equal_values * scale_;
         if (const auto found = first(along, margin)) stand(placing, *forwards_, *found, false);
         else if (const auto other = first(back, margin)) stand(placing, *reversed_, *other, true);
         return signed_value(std::move(placing));
@@ -123,13 +125,14 @@ public:
     SearchProof proof() const
     {
         SearchProof proof;
-        proof.uniform = sign_ * uniform_.effect;
-        proof.concentrated = sign_ * concentrated_;
+        proof.uniform = cleaned(sign_ * uniform_.effect);
+        proof.concentrated = cleaned(sign_ * concentrated_);
+        proof.scale = scale_;
         const auto add = [&](const std::optional<TrainRun>& run, bool is_reversed) {
             if (!run) return;
             for (Trial candidate : candidates(*run)) {
                 if (is_reversed) candidate.x = length_ - candidate.x;
-                candidate.value *= sign_;
+                candidate.value = cleaned(sign_ * candidate.value);
                 proof.entries.push_back({candidate, is_reversed});
             }
         };
@@ -225,7 +228,7 @@ private:
     std::optional<Trial> first(const std::vector<Trial>& candidates, double margin) const
     {
         std::optional<Trial> best;
-        const double noticeable = zero_ordinate * scale();
+        const double noticeable = zero_ordinate * scale_;
         for (const Trial& candidate : candidates) {
             if (candidate.value < margin) continue;
             if (best && candidate.x - best->x > one_place * length_) break;
@@ -234,13 +237,16 @@ private:
         return best;
     }
 
-    double scale() const
+    double largest_force() const
     {
         double forces = std::abs(train_.uniform) * length_;
         for (const double axle : train_.axles) forces += std::abs(axle);
         for (const double force : train_.concentrated) forces = std::max(forces, std::abs(force));
-        return forces * line_.largest_magnitude();
+        return forces;
     }
+
+    /// Where the effects of several loads cancel, 0; never -0.
+    double cleaned(double value) const { return without_rounding(value, scale_) + 0.0; }
 
     /// Without axles.
     Placing resting() const
@@ -278,13 +284,14 @@ private:
 
     Placing signed_value(Placing placing) const
     {
-        placing.value = sign_ * placing.value + 0.0; // no -0
+        placing.value = cleaned(sign_ * placing.value);
         return placing;
     }
 
     const MovingTrain& train_;
     const std::vector<double>& ends_;
     double length_, shortest_, sign_;
+    double scale_ = 0.0; ///< what all loads together may come to
     PositionFunction line_, mirrored_line_, mirrored_cover_;
     LaidLoad uniform_;
     std::vector<std::optional<double>> standing_;
@@ -295,6 +302,11 @@ private:
 double sign_of(ExtremeKind kind) { return kind == ExtremeKind::Max ? 1.0 : -1.0; }
 
 } // namespace
+
+double SearchProof::sum(const Entry& entry) const
+{
+    return without_rounding(entry.candidate.value + uniform + concentrated, scale);
+}
 
 TrainSearch::TrainSearch(const PiecewiseLine& line, std::vector<double> ends, MovingTrain train)
     : line_(line), ends_(std::move(ends)), train_(std::move(train))

@@ -59,6 +59,10 @@ struct SearchProof {
     };
     std::vector<Entry> entries;
     double uniform = 0.0, concentrated = 0.0; ///< what does not depend on the position
+    double scale = 0.0;                       ///< what all loads together may come to
+
+    /// All that counts where an entry stands.
+    double sum(const Entry& entry) const;
 };
 
 /// Where a train is worst on an influence line, exactly.

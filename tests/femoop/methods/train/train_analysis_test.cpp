@@ -260,6 +260,24 @@ TEST_CASE("Of sections that are equally bad the position is that of the one that
     CHECK(own.reversed == worst.placing.reversed);
 }
 
+TEST_CASE("An axle above a support brings exactly 0 to what it cannot bring anything to, also among the candidates")
+{
+    const Model model = bridge();
+    const Train axle{.id = "axle", .path = std::vector{MemberId(0), MemberId(1)}, .axles = {60.0}};
+    TrainAnalysis analysis(model);
+    for (const MovingEffect& effect : {moment(0, 3.1), shear(0, 3.1), moment(1, 4.4), shear(1, 4.4), moment(2, 1.3)}) {
+        const TrainSearch search = analysis.search(axle, effect);
+        for (const double support : {0.0, 7.0})
+            for (const ExtremeKind kind : {ExtremeKind::Max, ExtremeKind::Min})
+                CHECK(search.at({.position = support}, kind).value == 0.0);
+        const SearchProof proof = search.proof(ExtremeKind::Max);
+        for (const SearchProof::Entry& entry : proof.entries) {
+            CAPTURE(entry.candidate.x);
+            if (entry.candidate.x == 0.0 || entry.candidate.x == 7.0) CHECK(proof.sum(entry) == 0.0);
+        }
+    }
+}
+
 TEST_CASE("No position of a train goes beyond its envelope")
 {
     Model model = bridge();
