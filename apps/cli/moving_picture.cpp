@@ -36,7 +36,6 @@ using femoop::InfluenceLineDefinition;
 using femoop::MemberComponent;
 using femoop::Model;
 using femoop::MovingEffect;
-using femoop::influence::MovingTrain;
 using femoop::influence::PathLayout;
 using femoop::influence::TrainAnalysis;
 
@@ -108,14 +107,6 @@ struct Standing {
     drawing::StandingTrain train;
     femoop::influence::WorstPlacings worst;
 };
-
-double length_of(const MovingTrain& train, const std::vector<double>& spacings)
-{
-    double length = 0.0;
-    for (std::size_t i = 0; i < train.spacings.size(); ++i)
-        length += i < spacings.size() ? spacings[i] : train.spacings[i].least;
-    return length;
-}
 
 void write(const Model& model, const femoop::Results* results, const drawing::InfluencePicture& picture,
            const PictureOrder& order, const Console& console)
@@ -206,15 +197,12 @@ private:
         if (standing.train.axles.empty())
             throw UsageError(tr("--at-position: {train} has no axles; leave the option out", {{"train", train_.id}}));
         const double position = length_named("--at-position", text, model_).value();
-        const double most = analysis_.path(train_).length() + length_of(standing.train, standing.placing.spacings);
+        const double most = search.positions(false).to;
         if (!(position >= 0.0 && position <= most))
             throw UsageError(tr("--at-position: found {found}; wanted 0 to {most}, where some axle is on the path",
                                 {{"found", with_unit(text, femoop::name(model_.units.length))},
                                  {"most", display_units(model_, options).text(most, ui::Measure::Length)}}));
-        std::vector<double> spacings = standing.placing.spacings;
-        if (spacings.empty())
-            for (const MovingTrain::Spacing& spacing : standing.train.spacings) spacings.push_back(spacing.least);
-        standing.placing = search.at({.position = position, .reversed = false, .spacings = spacings}, standing.kind);
+        standing.placing = search.at({.position = position}, standing.kind);
         standing.is_worst = false;
     }
 

@@ -249,6 +249,24 @@ TEST_CASE(
     }
 }
 
+TEST_CASE(
+    "Where a train is put, distances that may vary are those that are worst there, as far as any axle reaches the path")
+{
+    const Folder folder;
+    std::string runway = crane_runway;
+    const std::string spacings = "\"spacings\": [2]";
+    runway.insert(runway.find(spacings) + spacings.size(), R"(, "spacing_ranges": {"1": [2, 8]})");
+    const auto put = [&](const std::string& s) {
+        return cremona({"render", "-", "-o", folder.path("a.svg"), "--train", "crane", "--member", "AB", "--at", "4",
+                        "--component", "M", "--at-position", s},
+                       runway);
+    };
+    CHECK(put("10.5").status == 0); // the leading axle has left the beam, the other one stands at the section
+    CHECK(has(folder.read("a.svg"), "M(AB, 4 m) = 240 kN·m under crane: leading axle at s = 10.5 m"));
+    CHECK(put("18").status == 0);
+    CHECK(has(put("18.5").err, "found 18.5 m; wanted 0 to 18 m"));
+}
+
 TEST_CASE("What goes wrong with moving loads is told by the option")
 {
     const auto message = [](std::vector<std::string> options) {
