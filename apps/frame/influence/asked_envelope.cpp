@@ -218,6 +218,20 @@ TrainEffect AskedEnvelope::of(const MovingEffect& effect) const
     return found_.analysis->effects(found_.envelope, {{effect}}).front();
 }
 
+AskedTrain AskedEnvelope::governing(const Model& model, const MovingEffect& effect,
+                                    std::optional<femoop::ExtremeKind> which) const
+{
+    using femoop::ExtremeKind;
+    const TrainEffect found = of(effect);
+    const bool is_larger = std::abs(found.max.value) >= std::abs(found.min.value);
+    const ExtremeKind kind = which.value_or(is_larger ? ExtremeKind::Max : ExtremeKind::Min);
+    const MovingEnvelope shown = envelope(model);
+    AskedTrain train{.name = (kind == ExtremeKind::Max ? found.max_train : found.min_train)->id, .kind = kind};
+    if (shown.with || shown.factor != 1.0)
+        train.beside = {shown.with ? model.case_name(*shown.with) : std::string(), shown.factor};
+    return train;
+}
+
 std::vector<TrainEffect> AskedEnvelope::at(const drawing::Cut& cut) const
 {
     const double length = femoop::geometry_of(*found_.model, (*found_.model)[cut.member]).length;

@@ -10,6 +10,7 @@
 #include "apps/drawing/cut.h"
 #include "apps/drawing/draw_options.h"
 #include "apps/drawing/results/envelope_band.h"
+#include "apps/frame/influence/asked_line.h"
 #include "femoop/methods/influence/train/train_analysis.h"
 #include "femoop/model/fault/fault.h"
 #include "femoop/model/model.h"
@@ -62,6 +63,10 @@ public:
     double without_noise(double value, femoop::MemberComponent component) const;
     /// Of one section force or reaction. \pre there was a picture
     femoop::influence::TrainEffect of(const femoop::MovingEffect& effect) const;
+    /// The train that governs one end of that range, where it is worst; where none is named the end that is greater
+    /// without its sign. \pre there was a picture
+    AskedTrain governing(const femoop::Model& model, const femoop::MovingEffect& effect,
+                         std::optional<femoop::ExtremeKind> which = {}) const;
     /// Of every section force at a section. \pre there was a picture
     std::vector<femoop::influence::TrainEffect> at(const drawing::Cut& cut) const;
     /// The extremes of every member, as a table a person can read. \pre there was a picture

@@ -245,15 +245,7 @@ std::string chosen_train(const Session& session)
 void ask_governing(Workspace& workspace, const femoop::MovingEffect& effect, std::optional<ExtremeKind> which)
 {
     Session& session = workspace.session;
-    const AskedEnvelope& envelope = session.train_envelope;
-    const femoop::influence::TrainEffect found = envelope.of(effect);
-    const bool is_larger = std::abs(found.max.value) >= std::abs(found.min.value);
-    const ExtremeKind kind = which.value_or(is_larger ? ExtremeKind::Max : ExtremeKind::Min);
-    const femoop::MovingEnvelope shown = envelope.envelope(session.model());
-    AskedTrain train{.name = (kind == ExtremeKind::Max ? found.max_train : found.min_train)->id, .kind = kind};
-    if (shown.with || shown.factor != 1.0)
-        train.beside = {shown.with ? session.model().case_name(*shown.with) : std::string(), shown.factor};
-    session.influence.ask(session.model(), effect, train);
+    session.influence.ask(session.model(), effect, session.train_envelope.governing(session.model(), effect, which));
     workspace.tool_controller.select(ToolKind::Influence);
 }
 
@@ -310,8 +302,11 @@ void add_train_commands(CommandTable& table)
         [](Workspace& workspace) { workspace.trains.open(workspace.session); }, why_no_train_path);
     menu.toggle(
         {"train.envelope", translatable("Envelope of trains"), {{Key::E, ui::shift}}},
-        [](const Workspace& workspace) { return workspace.session.shows_train_envelope(); }, show_train_envelope,
-        why_no_train_envelope);
+        [](const Workspace& workspace) {
+            const Session& session = workspace.session; // behind a line that was asked for over it, it comes back
+            return session.shows_train_envelope() && !session.influence.is_on(session.model());
+        },
+        show_train_envelope, why_no_train_envelope);
     menu.step(
         {"train.envelope.with", translatable("The next case that stays beside the trains"), {{Key::Y, ui::shift}}},
         [](Workspace& workspace) { workspace.session.train_envelope.choose_next_case(workspace.session.model()); },

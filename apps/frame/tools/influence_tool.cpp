@@ -3,6 +3,7 @@
 #include <cmath>
 #include <utility>
 
+#include "apps/frame/influence/asked_envelope.h"
 #include "apps/frame/tools/snap.h"
 #include "femoop/geometry/member_geometry.h"
 
@@ -27,6 +28,16 @@ void InfluenceTool::ask(const Work& work, const Aim& at)
         const double length = femoop::geometry_of(model, model[*held_]).length;
         work.influence->ask(model, drawing::Cut{*held_, round_section(at.cut->x, length, at)});
     }
+    if (work.train_envelope != nullptr) stand_governing(work);
+}
+
+// What is asked for in an envelope of trains has the train that governs there.
+void InfluenceTool::stand_governing(const Work& work)
+{
+    const femoop::Model& model = work.document.model;
+    const std::optional<femoop::MovingEffect> effect = work.influence->effect(model);
+    if (!effect || effect->quantity == femoop::ExpectedQuantity::Displacement) return;
+    work.influence->ask(model, *effect, work.train_envelope->governing(model, *effect));
 }
 
 bool InfluenceTool::escape()

@@ -25,6 +25,7 @@ private:
     };
     static std::optional<Pull> pull_of(const AskedLine& line, const Aim& at);
     void ask(const Work& work, const Aim& at);
+    static void stand_governing(const Work& work);
     static void pull_train(AskedLine& line, const Pull& pull, const Aim& to);
 
     std::optional<femoop::MemberId> held_; ///< whose section the hand moves

@@ -22,6 +22,7 @@
 namespace frame {
 
 class AskedBody;
+class AskedEnvelope;
 class AskedFunicular;
 class AskedLine;
 class AskedWork;
@@ -92,7 +93,9 @@ struct Work {
     AskedBody* free_body = nullptr;      ///< likewise
     AskedFunicular* funicular = nullptr; ///< likewise
     AskedWork* virtual_work = nullptr;   ///< likewise
-    ui::DisplayUnits units{};            ///< of what is typed
+    /// Of trains, that is seen; null: none.
+    const AskedEnvelope* train_envelope = nullptr;
+    ui::DisplayUnits units{}; ///< of what is typed
 };
 
 /// What a tool shows before it changes anything.

@@ -254,6 +254,13 @@ TEST_SUITE("frame session")
         CHECK(!run(workspace, "edit.deselect"));
         CHECK(picture(workspace) == nullptr);
         CHECK(session.shows_train_envelope());
+        ask_governing(workspace, moment.effect);
+        REQUIRE(picture(workspace) != nullptr);
+        CHECK(!run(workspace, "train.envelope")); // behind the line it comes back, and goes when it is seen
+        CHECK(picture(workspace) == nullptr);
+        CHECK(session.shows_train_envelope());
+        CHECK(!run(workspace, "train.envelope"));
+        CHECK(!session.view.is_envelope);
     }
 
     TEST_CASE("The envelope of trains goes when its last train does, and a case that is gone stays no more")
