@@ -151,11 +151,11 @@ std::string capitalized(std::string text)
     return text;
 }
 
-/// What stands on the path of an influence line is no case of the model.
+/// What stands on the path of an influence line is no case of the model; its name begins as it is written.
 std::string load_text(const DrawInput& input, const DrawOptions& options)
 {
     if (input.influence == nullptr || options.load_case.index >= input.model.n_cases())
-        return case_text(input.model, options);
+        return capitalized(case_text(input.model, options));
     return options.tr("{load} on the path", {{"load", input.model.case_name(options.load_case)}});
 }
 
@@ -165,15 +165,15 @@ SheetHead sheet_head(const DrawInput& input, const DrawOptions& options)
 {
     const femoop::Model& model = input.model;
     SheetHead head{.title = ui::shortened(model.title, longest_title), .line = {}};
+    const auto add = [&](const std::string& part) { join(head.line, head.line.empty() ? capitalized(part) : part); };
     if (input.influence == nullptr || input.results != nullptr) {
         const bool is_of_trains = options.is_envelope && input.envelope != nullptr;
         join(head.line, is_of_trains ? input.envelope->title : load_text(input, options));
-        join(head.line, self_weight_text(model, options));
+        add(self_weight_text(model, options));
     }
-    if (input.results && !model.members.empty()) join(head.line, indeterminacy_text(*input.results, options.tr));
-    if (input.results) join(head.line, comparison_text(input, options));
-    join(head.line, units_text(model, options));
-    head.line = capitalized(head.line);
+    if (input.results && !model.members.empty()) add(indeterminacy_text(*input.results, options.tr));
+    if (input.results) add(comparison_text(input, options));
+    add(units_text(model, options));
     return head;
 }
 

@@ -267,6 +267,16 @@ TEST_CASE(
     CHECK(has(put("18.5").err, "found 18.5 m; wanted 0 to 18 m"));
 }
 
+TEST_CASE("A train's name stands in the head as it is written")
+{
+    const Folder folder;
+    CHECK(cremona({"render", "-", "-o", folder.path("a.svg"), "--train", "crane"}, crane_runway).status == 0);
+    CHECK(has(folder.read("a.svg"), "crane on the path"));
+    CHECK(!has(folder.read("a.svg"), "Crane on the path"));
+    CHECK(cremona({"render", "-", "-o", folder.path("a.svg")}, cantilever()).status == 0);
+    CHECK(has(folder.read("a.svg"), "Load case P"));
+}
+
 TEST_CASE("What goes wrong with moving loads is told by the option")
 {
     const auto message = [](std::vector<std::string> options) {
