@@ -168,6 +168,9 @@ public:
             return kind_ == ExtremeKind::Max ? a.candidate.value > b.candidate.value
                                              : a.candidate.value < b.candidate.value;
         });
+        constexpr double one_place = 1e-6; // of the range of positions
+        for (const SearchProof::Entry& entry : entries_)
+            near_ = std::max(near_, one_place * std::abs(entry.candidate.x - entries_.front().candidate.x));
     }
 
     std::vector<std::string> lines() const
@@ -179,7 +182,9 @@ public:
             lines.push_back(looked_at());
             lines.push_back(tr(kind_ == ExtremeKind::Max ? ui::translatable("the largest: {candidate}")
                                                          : ui::translatable("the least: {candidate}"),
-                               {{"candidate", candidate(entries_.front())}}));
+                               {{"candidate", best()}}));
+            if (const auto equal = equals(); !equal.empty())
+                lines.push_back(tr("equal to it: {candidate}", {{"candidate", first_of(equal)}}));
             if (const auto next = runner_up())
                 lines.push_back(tr("next to it: {candidate}", {{"candidate", candidate(*next)}}));
         }
@@ -219,15 +224,51 @@ private:
         return kind == Kind::BreakBefore ? words_.tr()("break, − side") : words_.tr()("break, + side");
     }
 
+    double best_value() const { return proof_.best ? proof_.best->candidate.value : 0.0; }
+
+    std::string best() const
+    {
+        return proof_.best ? candidate(*proof_.best) : value(0.0) + ", " + words_.tr()("no axle on the path");
+    }
+
+    bool is_best(const SearchProof::Entry& entry) const
+    {
+        constexpr double equal_values = 1e-10; // as the search takes them
+        return std::abs(entry.candidate.value - best_value()) <= equal_values * proof_.scale;
+    }
+
+    /// Other positions that are as good as the best one: forwards ascending, then reversed.
+    std::vector<SearchProof::Entry> equals() const
+    {
+        std::vector<SearchProof::Entry> found, known;
+        if (proof_.best) known.push_back(*proof_.best);
+        for (const SearchProof::Entry& entry : proof_.entries) {
+            const auto is_here = [&](const SearchProof::Entry& other) { return is_one_place(entry, other); };
+            if (!is_best(entry) || std::ranges::any_of(known, is_here)) continue;
+            known.push_back(entry);
+            found.push_back(entry);
+        }
+        return found;
+    }
+
+    /// The sides of a break are one place, and so are breaks that rounding parts.
+    bool is_one_place(const SearchProof::Entry& a, const SearchProof::Entry& b) const
+    {
+        return a.reversed == b.reversed && std::abs(a.candidate.x - b.candidate.x) <= near_;
+    }
+
+    std::string first_of(const std::vector<SearchProof::Entry>& equal) const
+    {
+        const std::string first = candidate(equal.front());
+        if (equal.size() == 1) return first;
+        return first + "; " + words_.tr()("and {count} more", {{"count", std::to_string(equal.size() - 1)}});
+    }
+
     /// The first one that is worse than the best by more than rounding.
     std::optional<SearchProof::Entry> runner_up() const
     {
-        const double best = entries_.front().candidate.value;
-        double size = 0.0;
-        for (const SearchProof::Entry& entry : entries_) size = std::max(size, std::abs(entry.candidate.value));
-        const auto next = std::ranges::find_if(entries_, [&](const SearchProof::Entry& entry) {
-            return std::abs(entry.candidate.value - best) > 1e-9 * size;
-        });
+        const auto next = std::ranges::find_if(entries_,
+                                               [&](const SearchProof::Entry& entry) { return !is_best(entry); });
         return next != entries_.end() ? std::optional(*next) : std::nullopt;
     }
 
@@ -236,6 +277,7 @@ private:
     const SearchProof& proof_;
     ExtremeKind kind_;
     std::vector<SearchProof::Entry> entries_; ///< the best first
+    double near_ = 0.0;                       ///< positions that are one
 };
 
 } // namespace

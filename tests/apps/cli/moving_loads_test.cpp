@@ -171,6 +171,26 @@ TEST_CASE("A proof is told in sentences: how many candidates, the best of them, 
     CHECK(has(told.out, "the largest: "));
     CHECK(has(told.out, "leading axle at s = 114 ft"));
     CHECK(has(told.out, "next to it: "));
+    // The bridge is symmetrical, and so is the truck but for its direction.
+    CHECK(has(told.out, ", its least value: leading axle at s = 185.3 ft.\n"));
+    CHECK(has(told.out, "the least: −124.4 kip·ft, leading axle at s = 185.3 ft, root of the derivative.\n"));
+    CHECK(has(told.out, "equal to it: −124.4 kip·ft, leading axle at s = 14.69 ft, running backwards, "
+                        "root of the derivative.\n"));
+}
+
+TEST_CASE("Where the axles are best away the proof says so, and not that a position of theirs is best")
+{
+    constexpr const char* beam =
+        R"({"cremona": 1, "analysis": "frame2d", "units": {"length": "m", "force": "kN"},
+            "materials": [{"id": "m", "E": 2e8}], "sections": [{"id": "s", "A": 0.01, "Iz": 1e-4}],
+            "nodes": [{"id": "A", "at": [0, 0], "support": "fixed"}, {"id": "B", "at": [8, 0]}],
+            "members": [{"id": "AB", "nodes": ["A", "B"], "material": "m", "section": "s"}],
+            "trains": [{"id": "T", "path": ["AB"], "axles": [1], "uniform": 10, "uniform_extent": "outside", "gap": 2}]})";
+    const Run told = cremona({"train", "-", "--node", "A", "--component", "fy", "--describe", "--proof"}, beam);
+    CHECK(told.status == 0);
+    CHECK(has(told.out, "fy(A) = 80 kN under T, its largest value: no axle on the path"));
+    CHECK(has(told.out, "the largest: 0 kN, no axle on the path.\n"));
+    CHECK(has(told.out, "next to it: −19 kN, leading axle at s = 0 m, break, + side.\n")); // 1 - 10 · 2
 }
 
 TEST_CASE(

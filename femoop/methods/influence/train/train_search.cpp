@@ -92,10 +92,8 @@ public:
         if (train_.axles.empty()) return signed_value(std::move(placing));
         const std::vector<Trial> along = candidates(*forwards_),
                                  back = reversed_ ? candidates(*reversed_) : std::vector<Trial>();
-        const double most = std::max({largest_of(along), largest_of(back), 0.0});
-        const double margin = most - equal_values * scale_;
-        if (const auto found = first(along, margin)) stand(placing, *forwards_, *found, false);
-        else if (const auto other = first(back, margin)) stand(placing, *reversed_, *other, true);
+        if (const auto found = best_of(along, back))
+            stand(placing, found->reversed ? *reversed_ : *forwards_, found->candidate, found->reversed);
         return signed_value(std::move(placing));
     }
 
@@ -128,16 +126,11 @@ public:
         proof.uniform = cleaned(sign_ * uniform_.effect);
         proof.concentrated = cleaned(sign_ * concentrated_);
         proof.scale = scale_;
-        const auto add = [&](const std::optional<TrainRun>& run, bool is_reversed) {
-            if (!run) return;
-            for (Trial candidate : candidates(*run)) {
-                if (is_reversed) candidate.x = length_ - candidate.x;
-                candidate.value = cleaned(sign_ * candidate.value);
-                proof.entries.push_back({candidate, is_reversed});
-            }
-        };
-        add(forwards_, false);
-        add(reversed_, true);
+        const std::vector<Trial> along = forwards_ ? candidates(*forwards_) : std::vector<Trial>(),
+                                 back = reversed_ ? candidates(*reversed_) : std::vector<Trial>();
+        for (const Trial& candidate : along) proof.entries.push_back(told({candidate, false}));
+        for (const Trial& candidate : back) proof.entries.push_back(told({candidate, true}));
+        if (const auto found = best_of(along, back)) proof.best = told(*found);
         return proof;
     }
 
@@ -215,6 +208,24 @@ private:
         for (const MovingTrain::Spacing& spacing : train_.spacings) last += spacing.most;
         std::erase_if(all, [&](const Trial& c) { return c.x < -shortest_ || c.x > last + shortest_; });
         return all;
+    }
+
+    /// Of those that are largest together the first forwards, else the first reversed; nothing where all are below 0.
+    std::optional<SearchProof::Entry> best_of(const std::vector<Trial>& along, const std::vector<Trial>& back) const
+    {
+        const double most = std::max({largest_of(along), largest_of(back), 0.0});
+        const double margin = most - equal_values * scale_;
+        if (const auto found = first(along, margin)) return SearchProof::Entry{*found, false};
+        if (const auto found = first(back, margin)) return SearchProof::Entry{*found, true};
+        return std::nullopt;
+    }
+
+    /// With its place along the path and the sign of the line.
+    SearchProof::Entry told(SearchProof::Entry entry) const
+    {
+        if (entry.reversed) entry.candidate.x = length_ - entry.candidate.x;
+        entry.candidate.value = cleaned(sign_ * entry.candidate.value);
+        return entry;
     }
 
     static double largest_of(const std::vector<Trial>& candidates)

@@ -58,6 +58,7 @@ struct SearchProof {
         bool reversed = false;
     };
     std::vector<Entry> entries;
+    std::optional<Entry> best;                ///< the one that the placing names; nothing when the axles are best away
     double uniform = 0.0, concentrated = 0.0; ///< what does not depend on the position
     double scale = 0.0;                       ///< what all loads together may come to
 
