@@ -423,7 +423,10 @@ void show_origin(const Workspace& workspace)
 void TrainWindow::show(Workspace& workspace, ui::ImGuiSession& gui, ui::NumberFields& fields)
 {
     const TrainDraft& draft = workspace.trains;
-    if (!draft.is_open()) is_naming_ = false;
+    if (!draft.is_open()) {
+        is_naming_ = false;
+        reason_.reset();
+    }
     if (!window_.begin(draft.is_open(), "###trains", workspace.session.tr()("Trains"), fields.stops())) return;
     ui::SideWindow::begin_content();
     show_content(workspace, gui, fields);
@@ -503,13 +506,14 @@ void TrainWindow::show_name(Workspace& workspace, ui::TabStops& stops)
     ImGui::TextUnformatted(tr("Name").c_str());
     ImGui::SameLine();
     ImGui::SetNextItemWidth(-1.0F);
+    const bool was_naming = is_naming_;
     if (std::exchange(named_, draft.chosen()) != draft.chosen()) reason_.reset();
     if (!is_naming_) old_name_ = name_ = draft.train().id; // another's was typed before
     if (ImGui::InputText("###name", &name_)) reason_ = draft.set_name(workspace.session, name_);
     stops.add(ui::TabStops::Kind::Text);
     is_naming_ = ImGui::IsItemActive();
-    if (!is_naming_ && reason_) draft.set_name(workspace.session, old_name_); // what was typed of it is no name
-    if (!is_naming_) reason_.reset();
+    const bool is_refused = was_naming && !is_naming_ && reason_; // what was typed of it is no name: it is said on
+    if (is_refused) draft.set_name(workspace.session, old_name_);
     if (reason_) ui::wrapped_text(tr(*reason_));
 }
 
