@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <string>
 #include <utility>
 
@@ -54,7 +55,7 @@ void Checker::check_spacings(const Train& train, const Entry& place)
         require_not_negative(place, with_key("spacing", i + 1), train.spacings[i], dimension::length);
     for (const SpacingRange& range : train.spacing_ranges) {
         const std::string key = with_key("spacing", range.spacing + 1);
-        if (range.spacing >= n)
+        if (range.spacing >= std::max(n, n_wanted)) // one that is wanted is told to be missing already
             add(FaultKind::RangeOfNoSpacing, place, {std::to_string(range.spacing + 1), std::to_string(n)});
         require_not_negative(place, key, range.min, dimension::length);
         require_not_negative(place, key, range.max, dimension::length);

@@ -82,6 +82,8 @@ TEST_CASE("A train that cannot move is refused, with what is wanted")
         {R"("axles": [])", place + ": has neither axles nor a uniform load; give one of them"},
         {R"("axles": [1, 2, 3], "spacings": [4])",
          place + ": number of axles 3, of spacings 1, wanted 2; give one spacing behind each axle but the last"},
+        {R"("axles": [1, 2, 3], "spacings": [4], "spacing_ranges": {"2": [3, 5]})",
+         place + ": number of axles 3, of spacings 1, wanted 2; give one spacing behind each axle but the last"},
         {R"("axles": [1, 2], "spacings": [-4])", place + ": spacing 1 is -4 m; give 0 or a positive value"},
         {R"("axles": [1], "uniform": 3, "gap": -0.5)", place + ": gap is -0.5 m; give 0 or a positive value"},
         {R"("axles": [1, 2], "spacings": [4], "spacing_ranges": {"2": [3, 5]})",
