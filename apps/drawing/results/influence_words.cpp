@@ -83,7 +83,7 @@ private:
     {
         return tr()(
             "{which} {value} at s = {place}",
-            {{"which", which}, {"value", ordinate_text(units_, unit_, extreme.value)}, {"place", places(extreme)}});
+            {{"which", which}, {"value", ordinate_text(units_, unit_, extreme.value)}, {"place", all_of(extreme)}});
     }
 
     /// Where it is zero, where it jumps and breaks, and what it is between.
@@ -146,14 +146,12 @@ private:
         return femoop::without_rounding(value, picture_.line.ordinates.largest());
     }
 
-    // "20 ft, 40 ft"; of a level stretch "20 ft to 40 ft".
-    std::string places(const LineExtreme& extreme) const
+    // "20 ft, 40 ft"
+    std::string all_of(const LineExtreme& extreme) const
     {
         std::string text;
-        for (std::size_t i = 0; i < extreme.positions.size(); ++i) {
-            if (i > 0) text += extreme.is_level_after[i - 1] ? " " + tr()("to") + " " : ", ";
-            text += length(extreme.positions[i]);
-        }
+        for (const std::string& place : places_text(options_, units_, extreme))
+            text += (text.empty() ? "" : ", ") + place;
         return text;
     }
 

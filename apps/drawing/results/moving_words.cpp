@@ -2,6 +2,7 @@
 
 #include "apps/drawing/sketch/scene.h"
 
+#include <cstddef>
 #include <string_view>
 
 namespace drawing {
@@ -25,6 +26,18 @@ std::string uniform_words(const DrawOptions& options, const ui::DisplayUnits& un
 }
 
 } // namespace
+
+std::vector<std::string> places_text(const DrawOptions& options, const ui::DisplayUnits& units,
+                                     const femoop::influence::LineExtreme& extreme)
+{
+    std::vector<std::string> places;
+    for (std::size_t i = 0; i < extreme.positions.size(); ++i) {
+        const std::string place = length_text(units, extreme.positions[i]);
+        if (i > 0 && extreme.is_level_after[i - 1]) places.back() += " " + options.tr("to") + " " + place;
+        else places.push_back(place);
+    }
+    return places;
+}
 
 std::string paragraph(const std::string& title, const std::vector<std::string>& lines)
 {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "apps/drawing/draw_options.h"
+#include "femoop/methods/influence/piecewise_line.h"
 #include "femoop/methods/influence/train/train_search.h"
 #include "ui/text/display_units.h"
 
@@ -8,6 +9,10 @@
 #include <vector>
 
 namespace drawing {
+
+/// Where a line is largest or least: "20 ft", and of a level stretch "20 ft to 40 ft".
+std::vector<std::string> places_text(const DrawOptions& options, const ui::DisplayUnits& units,
+                                     const femoop::influence::LineExtreme& extreme);
 
 /// A title and lines below it, as those of femoop `describe`.
 std::string paragraph(const std::string& title, const std::vector<std::string>& lines);

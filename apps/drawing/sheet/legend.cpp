@@ -3,6 +3,7 @@
 #include "apps/drawing/results/envelope_band.h"
 #include "apps/drawing/results/envelope_cases.h"
 #include "apps/drawing/results/line_diagram.h"
+#include "apps/drawing/results/moving_words.h"
 #include "apps/drawing/sketch/scene.h"
 #include "femoop/load/case_terms.h"
 #include "ui/paint/wrapped_lines.h"
@@ -128,7 +129,17 @@ void add_bar(PanelHead& head, const Scene& scene, const BarScale& scale, const u
     head.bar_text = ui::number_text(shown, scene.options.numbers) + (unit.name.empty() ? "" : " ") + unit.name;
 }
 
-// The first of the places where it stands.
+// "20 ft, 40 ft and 3 more": of several places the head has room for two.
+std::string some_places(const Scene& scene, const femoop::influence::LineExtreme& extreme)
+{
+    constexpr std::size_t most = 2;
+    const std::vector<std::string> all = places_text(scene.options, scene.units, extreme);
+    std::string text = all.front();
+    for (std::size_t i = 1; i < std::min(most, all.size()); ++i) text += ", " + all[i];
+    if (all.size() <= most) return text;
+    return text + " " + scene.options.tr("and {count} more", {{"count", std::to_string(all.size() - most)}});
+}
+
 std::string extremes_text(const Scene& scene, const femoop::influence::PiecewiseLine& line, const OrdinateUnit& unit)
 {
     std::string text;
@@ -136,7 +147,7 @@ std::string extremes_text(const Scene& scene, const femoop::influence::Piecewise
         join(text, scene.options.tr("{which} {value} at s = {place}",
                                     {{"which", which},
                                      {"value", ordinate_text(scene.units, unit, extreme.value)},
-                                     {"place", scene.text(extreme.positions.front(), ui::Measure::Length)}}));
+                                     {"place", some_places(scene, extreme)}}));
     };
     const femoop::influence::LineExtreme max = line.max(), min = line.min();
     const double rounding = written_as_zero * line.largest();

@@ -130,6 +130,29 @@ TEST_CASE("The head tells extremes, their places, and the areas of either sign")
     CHECK(marks.has_text("max 0.75 at s = 2 m  ·  min −0.25 at s = 2 m  ·  areas +2.25, −0.25 m"));
 }
 
+TEST_CASE("Where an extreme stands at several places the head names two of them, and how many there are more")
+{
+    const ui::Fonts fonts;
+    const femoop::Model model = view_test::simple_beam(L, 1.0);
+    const MovingEffect M = section_force(model, "AB", MemberComponent::Mz, a);
+    InfluencePicture picture = picture_of(model, beam, M);
+    const auto head_of = [&](const std::vector<double>& ordinates) { // a zigzag
+        const double length = L / static_cast<double>(ordinates.size() - 1);
+        picture.line.ordinates.pieces.clear();
+        for (std::size_t i = 0; i + 1 < ordinates.size(); ++i) {
+            const double from = length * static_cast<double>(i);
+            picture.line.ordinates.pieces.push_back(
+                {from, from + length, {ordinates[i], (ordinates[i + 1] - ordinates[i]) / length}});
+        }
+        return marks_of(model, picture, fonts);
+    };
+    CHECK(head_of({0.0, 3.0, -2.0, 3.0, 0.0})
+              .has_text("max 3 m at s = 2 m, 6 m  ·  min −2 m at s = 4 m  ·  areas +9.6, −1.6 m²"));
+    CHECK(head_of({0.0, 3.0, 0.0, 3.0, 0.0, 3.0, 0.0, 3.0, 0.0})
+              .has_text("max 3 m at s = 1 m, 3 m and 2 more  ·  areas +12 m²"));
+    CHECK(head_of({0.0, 3.0, 3.0, 0.0, 0.0}).has_text("max 3 m at s = 2 m to 4 m  ·  areas +12 m²"));
+}
+
 TEST_CASE("A train's sum is said with its curve, where it stands and where it is critical; a low sheet has no curve")
 {
     const ui::Fonts fonts;
