@@ -39,6 +39,16 @@ double Projection::nearness(const Eigen::Vector3d& place) const
     return std::get<ui::OrbitCamera>(camera_).nearness({place.x(), place.y(), place.z()});
 }
 
+Eigen::Vector3d Projection::place_at(ui::Point on_sheet, double nearness) const
+{
+    if (const auto* const plane = std::get_if<ui::PlaneCamera>(&camera_)) {
+        const ui::World2 place = plane->to_world(on_sheet - shift_);
+        return {place.x, place.y, 0.0};
+    }
+    const ui::World3 place = std::get<ui::OrbitCamera>(camera_).to_world(on_sheet - shift_, nearness);
+    return {place.x, place.y, place.z};
+}
+
 std::optional<double> Projection::nearest_share(const Eigen::Vector3d& start, const Eigen::Vector3d& end,
                                                 ui::Point at) const
 {

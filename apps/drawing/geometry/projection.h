@@ -36,6 +36,8 @@ public:
     double scale() const; ///< logical pixels per unit of length
     /// Larger is nearer to the eye; 0 in the plane.
     double nearness(const Eigen::Vector3d& place) const;
+    /// The place that is seen there, so near to the eye; in the plane that of the plane.
+    Eigen::Vector3d place_at(ui::Point on_sheet, double nearness) const;
     bool is_plane() const { return std::holds_alternative<ui::PlaneCamera>(camera_); }
     /// Where a straight from `start` to `end` is seen nearest to a place of the sheet: a share of its length, beyond 0 to 1
     /// beside it; nothing where the straight is seen end-on.

@@ -9,17 +9,16 @@
 #include <vector>
 
 #include "apps/drawing/sketch/counted_units.h"
-#include "femoop/geometry/plane_vectors.h"
 #include "femoop/io/free_body/free_body_text.h"
 
 namespace frame {
 
 namespace {
 
-using Eigen::Vector2d;
 using Eigen::Vector3d;
 using namespace femoop::free_body;
-using femoop::cross_product;
+
+constexpr double parallel = 1e-9; // the sine between directions that are one
 
 // Of the structure's size, what is left free between it and a body.
 constexpr double share_aside = 0.35, share_beside_cut = 0.22,
@@ -34,17 +33,15 @@ struct Crossed {
 Crossed crossed(const femoop::Discretisation& structure, const AskedBody::CutLine& line)
 {
     Crossed found;
-    const Vector2d d = line.to - line.from;
+    const Vector3d d = line.to - line.from, left = line.toward_eye.cross(d);
     for (std::size_t i = 0; i < structure.members.size(); ++i) {
         const femoop::MemberGeometry member = structure.geometry(femoop::MemberId(i));
-        const Vector2d start = member.start.head<2>() - line.from, along = (member.end - member.start).head<2>();
-        const double determinant = cross_product(d, along);
-        if (determinant == 0.0) continue;
-        const double t = -cross_product(d, start) / determinant, s = -cross_product(along, start) / determinant;
+        const double off_start = left.dot(member.start - line.from), run = left.dot(member.end - member.start);
+        if (std::abs(run) <= parallel * left.norm() * member.length) continue; // or seen end-on
+        const double t = -off_start / run, s = d.dot(member.at(t * member.length) - line.from) / d.squaredNorm();
         if (t <= 0.0 || t >= 1.0 || s < 0.0 || s > 1.0) continue;
         found.cuts.push_back({femoop::MemberId(i), t * member.length});
-        const bool is_start_left = cross_product(d, start) > 0.0;
-        found.left.push_back(structure.members[i].nodes[is_start_left ? 0 : 1]);
+        found.left.push_back(structure.members[i].nodes[off_start > 0.0 ? 0 : 1]);
     }
     return found;
 }
@@ -60,13 +57,16 @@ Eigen::AlignedBox3d box_around(const femoop::Discretisation& structure, const Bo
 
 /// Over the nearest side of the structure's box, of those in the plane that it lies in or is drawn upright in; over
 /// another one where a sheet that is wide holds both much larger then.
+/// \param toward_eye  no way that is seen end-on is taken
 /// \param sheet  its width, of its height, for the structure and the body; none: it is not wide
 Vector3d way_out(const Eigen::AlignedBox3d& structure, const Eigen::AlignedBox3d& body, int upright, double gap,
-                 std::optional<double> sheet)
+                 const Vector3d& toward_eye, std::optional<double> sheet)
 {
     constexpr double clearly = 1.4; // larger
+    constexpr double end_on = 0.85; // the cosine to the eye from which a way is seen too short
     std::vector<Vector3d> ways;
     for (const int axis : {upright, 0}) {
+        if (std::abs(toward_eye[axis]) > end_on) continue;
         ways.emplace_back((structure.max()[axis] - body.min()[axis] + gap) * Vector3d::Unit(axis));
         ways.emplace_back((structure.min()[axis] - body.max()[axis] - gap) * Vector3d::Unit(axis));
     }
@@ -184,7 +184,9 @@ Vector3d AskedBody::aside(const femoop::Model& model, const Body& body, ui::Them
     const double share = line_ ? share_beside_cut : node_.empty() ? share_aside : share_of_stubs;
     Eigen::AlignedBox3d box;
     for (const Vector3d& position : structure.positions) box.extend(position);
+    const Vector3d toward_eye = line_ ? line_->toward_eye : Vector3d::Zero();
     return way_out(box, box_around(structure, body), femoop::is_plane(model.analysis) ? 1 : 2, share * structure.size(),
+                   toward_eye,
                    theme == ui::ThemeName::Projector && femoop::is_plane(model.analysis) ? std::optional(wide)
                                                                                          : std::nullopt);
 }

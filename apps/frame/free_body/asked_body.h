@@ -21,9 +21,11 @@ namespace frame {
 /// model changes.
 class AskedBody {
 public:
-    /// A line across members of a plane structure; what lies to the left of its direction is lifted.
+    /// A line across members as they are seen from a side, which cuts all that it crosses there, near or far; what lies to
+    /// the left of its direction is lifted.
     struct CutLine {
-        Eigen::Vector2d from, to;
+        Eigen::Vector3d from, to; ///< square to the way to the eye
+        Eigen::Vector3d toward_eye = Eigen::Vector3d::UnitZ();
     };
 
     bool is_on(const femoop::Model& model) const { return !body(model).is_empty(); }

@@ -114,6 +114,7 @@ struct Preview {
     bool is_stroke_on_sheet = false;           ///< its places are those of the sheet
     std::optional<femoop::MemberId> member{};  ///< that it is sketched on
     std::optional<DimensionLine> dimension{};
+    std::optional<std::pair<Eigen::Vector3d, Eigen::Vector3d>> cut{}; ///< that is being drawn across what is seen
 };
 
 /// What the left button does in the picture, from press to release and on to the next press. A tool never changes a

@@ -364,6 +364,33 @@ void Canvas::follow_structure(Workspace& workspace)
     const Subject::Plan before = std::exchange(
         plan_, Subject(input_of(workspace, options, guess, numbers), options, state).plan(sheet(), fonts()));
     if (is_same && !is_just_fitted_) hold_still(session, before);
+    fit_new_body(session);
+}
+
+// A model in space that was turned by hand stays turned so; the body that has come must not stand beside the sheet. When
+// it has gone all is as large as it was.
+void Canvas::fit_new_body(Session& session)
+{
+    constexpr double room = 80.0; // [px], for labels
+    const drawing::FreeBodyPicture* const body = lifted_body(session);
+    const std::size_t number = body != nullptr ? session.free_body.number() : 0;
+    auto* const orbit = session.draw_state.camera ? std::get_if<ui::OrbitCamera>(&*session.draw_state.camera) : nullptr;
+    if (std::exchange(body_in_sight_, number) == number || orbit == nullptr || plan_.panels.empty()) return;
+    const auto kept = std::exchange(fitted_for_body_, std::nullopt);
+    const ui::OrbitCamera before = kept && kept->fitted == *orbit ? kept->before : *orbit;
+    *orbit = before;
+    if (body != nullptr) {
+        const ui::Size size = plan_.panels.front().box.size();
+        const ui::Box sheet{{room, room}, {size.width - room, size.height - room}};
+        std::vector<ui::World3> places;
+        const auto add = [&](const Eigen::Vector3d& place) { places.push_back({place.x(), place.y(), place.z()}); };
+        std::ranges::for_each(shape_.nodes, add);
+        std::ranges::for_each(places_of(*body, shape_), add);
+        const auto is_seen = [&](const ui::World3& place) { return sheet.contains(orbit->to_sheet(place)); };
+        if (!std::ranges::all_of(places, is_seen)) orbit->fit(places, size, {room, room, room, room});
+        fitted_for_body_ = FittedForBody{before, *orbit};
+    }
+    plan_.camera = *orbit;
 }
 
 // Where the legend takes a line more or less the picture stays where it is.

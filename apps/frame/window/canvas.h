@@ -100,10 +100,17 @@ private:
     };
     FittedFor wanted_fit(const Session& session, const DrawOptions& options) const;
     ui::Size whole_sheet() const { return {sheet().width, sheet().height + lent_}; }
+    void fit_new_body(Session& session);
     void hold_still(Session& session, const Subject::Plan& before);
 
     StructureShape shape_;
-    Subject::Plan plan_; ///< how the sheet is divided, and the camera of its panels
+    Subject::Plan plan_;            ///< how the sheet is divided, and the camera of its panels
+    std::size_t body_in_sight_ = 0; ///< the number of the free body that was last looked for
+    /// For which a camera by hand was fitted, and what it was before.
+    struct FittedForBody {
+        ui::OrbitCamera before, fitted;
+    };
+    std::optional<FittedForBody> fitted_for_body_;
     std::optional<FittedFor> fitted_for_;
     std::uint64_t session_ = 0, generation_ = 0; ///< that shape_ belongs to
     ui::Point hover_panel_{};                    ///< corner of the panel that the pointer is in

@@ -83,13 +83,18 @@ public:
     {
         constexpr double least = 0.5; // [px]; the pointer drawn to where the line begins differs from it by rounding
         if (ui::distance(projection_(start), projection_(end)) < least) return;
-        const ui::Stroke stroke{.color = theme_.stroke(Role::Selection).color, .width = 2.5, .dash = {8.0, 5.0}};
-        painter_.line(projection_(start), projection_(end), stroke);
+        cut(start, end);
         const Eigen::Vector3d arm = end - start;
         std::string text = units_.text(arm.norm(), ui::Measure::Length);
         if (!is_in_space)
             text += "   " + with_minus(ui::number_text(direction_of(arm.head<2>()), units_.format())) + "°";
         note(projection_(end), text);
+    }
+
+    void cut(const Eigen::Vector3d& start, const Eigen::Vector3d& end)
+    {
+        const ui::Stroke stroke{.color = theme_.stroke(Role::Selection).color, .width = 2.5, .dash = {8.0, 5.0}};
+        painter_.line(projection_(start), projection_(end), stroke);
     }
 
     /// Members that are carried, and as a point a node.
@@ -185,6 +190,7 @@ void draw_hand(ui::Painter& painter, const Session& session, const ToolControlle
     picture.stroke(preview.stroke, preview.is_stroke_on_sheet);
     const auto dimension = preview.dimension ? layout_of(session.model(), *preview.dimension) : std::nullopt;
     if (dimension) picture.dimension(*dimension);
+    if (preview.cut) picture.cut(preview.cut->first, preview.cut->second);
     if (preview.window) picture.window(preview.window->first, preview.window->second);
     const bool is_placing = (tool_controller.can_type() && tool_controller.tool().snaps()) ||
                             !tool_controller.tool().moving().empty();

@@ -1,4 +1,5 @@
 #include "apps/frame/window/tool_bar.h"
+#include "apps/drawing/draw.h"
 
 #include <imgui.h>
 
@@ -8,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "apps/drawing/draw.h"
 #include "apps/frame/session/edit_commands.h"
 #include "apps/frame/session/funicular_commands.h"
 #include "apps/frame/session/plane_commands.h"
@@ -352,8 +354,10 @@ void plane_settings(Workspace& workspace, ui::NumberFields& fields)
     ImGui::SameLine();
 }
 
-std::string_view hint(ToolKind tool, bool is_in_space)
+std::string_view hint(ToolKind tool, bool is_in_space, bool is_turned)
 {
+    if (is_turned && tool == ToolKind::FreeBody)
+        return translatable("Click, or draw a cut; V: other side. Shift turns.");
     if (is_in_space && tool == ToolKind::Member)
         return translatable("Click nodes or places of the plane, or type: 6,4,3  @0,0,3");
     if (is_in_space && tool == ToolKind::Node) return translatable("Click a place of the plane, or type it: 6,4,3");
@@ -419,9 +423,10 @@ void tool_bar(Workspace& workspace, const CommandTable& commands, ui::ImGuiSessi
     if (is_in_space && workspace.tool_controller.can_type()) plane_settings(workspace, fields);
     if (workspace.tool_controller.can_type() && tool != ToolKind::Dimension) snap_settings(workspace, commands, fields);
     const bool has_funicular = shown_funicular(workspace.session) != nullptr;
-    show_hint(workspace.session.view.tr(tool == ToolKind::Funicular && !has_funicular
-                                            ? translatable("Click a member of an arch or a beam; Shift: one more")
-                                            : hint(tool, is_in_space)));
+    show_hint(
+        workspace.session.view.tr(tool == ToolKind::Funicular && !has_funicular
+                                      ? translatable("Click a member of an arch or a beam; Shift: one more")
+                                      : hint(tool, is_in_space, is_seen_in_space(workspace.session.model().analysis))));
     ImGui::PopStyleVar();
 }
 
