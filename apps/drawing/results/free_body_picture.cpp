@@ -7,6 +7,7 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace drawing {
 
@@ -17,6 +18,8 @@ using namespace femoop::free_body;
 using femoop::MemberComponent;
 
 constexpr double negligible = 1e-9; // of the largest on the body
+
+constexpr double arrow_length = 38.0, arrow_gap = 5.0; // [px] of the arrow of a force, and to it
 
 ui::Role role_of(ForceKind kind)
 {
@@ -45,7 +48,7 @@ public:
     {
         for (const Piece& piece : picture_.lifted.body.pieces) draw_piece(piece);
         const ui::LayerScope layer(scene_.sketch.painter(), ui::Layer::Symbols);
-        for (const Force& force : picture_.lifted.forces) draw_force(force);
+        for (const Arrow& arrow : arrows()) draw_arrow(arrow);
         for (const femoop::NodeId node : picture_.lifted.body.nodes) draw_node(node);
         if (picture_.ritter) draw_lines_to(picture_.lifted.ritter_points[*picture_.ritter]);
         for (const RitterPoint& point : picture_.lifted.ritter_points) draw_ritter_point(point);
@@ -76,13 +79,42 @@ private:
                                .weight = ui::Weight::Bold});
     }
 
-    /// Section forces in the member's own axes, by the names that diagrams have.
-    void draw_force(Force force)
+    /// A component of a force, of section forces in the member's own axes, by the names that diagrams have.
+    struct Arrow {
+        Force force; ///< where it is drawn: beyond the stub of its member
+        ForceComponent one;
+    };
+
+    /// In the order in which their values choose where to stand: those of the sections before all else, which the picture
+    /// is drawn for; then in the plane those that are small beside others of their kind last, in space, where more meet, the
+    /// larger the sooner.
+    std::vector<Arrow> arrows()
     {
-        if (force.kind == ForceKind::SectionForces) draw_stub(force);
-        for (const ForceComponent& one : components(force))
-            if (one.is_moment) draw_couple(force, one.direction, one.value, one.of);
-            else draw_component(force, one.direction, one.value, one.of);
+        constexpr double minor = 0.1;
+        std::vector<Arrow> list;
+        for (Force force : picture_.lifted.forces) {
+            if (force.kind == ForceKind::SectionForces) draw_stub(force);
+            for (const ForceComponent& one : components(force)) list.push_back({force, one});
+        }
+        double largest_force = 0.0, largest_moment = 0.0;
+        for (const auto& [force, one] : list) {
+            double& largest = one.is_moment ? largest_moment : largest_force;
+            largest = std::max(largest, std::abs(one.value));
+        }
+        std::ranges::stable_sort(list, {}, [&](const Arrow& arrow) {
+            const double largest = arrow.one.is_moment ? largest_moment : largest_force;
+            const double share = largest > 0.0 ? std::abs(arrow.one.value) / largest : 0.0;
+            const double turn = scene_.is_flat() ? (share < minor ? 1.0 : 0.0) : -share;
+            return std::pair(arrow.force.kind != ForceKind::SectionForces, turn);
+        });
+        return list;
+    }
+
+    void draw_arrow(const Arrow& arrow)
+    {
+        const auto& [force, one] = arrow;
+        if (one.is_moment) draw_couple(force, one.direction, one.value, one.of);
+        else draw_component(force, one.direction, one.value, one.of);
     }
 
     void draw_component(const Force& force, const Vector3d& axis, double value,
@@ -91,26 +123,46 @@ private:
         if (std::abs(value) <= negligible * largest_) return;
         const Vector3d direction = value < 0.0 ? Vector3d(-axis) : axis;
         const ArrowAt touches = touching_end(force, direction);
-        drawing::draw_force(
-            scene_, {.at = force.at + beside_member(force, direction) + picture_.aside,
-                     .direction = direction,
-                     .length = scene_.sketch.px(38.0),
-                     .touches = touches,
-                     .gap = scene_.sketch.px(5.0),
-                     .text = named(component, force, scene_.text(std::abs(value), ui::Measure::Force)) +
-                             (component == MemberComponent::N ? sense(value) : ""),
-                     .role = role_of(force.kind),
-                     .text_side = text_side(force, touches == ArrowAt::Head ? Vector3d(-direction) : direction)});
+        const Vector3d away = touches == ArrowAt::Head ? Vector3d(-direction) : direction;
+        const std::string text = named(component, force, scene_.text(std::abs(value), ui::Measure::Force)) +
+                                 (component == MemberComponent::N ? sense(value) : "");
+        const auto side = side_off_its_like(force, away);
+        drawing::draw_force(scene_, {.at = force.at + beside_others(force, direction, away) + picture_.aside,
+                                     .direction = direction,
+                                     .length = scene_.sketch.px(arrow_length),
+                                     .touches = touches,
+                                     .gap = scene_.sketch.px(arrow_gap),
+                                     .text = side ? std::string() : text,
+                                     .role = role_of(force.kind),
+                                     .text_side = text_side(force, away)});
+        if (side && scene_.shows(Show::Values)) write_beside_arrow(force, away, *side, text);
     }
 
-    /// How far off its place a load along a member is drawn that leaves it no other side.
-    Vector3d beside_member(const Force& force, const Vector3d& direction) const
+    void write_beside_arrow(const Force& force, const Vector3d& away, ui::Point side, const std::string& text)
     {
-        constexpr double apart = 9.0; // [px]
-        const bool has_room = force.kind == ForceKind::SectionForces || !is_taken(force.at, direction) ||
-                              !is_taken(force.at, -direction);
-        if (has_room) return Vector3d::Zero();
-        return scene_.sketch.px(apart) / scene_.projection.scale() *
+        const ui::Point way = scene_.projection.direction(away);
+        scene_.sketch.caption({.text = text,
+                               .role = role_of(force.kind),
+                               .target = at(force.at) + scene_.sketch.px(arrow_gap + 0.6 * arrow_length) * way,
+                               .toward = side,
+                               .gap = scene_.sketch.px(7.0),
+                               .rank = Rank::Largest,
+                               .of = at(force.at)});
+    }
+
+    /// How far off its place a load or a reaction is drawn: beside a member that leaves it no other side, and beside those
+    /// that have come to stand on this side of its place before.
+    Vector3d beside_others(const Force& force, const Vector3d& direction, const Vector3d& away)
+    {
+        constexpr double apart = 9.0, alike = 0.99; // [px], the cosine
+        if (force.kind == ForceKind::SectionForces) return Vector3d::Zero();
+        const auto n_there = std::ranges::count_if(standing_, [&](const Standing& other) {
+            return is_near(other.at, force.at) && other.away.dot(away) > alike;
+        });
+        standing_.push_back({force.at, away});
+        const bool has_member = is_taken(force.at, away) && is_taken(force.at, -away);
+        const auto n = static_cast<double>(n_there + (has_member ? 1 : 0));
+        return n * scene_.sketch.px(apart) / scene_.projection.scale() *
                scene_.projection.toward_eye().cross(direction).normalized();
     }
 
@@ -122,6 +174,17 @@ private:
         const ui::Point across = scene_.projection.direction(away), out = scene_.projection.direction(outward(force));
         if (std::abs(dot(across, out)) > 0.5) return std::nullopt;
         return across + out;
+    }
+
+    /// Along a bar beside another one that goes much the same way: on the far side from that one.
+    std::optional<ui::Point> side_off_its_like(const Force& force, const Vector3d& away) const
+    {
+        if (force.kind != ForceKind::SectionForces || std::abs(away.dot(outward(force))) < 0.5) return std::nullopt;
+        const Force* const other = its_like(force);
+        if (other == nullptr) return std::nullopt;
+        const ui::Point across = ui::left_normal(scene_.projection.direction(away));
+        const ui::Point to_other = scene_.projection(other->at) - scene_.projection(force.at);
+        return dot(to_other, across) > 0.0 ? -across : across;
     }
 
     /// Beyond the end of an arrow that slants its value would stand far off: above or below it.
@@ -231,21 +294,33 @@ private:
     /// The arrow has the sign; of an axial force the letter says it too, as along the bars of a truss.
     static std::string sense(double N) { return N < 0.0 ? " (C)" : " (T)"; }
 
-    /// "N = 12 kN"; where another bar is cut near by that goes much the same way, "N(AB) = 12 kN".
+    /// "N = 12 kN"; "N(AB) = 12 kN" where bars are cut near by each other that go much the same way, and in space where
+    /// more members than one are cut.
     std::string named(std::optional<MemberComponent> component, const Force& force, const std::string& value) const
     {
         if (!component) return value;
-        const std::string bar = is_beside_its_like(force) ? "(" + scene_.model[*force.member].id + ")" : "";
+        const bool has_likes = std::ranges::any_of(picture_.lifted.forces,
+                                                   [&](const Force& one) { return its_like(one) != nullptr; });
+        const bool is_told_apart = has_likes || (!scene_.is_flat() && has_other_cuts(force));
+        const std::string bar = is_told_apart ? "(" + scene_.model[*force.member].id + ")" : "";
         return std::string(femoop::name(*component, scene_.model.analysis)) + bar + " = " + value;
     }
-    bool is_beside_its_like(const Force& force) const
+    /// Null where there is none.
+    const Force* its_like(const Force& force) const
     {
         constexpr double alike = 0.7, near_by = 110.0; // [px], of arrows and labels
-        if (force.kind != ForceKind::SectionForces) return false;
+        if (force.kind != ForceKind::SectionForces) return nullptr;
         const double reach = scene_.sketch.px(near_by) / scene_.projection.scale();
-        return std::ranges::any_of(picture_.lifted.forces, [&](const Force& other) {
+        const auto found = std::ranges::find_if(picture_.lifted.forces, [&](const Force& other) {
             return other.kind == ForceKind::SectionForces && other.member != force.member &&
                    (other.at - force.at).norm() <= reach && outward(other).dot(outward(force)) > alike;
+        });
+        return found != picture_.lifted.forces.end() ? &*found : nullptr;
+    }
+    bool has_other_cuts(const Force& force) const
+    {
+        return std::ranges::any_of(picture_.lifted.forces, [&](const Force& other) {
+            return other.kind == ForceKind::SectionForces && other.member != force.member;
         });
     }
 
@@ -287,6 +362,11 @@ private:
     const Scene& scene_;
     const FreeBodyPicture& picture_;
     double largest_ = 0.0;
+    /// Where loads and reactions have been drawn, and on which side of their place.
+    struct Standing {
+        Vector3d at, away;
+    };
+    std::vector<Standing> standing_;
 };
 
 } // namespace

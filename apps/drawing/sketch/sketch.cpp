@@ -249,7 +249,9 @@ ui::Label Sketch::label_of(const Request& request) const
     label.clearance = caption.gap;
     label.side = caption.side;
     label.others = caption.others;
-    label.needs_sight = caption.role == ui::Role::Load; // beyond a member it reads as the load of that one
+    const bool is_of_arrow = caption.rank == Rank::Largest && caption.of;
+    // Beyond a member it reads as the load of that one, beside an arrow that goes the same way as the force of that.
+    label.needs_sight = caption.role == ui::Role::Load || is_of_arrow;
     const auto wish = [&](ui::Point target, double angle, double gap) {
         label.wishes.push_back(center_beside(target, turned(caption.toward, angle), gap, request.size));
     };

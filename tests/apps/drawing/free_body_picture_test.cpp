@@ -163,3 +163,85 @@ TEST_CASE("The forces of bars that are cut side by side have the bars' names, th
     CHECK(n_texts(near, "N(U2U3) = ") == 1);
     CHECK(n_texts(near, "N(U2L3) = ") == 1);
 }
+
+TEST_CASE("In space the forces have the names of their members where several are cut, and only there")
+{
+    const ui::Fonts fonts;
+    const femoop::Model balcony = view_test::example("balcony");
+    const auto n_named = [&](const femoop::free_body::Body& body) {
+        const auto marks = drawn_body(fonts, balcony, body);
+        return std::ranges::count_if(marks.texts, [](const auto& text) {
+            return text.words.starts_with("T(AB) = ") || text.words.starts_with("Mz(AB) = ") ||
+                   text.words.starts_with("Mz(BC) = ") || text.words.starts_with("Vy(AB) = ") ||
+                   text.words.starts_with("Vy(BC) = ");
+        });
+    };
+    CHECK(n_named(body_of(*balcony.find_node("B"))) == 4); // at B the one has no Mz, the other no T
+    CHECK(n_named(body_of(*balcony.find_node("C"))) == 0);
+}
+
+TEST_CASE("A load and a reaction on one side of a node stand beside each other")
+{
+    const ui::Fonts fonts;
+    femoop::Model truss = view_test::example("pratt_truss");
+    const femoop::NodeId support = *truss.find_node("L0");
+    truss.load_cases[0].nodes.push_back(
+        {.node = support, .components = {{.dof = femoop::Dof::ux, .value = femoop::Quantity(7.0)}}});
+    const auto marks = drawn_body(fonts, truss, body_of(support));
+    const ui::Theme theme(ui::ThemeName::Light);
+    std::vector<double> heights;
+    for (const auto& line : marks.lines) {
+        const ui::Point a = line.points.front(), b = line.points.back();
+        const bool is_arrow = line.stroke.color == theme.stroke(ui::Role::Load).color ||
+                              line.stroke.color == theme.stroke(ui::Role::Reaction).color;
+        if (is_arrow && std::abs(a.y - b.y) < 0.5 && std::abs(a.x - b.x) > 20.0) heights.push_back(a.y);
+    }
+    REQUIRE(heights.size() == 2);
+    CHECK(std::abs(heights[0] - heights[1]) > 6.0);
+}
+
+TEST_CASE("The value of a bar that is cut beside another stands on the far side of its arrow from that one")
+{
+    const ui::Fonts fonts;
+    femoop::Model truss = view_test::example("pratt_truss");
+    truss.nodes[truss.find_node("L3")->index].at[1] = femoop::Quantity(2.5);
+    const femoop::Discretisation structure = discretise(truss);
+    std::vector<femoop::free_body::Cut> cuts;
+    std::vector<femoop::NodeId> left;
+    for (const char* bar : {"U2U3", "U2L3", "L2L3"}) {
+        const femoop::MemberId id = *truss.find_member(bar);
+        cuts.push_back({id, 0.2 * structure.geometry(id).length});
+        left.push_back(truss[id].nodes[0]);
+    }
+    const auto marks = drawn_body(fonts, truss, body_of(structure, cuts, left));
+    const auto middle_of = [&](std::string_view beginning) {
+        const auto found = std::ranges::find_if(marks.texts,
+                                                [&](const auto& text) { return text.words.starts_with(beginning); });
+        REQUIRE(found != marks.texts.end());
+        return 0.5 * (found->box.min + found->box.max);
+    };
+    std::vector<double> heights; // of the arrows of the two bars, the upper one first
+    for (const auto& line : marks.lines)
+        if (line.stroke.color == ui::Theme(ui::ThemeName::Light).stroke(ui::Role::ShearForce).color)
+            heights.push_back(0.5 * (line.points.front().y + line.points.back().y));
+    std::ranges::sort(heights);
+    REQUIRE(heights.size() >= 2);
+    CHECK(middle_of("N(U2U3) = ").y < heights[0]);
+    CHECK(middle_of("N(U2L3) = ").y > heights[1]);
+}
+
+TEST_CASE("The values of sections ask for a place before those of loads, and small ones last")
+{
+    const ui::Fonts fonts;
+    const femoop::Model portal = view_test::example("portal");
+    const std::vector<femoop::MemberId> beam{*portal.find_member("BC")};
+    const auto marks = drawn_body(fonts, portal, body_of(discretise(portal), beam));
+    const auto first = [&](std::string_view words) {
+        const auto found = std::ranges::find_if(marks.texts,
+                                                [&](const auto& text) { return text.words.starts_with(words); });
+        REQUIRE(found != marks.texts.end());
+        return found - marks.texts.begin();
+    };
+    CHECK(first("V = 50.6 kN") < first("101.2 kN"));
+    CHECK(first("M = 42.68 kN·m") < first("101.2 kN"));
+}
