@@ -6,6 +6,7 @@
 #include <functional>
 #include <numeric>
 #include <span>
+#include <string>
 #include <string_view>
 #include <utility>
 
@@ -56,15 +57,28 @@ std::string symbol(Dof dof, AnalysisKind kind)
     return is_plane(kind) ? "ΣM" : "ΣM" + axis;
 }
 
-/// Numbers that balance, with as many decimals as give the largest six digits, so that they add up to nothing as printed
-/// too: each one is off by less than a unit of its last place. Those that do not balance are rounded and no more.
+constexpr double longest_whole = 1e12; // what is larger is written as a power of ten
+
+/// A number of an equation: six digits, and all of a whole one that has more.
+std::string digits(double value, const Translator& tr)
+{
+    constexpr double six_of_a_whole = 1e5;
+    const double size = std::abs(value);
+    if (size < six_of_a_whole || size >= longest_whole) return six_digits(value, tr);
+    return localized(std::to_string(std::llround(tabular::off_half(value))), tr);
+}
+
+/// Numbers that balance, with as many decimals as give the largest six digits, whole ones at least, so that they add up to
+/// nothing as printed too: each one is off by less than a unit of its last place. Those that do not balance are rounded
+/// and no more.
 std::vector<double> balanced(const std::vector<double>& numbers)
 {
     constexpr int n_digits = 6;
     double largest = 0.0;
     for (const double one : numbers) largest = std::max(largest, std::abs(one));
     if (largest == 0.0) return numbers;
-    const double decimals = n_digits - 1 - std::floor(std::log10(largest));
+    const double for_six = n_digits - 1 - std::floor(std::log10(largest));
+    const double decimals = largest < longest_whole ? std::max(for_six, 0.0) : for_six;
     const auto in_units = [&](double value) { return value * std::pow(10.0, decimals); };
     std::vector<double> rounded;
     for (const double one : numbers) rounded.push_back(std::round(tabular::off_half(in_units(one))));
@@ -92,7 +106,7 @@ std::string added(const std::vector<double>& terms, const Translator& tr)
 {
     std::string text;
     for (const double term : terms)
-        if (term != 0.0) text += signed_term(term, six_digits(std::abs(term), tr), text.empty());
+        if (term != 0.0) text += signed_term(term, digits(std::abs(term), tr), text.empty());
     return text;
 }
 
@@ -114,12 +128,16 @@ std::string sum_text(const Equation& equation, const Translator& tr)
 }
 
 /// "−30 kN · 1 m + 84 kN·m"; empty where no force has an arm.
-std::string arms_text(std::span<const MomentTerm> terms, const Model& model, const Translator& tr)
+/// \param moments  of the terms, as the line after it has them, so that a moment is one number in both
+std::string arms_text(std::span<const MomentTerm> terms, std::span<const double> moments, const Model& model,
+                      const Translator& tr)
 {
     if (std::ranges::none_of(terms, [](const MomentTerm& one) { return one.arm.has_value(); })) return {};
     std::string text;
-    for (const MomentTerm& one : terms) {
-        std::string size = six_digits(std::abs(one.arm ? one.value : one.moment), tr) + " " +
+    for (std::size_t i = 0; i < terms.size(); ++i) {
+        const MomentTerm& one = terms[i];
+        const double moment = moments[i] != 0.0 ? moments[i] : one.moment; // which may be too small for that line
+        std::string size = digits(std::abs(one.arm ? one.value : moment), tr) + " " +
                            unit(one.arm ? dimension::force : dimension::moment, model);
         if (one.arm) size += " · " + length_text(std::abs(*one.arm), model, tr);
         text += signed_term(one.moment, size, text.empty());
@@ -235,7 +253,8 @@ std::vector<std::string> equation_lines(const FreeBody& body, const Model& model
     std::vector<std::string> lines;
     for (const Equation& equation : equations(body, model.analysis, about)) {
         const bool is_moment = is_rotation(equation.dof);
-        const std::string arms = is_moment ? arms_text(equation.moments, model, tr) : std::string();
+        const std::string arms = is_moment ? arms_text(equation.moments, shown_terms(equation), model, tr)
+                                           : std::string();
         const std::string name = equation_name(equation, model, about, tr);
         if (!arms.empty()) lines.push_back(name + " = " + arms);
         lines.push_back((arms.empty() ? name : std::string()) + (arms.empty() ? " = " : "= ") + sum_text(equation, tr) +
@@ -258,7 +277,7 @@ std::vector<std::string> ritter_lines(const FreeBody& body, const Model& model, 
         return (moments.size() > 1 ? "(" + sum + ")" : sum) + " / " + arm;
     };
     const double arm = std::abs(point.arm);
-    const std::string arms = by_arm(arms_text(found.moments, model, tr), length_text(arm, model, tr));
+    const std::string arms = by_arm(arms_text(found.moments, moments, model, tr), length_text(arm, model, tr));
     const std::string sum = by_arm(added(moments, tr), six_digits(arm, tr));
     const std::string force = found.force == 0.0 ? "0" : added({found.force}, tr);
     std::vector<std::string> lines{fill(tr("N of {0} = {1}"), {model[point.bar].id, arms.empty() ? sum : arms})};

@@ -123,6 +123,34 @@ TEST_CASE("Equations add up to nothing as printed, also where each number is rou
     CHECK(n_sums == 2 * 20 * 3);
 }
 
+TEST_CASE(
+    "In N and mm the numbers of an equation are whole, closed by one in their last digit, and a moment is one number")
+{
+    FrameMaker made({.id = "tube", .A = 2000.0, .Iz = 2e7}, {.id = "steel", .E = 2e5});
+    made.model.units = {.length = LengthUnit::mm, .force = ForceUnit::N};
+    made.node("A", 0, 0, SupportKind::Pin).node("C", 3000, 0).node("B", 6000, 0, SupportKind::Roller);
+    made.member("A", "C").member("C", "B").force("C", Dof::uy, -10000.0).force("C", Dof::rz, -132195.0);
+    made.uniform("AC", -1.2345);
+    const std::vector<Cut> cuts{{MemberId(1), 1723.7}};
+    const std::vector<NodeId> beside{NodeId(0)};
+    const FreeBody body = lift_out(made.model, analyse(made.model), CaseId(0),
+                                   body_of(discretise(made.model), cuts, beside));
+    const auto lines = equation_lines(body, made.model, {123.456, 0.0, 0.0}, english);
+    REQUIRE(lines.size() == 4);
+    CHECK(lines[2] == "ΣM(123.456, 0) = −7755.59 N · 123.456 mm − 10000 N · 2876.54 mm − 132195 N·mm "
+                      "− 3703.5 N · 1376.54 mm + 5947.91 N · 4600.24 mm + 7591314 N·mm");
+    CHECK(lines[3].find("e+") == std::string::npos);
+    CHECK(lines[3].find(" − 132195 ") != std::string::npos);
+    CHECK(std::abs(printed_sum(lines[3])) < 1e-9);
+    std::istringstream words(lines[3]);
+    std::string sign, number;
+    words >> sign >> number; // "=", "−957474"
+    const double moment_of_reaction = body.forces.front().force.y() * 123.456;
+    CHECK(std::abs(std::stod(number.substr(std::string_view("−").size())) - moment_of_reaction) <= 1.0);
+    words >> sign >> number;
+    CHECK(std::abs(std::stod(number) - 10000.0 * 2876.544) <= 1.0);
+}
+
 TEST_CASE("For LaTeX the equations of a body begin with a sum's sign, and its tables have the numbers of the text")
 {
     const Model model = held_beam();
