@@ -25,7 +25,7 @@ constexpr std::array structural{FaultKind::ConstraintConflict,     FaultKind::Il
                                 FaultKind::TooFewSupports,         FaultKind::PartWithoutSupport,
                                 FaultKind::PartWithTooFewSupports, FaultKind::NothingHasMass,
                                 FaultKind::MasslessMotion,         FaultKind::TooFewModes,
-                                FaultKind::ModeLostInRounding};
+                                FaultKind::ModeLostInRounding,     FaultKind::IllConditionedLine};
 
 std::string headline(std::size_t n, bool are_more, const ui::Catalogue& tr)
 {

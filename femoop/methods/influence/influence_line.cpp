@@ -7,6 +7,7 @@
 #include <optional>
 #include <utility>
 
+#include "femoop/analysis/mechanism.h"
 #include "femoop/load/place_along.h"
 #include "femoop/methods/influence/dislocation.h"
 #include "femoop/methods/influence/effect_name.h"
@@ -177,10 +178,28 @@ InfluenceAnalysis::InfluenceAnalysis(const Model& model, const AnalysisOptions& 
 
 void InfluenceAnalysis::note(const std::vector<Fault>& warnings)
 {
-    for (const Fault& warning : warnings) {
+    for (Fault warning : warnings) {
+        if (warning.kind == FaultKind::InaccurateCase) warning = {FaultKind::InaccurateLines, {warning.arguments[1]}};
         const bool is_of_unit = warning.kind == FaultKind::HugeDisplacement; // a unit is not a real load
         if (!is_of_unit && std::ranges::find(warnings_, warning) == warnings_.end()) warnings_.push_back(warning);
     }
+}
+
+/// The cases that are solved for lines are none of the model's: what is said of one is said of the line.
+ModelError InfluenceAnalysis::refusal(const ModelError& error, const PathLayout& path, const MovingEffect& effect) const
+{
+    const auto node = [&](const PathMember& on, bool is_end) {
+        return model_[model_[on.member].nodes[is_end != on.is_reversed ? 1 : 0]].id;
+    };
+    std::vector<Fault> faults;
+    for (Fault fault : error.faults()) {
+        const bool is_ill = fault.kind == FaultKind::IllConditionedCase;
+        if (is_ill || fault.kind == FaultKind::ResultsBeyondRange)
+            fault = {is_ill ? FaultKind::IllConditionedLine : FaultKind::LineBeyondRange,
+                     {effect_name(model_, effect), node(path.members.front(), false), node(path.members.back(), true)}};
+        if (std::ranges::find(faults, fault) == faults.end()) faults.push_back(std::move(fault));
+    }
+    return ModelError(std::move(faults));
 }
 
 Results InfluenceAnalysis::solve(std::vector<LoadCase> cases)
@@ -361,6 +380,19 @@ InfluenceLine InfluenceAnalysis::line(const PathLayout& path, const NodeVector& 
 
 std::vector<InfluenceLine> InfluenceAnalysis::lines(const PathLayout& path, const NodeVector& load,
                                                     std::span<const MovingEffect> effects)
+{
+    try {
+        return solved_lines(path, load, effects);
+    } catch (const MechanismError&) {
+        throw;
+    } catch (const ModelError& error) {
+        if (effects.empty()) throw;
+        throw refusal(error, path, effects.front());
+    }
+}
+
+std::vector<InfluenceLine> InfluenceAnalysis::solved_lines(const PathLayout& path, const NodeVector& load,
+                                                           std::span<const MovingEffect> effects)
 {
     require_undriven(path, load);
     std::vector<InfluenceLine> found(effects.size());

@@ -93,6 +93,9 @@ private:
     };
     Results solve(std::vector<LoadCase> cases);
     void note(const std::vector<Fault>& warnings);
+    ModelError refusal(const ModelError& error, const PathLayout& path, const MovingEffect& effect) const;
+    std::vector<InfluenceLine> solved_lines(const PathLayout& path, const NodeVector& load,
+                                            std::span<const MovingEffect> effects);
     void require_undriven(const PathLayout& path, const NodeVector& load);
     bool is_direct(const MovingEffect& effect) const;
     double unit_effect(const MovingEffect& effect, const NodeVector& load) const;

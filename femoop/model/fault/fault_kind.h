@@ -352,6 +352,9 @@ enum class FaultKind : std::uint16_t {
     IllConditionedCase, ///< {0} case
     InaccurateBody,     ///< the same of plates and bodies
     IllConditionedBody,
+    InaccurateLines,    ///< {0} how many digits hold of influence lines
+    IllConditionedLine, ///< {0} effect of the influence line, {1} node where its path begins, {2} where it ends
+    LineBeyondRange,    ///< likewise
 
     // natural vibrations
     NothingHasMass,     ///< of regions

@@ -86,6 +86,17 @@ std::string_view pattern(FaultKind kind)
         return "case {0} cannot be solved: the body is held, but too slender or its elements too flat for its forces to "
                "balance in 16 digits; use elements that are less flat, or a frame in place of a slender plate";
 
+    case FaultKind::InaccurateLines:
+        return "influence lines: unit loads and their reactions balance to {0} digits only, and no more of any "
+               "ordinate is sure; members of very unlike lengths or stiffnesses bring that: make them more alike";
+    case FaultKind::IllConditionedLine:
+        return "{0}: its influence line along the path from {1} to {2} cannot be computed: the structure holds, but is "
+               "too ill-conditioned for its forces to balance, even with 32 digits; use fewer members in a row, or "
+               "members of more alike lengths and stiffnesses";
+    case FaultKind::LineBeyondRange:
+        return "{0}: its influence line along the path from {1} to {2} is beyond the range of numbers; "
+               "check E, the sections, the lengths and their units";
+
     case FaultKind::NothingHasMass: return "nothing has mass, so nothing vibrates; give a material a density";
     case FaultKind::RegionWithoutMass:
         return "regions {0} have no mass, since material {1} has no density; give it one if they have any";
@@ -614,6 +625,7 @@ Severity severity(FaultKind kind)
     case FaultKind::HugeDisplacement:
     case FaultKind::InaccurateCase:
     case FaultKind::InaccurateBody:
+    case FaultKind::InaccurateLines:
     case FaultKind::RegionWithoutMass:
     case FaultKind::InaccurateMode:
     case FaultKind::ModesNotCounted:

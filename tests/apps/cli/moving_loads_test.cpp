@@ -185,7 +185,8 @@ TEST_CASE("Where the axles are best away the proof says so, and not that a posit
             "materials": [{"id": "m", "E": 2e8}], "sections": [{"id": "s", "A": 0.01, "Iz": 1e-4}],
             "nodes": [{"id": "A", "at": [0, 0], "support": "fixed"}, {"id": "B", "at": [8, 0]}],
             "members": [{"id": "AB", "nodes": ["A", "B"], "material": "m", "section": "s"}],
-            "trains": [{"id": "T", "path": ["AB"], "axles": [1], "uniform": 10, "uniform_extent": "outside", "gap": 2}]})";
+            "trains": [{"id": "T", "path": ["AB"], "axles": [1],
+                        "uniform": 10, "uniform_extent": "outside", "gap": 2}]})";
     const Run told = cremona({"train", "-", "--node", "A", "--component", "fy", "--describe", "--proof"}, beam);
     CHECK(told.status == 0);
     CHECK(has(told.out, "fy(A) = 80 kN under T, its largest value: no axle on the path"));
@@ -333,6 +334,30 @@ TEST_CASE(
     CHECK(has(complaint("AB,decq"), "--path: there is no \"decq\""));
     CHECK(!has(complaint("AB,decq"), "deck\""));
     CHECK(has(complaint("decq"), "did you mean \"deck\"?"));
+}
+
+TEST_CASE("Where a line cannot be computed that is said of the line, with its path")
+{
+    constexpr const char* beam =
+        R"({"cremona": 1, "analysis": "frame2d", "units": {"length": "m", "force": "kN"},
+            "materials": [{"id": "m", "E": 2.1e8}], "sections": [{"id": "s", "A": 0.05, "Iz": 0.001}],
+            "nodes": [{"id": "A", "at": [0, 0], "support": "pin"}, {"id": "B", "at": [4.99999999, 0]},
+                      {"id": "C", "at": [5, 0]}, {"id": "D", "at": [12, 0], "support": "roller"}],
+            "members": [{"id": "AB", "nodes": ["A", "B"], "material": "m", "section": "s"},
+                        {"id": "CB", "nodes": ["C", "B"], "material": "m", "section": "s"},
+                        {"id": "CD", "nodes": ["C", "D"], "material": "m", "section": "s"}],
+            "trains": [{"id": "T", "path": ["CD", "CB", "AB"], "axles": [7]}]})";
+    const std::vector<std::string> asked{"--member", "CD", "--at", "50%", "--component", "M"};
+    for (std::vector<std::string> words :
+         {std::vector<std::string>{"influence", "-", "--path", "AB,CB,CD"}, std::vector<std::string>{"train", "-"}}) {
+        const std::string path = words.front() == "train" ? "from D to A" : "from A to D";
+        words.insert(words.end(), asked.begin(), asked.end());
+        const Run run = cremona(words, beam);
+        CHECK(run.status == 3);
+        CHECK_MESSAGE(has(run.err, "M(CD, 50%): its influence line along the path " + path + " cannot be computed: "),
+                      run.err);
+        CHECK(!has(run.err, "case path"));
+    }
 }
 
 TEST_CASE("An answer that stands off its path is refused with the units of both lengths")

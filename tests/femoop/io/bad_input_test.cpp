@@ -273,7 +273,9 @@ TEST_CASE("Every kind of fault has a file that shows it")
                                  FaultKind::IllConditionedBody, FaultKind::NothingHasMass,
                                  FaultKind::RegionWithoutMass,  FaultKind::MasslessMotion,
                                  FaultKind::TooFewModes,        FaultKind::ModeLostInRounding,
-                                 FaultKind::InaccurateMode,     FaultKind::ModesNotCounted})
+                                 FaultKind::InaccurateMode,     FaultKind::ModesNotCounted,
+                                 FaultKind::InaccurateLines,    FaultKind::IllConditionedLine,
+                                 FaultKind::LineBeyondRange})
         shown.insert(kind);
     // What moment distribution cannot do is shown by its own tests.
     for (auto kind = static_cast<int>(FaultKind::CrossNeedsPlaneFrame);
