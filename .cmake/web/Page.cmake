@@ -31,12 +31,14 @@ function(cremona_page app title)
     -lidbfs.js
     "SHELL:--preload-file ${page_files}@/")
   configure_file("${page_folder}/app.html.in" "${site}/${app}.html" @ONLY)
-  configure_file("${page_folder}/page.js" "${site}/page.js" COPYONLY)
-  configure_file("${page_folder}/share.js" "${site}/share.js" COPYONLY)
+  foreach(script page.js qr.js share.js)
+    configure_file("${page_folder}/${script}" "${site}/${script}" COPYONLY)
+  endforeach()
   set(single "${site}/single/${app}.html")
   add_custom_command(OUTPUT "${single}"
     COMMAND /usr/bin/python3 "${page_folder}/single_file.py" "${site}" ${app} "${single}"
-    DEPENDS ${app} "${page_folder}/single_file.py" "${site}/${app}.html" "${site}/page.js" "${site}/share.js"
+    DEPENDS ${app} "${page_folder}/single_file.py" "${site}/${app}.html" "${site}/page.js" "${site}/qr.js"
+            "${site}/share.js"
     VERBATIM)
   add_custom_target(${app}_page ALL DEPENDS "${single}")
   set_property(GLOBAL APPEND PROPERTY CREMONA_PAGES "${single}")

@@ -150,6 +150,19 @@ class Pages(unittest.TestCase):
             self.assertEqual(self.saved(page, 'opened'), drawn)
             self.assertEqual(page.complaints(), [])
 
+    def test_a_link_is_shown_as_a_code_for_a_telephone(self):
+        with Browser() as page:
+            page.open(f'{self.address}frame.html?open=/examples/truss.json')
+            self.copied_link(page)
+            page.value("document.querySelector('#message button').click()")
+            page.wait(0.5)
+            self.picture(page, 'code')
+            self.assertTrue(page.value("document.getElementById('code').open"))
+            self.assertGreater(page.value("document.querySelector('#code canvas').width"), 200)
+            page.value("document.querySelector('#code button').click()")
+            self.assertFalse(page.value("document.getElementById('code').open"))
+            self.assertEqual(page.complaints(), [])
+
     def test_every_app_and_every_single_file_gives_a_link_that_it_opens(self):
         other = {'frame': 'truss.json', 'plane': 'dam.json', 'cross': 'three_spans.json', 'euler': 'torus.eul'}
         for app in APPS:

@@ -8,6 +8,7 @@
 const language = new URLSearchParams(location.search).get('lang') || navigator.language;
 const allTexts = {
     en: { open: 'Open a file…', copy: 'Copy link', copied: 'The link was copied. It holds the document itself: {n} characters.',
+          code: 'QR code', close: 'Close',
           here: 'The link, to be copied from here:', tooLarge: 'This document is too large for a link; send the file instead:',
           cut: 'The document in this link cannot be read: the link was cut off, or changed on its way.',
           later: 'This link was made by a later version of Cremona, and cannot be read by this one.',
@@ -15,6 +16,7 @@ const allTexts = {
           over: 'The program has ended; load the page again to start it.',
           old: 'This browser is too old for this file: it cannot unpack it (DecompressionStream).' },
     pt: { open: 'Abrir um arquivo…', copy: 'Copiar link', copied: 'O link foi copiado. Contém o próprio documento: {n} caracteres.',
+          code: 'Código QR', close: 'Fechar',
           here: 'O link, para ser copiado daqui:', tooLarge: 'Este documento é grande demais para um link; envie o arquivo:',
           cut: 'O documento deste link não pode ser lido: o link foi cortado, ou mudado no caminho.',
           later: 'Este link foi feito por uma versão posterior do Cremona, e não pode ser lido por esta.',
@@ -74,9 +76,37 @@ async function copyLink() {
     if (copy.length === 0) return; // the program has told why
     const link = await linkToDocument(copy).catch(() => null);
     if (link === null) tell(texts.tooLarge + ' ', fileLink(copy[0]));
-    else if (await isCopied(link)) tell(texts.copied.replace('{n}', link.length));
+    else if (await isCopied(link)) tell(texts.copied.replace('{n}', link.length) + ' ', ...codeButton(link));
     else tell(texts.here + ' ', fieldWith(link));
     Module.canvas.focus();
+}
+
+// A code of more is too fine for a telephone; and none reads a file of this machine.
+function codeButton(link) {
+    const longestCode = 2000;
+    if (link.length > longestCode || !link.startsWith('http')) return [];
+    const button = document.createElement('button');
+    button.type = 'button';
+    button.textContent = texts.code;
+    button.onclick = () => showCode(qr.modules(link));
+    return [button];
+}
+
+function showCode(modules) {
+    const dialog = document.getElementById('code');
+    const margin = 4, across = modules.length + 2 * margin; // modules, light ones around
+    const pixels = Math.max(2, Math.floor(Math.min(innerWidth, innerHeight, 1000) * 0.8 / across)); // of a module
+    const canvas = dialog.querySelector('canvas');
+    canvas.width = canvas.height = pixels * across;
+    const context = canvas.getContext('2d');
+    context.fillStyle = '#fff';
+    context.fillRect(0, 0, canvas.width, canvas.height);
+    context.fillStyle = '#000';
+    modules.forEach((row, y) => row.forEach((isDark, x) => {
+        if (isDark) context.fillRect(pixels * (x + margin), pixels * (y + margin), pixels, pixels);
+    }));
+    dialog.querySelector('button').textContent = texts.close;
+    dialog.showModal();
 }
 
 async function isCopied(text) {

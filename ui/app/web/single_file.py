@@ -41,7 +41,7 @@ def single_file(site, app):
     page = page.replace('<a href="index.html">Cremona</a>\n', '<span>Cremona</span>\n')
     parts = [packed('files', site / f'{app}.data'), packed('wasm', site / f'{app}.wasm'),
              packed('program', site / f'{app}.js')]
-    for script in ('share.js', 'page.js'):
+    for script in ('share.js', 'qr.js', 'page.js'):
         text = (site / script).read_text(encoding='utf-8')
         page = page.replace(f'<script src="{script}"></script>\n', f'<script>\n{text}</script>\n')
     return page.replace(f'<script src="{app}.js"></script>\n', ''.join(parts) + f'<script>{UNPACK}</script>\n')
