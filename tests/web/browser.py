@@ -136,6 +136,16 @@ class Browser:
         self.release(x, y, button)
         self.wait(0.15)
 
+    def touch(self, kind, *places):
+        """Start, Move or End: the fingers that are down then."""
+        self.call('Input.dispatchTouchEvent', type='touch' + kind, touchPoints=[{'x': x, 'y': y} for x, y in places])
+        self.wait(0.1)
+
+    def tap(self, x, y):
+        self.touch('Start', (x, y))
+        self.touch('End')
+        self.wait(0.15)
+
     def key(self, name, code=None, ctrl=False, shift=False, text=None):
         """A stroke: 'Escape', or a letter. `text`: what it writes, unless it is held with Ctrl."""
         if text is None and len(name) == 1 and not ctrl:

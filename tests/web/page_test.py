@@ -85,6 +85,30 @@ class Pages(unittest.TestCase):
             self.assertEqual(len(self.saved(page, 'after')['members']), before + 1)
             self.assertEqual(page.complaints(), [])
 
+    def test_fingers_draw_and_move_and_zoom(self):
+        with Browser() as page:
+            page.call('Emulation.setTouchEmulationEnabled', enabled=True, maxTouchPoints=2)
+            page.open(f'{self.address}frame.html?open=/examples/portal.json')
+            before = json.loads(page.value('Module.copyOfDocument()[0]'))
+            self.picture(page, 'touch_before')
+            page.touch('Start', (500, 420), (600, 420))
+            for step in range(1, 9):  # apart, and to the left
+                page.touch('Move', (500 - 15 * step, 420), (600 + 5 * step, 420))
+            page.touch('End')
+            self.picture(page, 'touch_zoomed')
+            self.assertEqual(json.loads(page.value('Module.copyOfDocument()[0]')), before)
+            page.key('m')
+            page.tap(*B)
+            page.tap(*D)
+            page.key('Escape')
+            after = json.loads(page.value('Module.copyOfDocument()[0]'))
+            self.assertEqual(len(after['members']), len(before['members']) + 1)
+            page.touch('Start', B)
+            page.wait(1.0)
+            page.touch('End')
+            self.picture(page, 'touch_menu')
+            self.assertEqual(page.complaints(), [])
+
     def test_the_entrance_opens_an_example_at_one_click(self):
         with Browser() as page:
             page.read(f'{self.address}index.html')

@@ -1,6 +1,7 @@
 #include "ui/context/window.h"
 
 #include "ui/context/button_events.h"
+#include "ui/context/touch_gesture.h"
 #include "ui/context/web/key_names.h"
 
 #include <emscripten.h>
@@ -11,7 +12,9 @@
 #include <cmath>
 #include <cstdlib>
 #include <optional>
+#include <span>
 #include <utility>
+#include <vector>
 
 // The window of a page: its canvas, which has the id "canvas". What html5.h has not stands here in the page's language.
 // clang-format off
@@ -84,6 +87,7 @@ struct Window::Parts {
     Input input;
     Typing typing;
     ButtonEvents buttons;
+    TouchGesture touch;
     double time = now(); ///< of the last frame's input [s]
     bool has_news = true;
 
@@ -95,6 +99,7 @@ struct Window::Parts {
     void open();
     void listen();
     void listen_to_touch();
+    void follow(const EmscriptenTouchEvent& event, bool is_end);
     void press(PointerButton button, bool is_down, Point place, Modifiers modifiers);
     bool type(const EmscriptenKeyboardEvent& event, bool is_down);
     void fit_canvas() const;
@@ -195,23 +200,27 @@ void Window::Parts::listen()
     emscripten_set_blur_callback(canvas, this, false, on_blur);
 }
 
-// One finger is the left button.
+// An end names the fingers that have left too.
+void Window::Parts::follow(const EmscriptenTouchEvent& event, bool is_end)
+{
+    std::vector<Point> fingers;
+    for (const EmscriptenTouchPoint& finger : std::span(event.touches, static_cast<std::size_t>(event.numTouches)))
+        if (!(is_end && finger.isChanged)) fingers.push_back(place_of(finger));
+    touch.follow(fingers, now(), buttons, input);
+}
+
 void Window::Parts::listen_to_touch()
 {
-    const auto on_start = [](int, const EmscriptenTouchEvent* event, void* user) -> EM_BOOL {
-        if (event->numTouches == 1) of(user).press(PointerButton::Left, true, place_of(event->touches[0]), {});
-        return EM_TRUE;
-    };
-    const auto on_move = [](int, const EmscriptenTouchEvent* event, void* user) -> EM_BOOL {
-        if (event->numTouches == 1) of(user).input.pointer = place_of(event->touches[0]);
+    const auto on_touch = [](int, const EmscriptenTouchEvent* event, void* user) -> EM_BOOL {
+        of(user).follow(*event, false);
         return EM_TRUE;
     };
     const auto on_end = [](int, const EmscriptenTouchEvent* event, void* user) -> EM_BOOL {
-        of(user).press(PointerButton::Left, false, place_of(event->touches[0]), {});
+        of(user).follow(*event, true);
         return EM_TRUE;
     };
-    emscripten_set_touchstart_callback(canvas, this, false, on_start);
-    emscripten_set_touchmove_callback(canvas, this, false, on_move);
+    emscripten_set_touchstart_callback(canvas, this, false, on_touch);
+    emscripten_set_touchmove_callback(canvas, this, false, on_touch);
     emscripten_set_touchend_callback(canvas, this, false, on_end);
     emscripten_set_touchcancel_callback(canvas, this, false, on_end);
 }
@@ -284,6 +293,7 @@ void Window::set_clipboard(const std::string& text) { web_set_clipboard(text.c_s
 bool Window::wait(double patience)
 {
     parts_->collect_files();
+    if (parts_->touch.tick(now(), parts_->buttons)) parts_->has_news = true;
     const PixelSize before = size();
     parts_->fit_canvas();
     return patience <= 0.0 || parts_->has_news || size() != before || now() - parts_->time >= patience;
