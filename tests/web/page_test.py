@@ -271,6 +271,13 @@ class Pages(unittest.TestCase):
                 again = page.value("FS.readFile('/documents/kept.json', { encoding: 'utf8' })")
                 self.assertEqual(json.loads(again), kept)
 
+    def test_a_browser_that_is_too_old_says_so(self):
+        with Browser() as page:
+            page.call('Page.addScriptToEvaluateOnNewDocument', source='WebAssembly.validate = () => false;'
+                      'WebAssembly.instantiateStreaming = WebAssembly.instantiate = () => Promise.reject(new Error("no"));')
+            page.read(f'{self.address}euler.html')
+            page.wait_for("document.getElementById('message').textContent.includes('too old')", 20)
+
     def test_the_single_file_opens_from_the_disk(self):
         for app in APPS:
             with self.subTest(app=app), Browser() as page:

@@ -14,7 +14,8 @@ const allTexts = {
           later: 'This link was made by a later version of Cremona, and cannot be read by this one.',
           large: 'The document in this link is too large, and was not opened.',
           over: 'The program has ended; load the page again to start it.',
-          old: 'This browser is too old for this file: it cannot unpack it (DecompressionStream).' },
+          tooOld: 'This browser is too old: it needs WebAssembly with exceptions (Chrome or Edge 95, Firefox 100, Safari 15.2, or later).',
+          old: 'This browser is too old for this: it cannot unpack it (DecompressionStream).' },
     pt: { open: 'Abrir um arquivo…', copy: 'Copiar link', copied: 'O link foi copiado. Contém o próprio documento: {n} caracteres.',
           code: 'Código QR', close: 'Fechar',
           here: 'O link, para ser copiado daqui:', tooLarge: 'Este documento é grande demais para um link; envie o arquivo:',
@@ -22,7 +23,8 @@ const allTexts = {
           later: 'Este link foi feito por uma versão posterior do Cremona, e não pode ser lido por esta.',
           large: 'O documento deste link é grande demais, e não foi aberto.',
           over: 'O programa terminou; recarregue a página para iniciá-lo.',
-          old: 'Este navegador é antigo demais para este arquivo: não consegue descompactá-lo (DecompressionStream).' },
+          tooOld: 'Este navegador é antigo demais: precisa de WebAssembly com exceções (Chrome ou Edge 95, Firefox 100, Safari 15.2, ou posterior).',
+          old: 'Este navegador é antigo demais para isto: não consegue descompactar (DecompressionStream).' },
 };
 const texts = allTexts[language.startsWith('pt') ? 'pt' : 'en'];
 
@@ -34,6 +36,12 @@ const options = ['lang', 'theme', ...({ frame: ['show', 'case'], euler: ['step']
 
 // Always as text: what a document holds is never read as HTML.
 function tell(...parts) { message.replaceChildren(...parts); }
+
+// A program of one function, which catches.
+function hasExceptions() {
+    const program = [0, 97, 115, 109, 1, 0, 0, 0, 1, 4, 1, 96, 0, 0, 3, 2, 1, 0, 10, 8, 1, 6, 0, 6, 64, 25, 11, 11];
+    return typeof WebAssembly === 'object' && WebAssembly.validate(new Uint8Array(program));
+}
 
 // What the address asks for: #m=1.DATA, or ?open=/examples/truss.json; and &lang=pt_BR&theme=dark
 function programArguments() {
@@ -227,6 +235,7 @@ function listen() {
     const entrance = document.querySelector('footer a');
     if (entrance && texts === allTexts.pt) entrance.href = 'index.pt_BR.html';
     document.getElementById('copy').onclick = copyLink;
+    document.getElementById('copy').hidden = typeof CompressionStream === 'undefined';
     document.getElementById('copy').textContent = texts.copy;
     window.addEventListener('hashchange', () => { if (share.isAsked(location.hash)) location.reload(); });
     chooser.onchange = () => { openFiles([...chooser.files]); chooser.value = ''; };
@@ -249,7 +258,10 @@ var Module = {
     openApp: openApp,
     preRun: [setEnvironment, readKeptFiles, readHandedDocument],
     stdin: () => null,
-    printErr: (text) => { console.warn(text); tell(text); },
+    printErr: (text) => {
+        console.warn(text);
+        tell(hasExceptions() ? text : texts.tooOld);
+    },
     whenOver: () => {
         document.getElementById('copy').disabled = true;
         tell(texts.over);

@@ -8,7 +8,7 @@ var share = (() => {
     const longestRead = 100000;  // fragment that is read
     const largest = 1 << 20;     // document that is unpacked [bytes]: a small fragment can hold a thousand times its size
 
-    class Fault extends Error {} // its message: 'cut' (or otherwise damaged), 'later' (a later version's), 'large'
+    class Fault extends Error {} // its message: 'cut' (or otherwise damaged), 'later' (a later version's), 'large', 'old' (the browser is)
 
     function base64url(bytes) {
         const letters = Array.from(bytes, (byte) => String.fromCharCode(byte)).join('');
@@ -50,6 +50,7 @@ var share = (() => {
         if (of === undefined) throw new Fault('cut');
         if (of !== version) throw new Fault('later');
         if (asked.length > longestRead) throw new Fault('large');
+        if (typeof DecompressionStream === 'undefined') throw new Fault('old');
         const bytes = await through(new DecompressionStream('deflate'), bytesOf(data), largest);
         return new TextDecoder('utf-8', { fatal: true }).decode(bytes);
     }
