@@ -113,11 +113,16 @@ DrawOptions with_counting(DrawOptions options)
     return options;
 }
 
-// The steps beside the structure say what its head would, in the room that it needs.
-DrawOptions with_node_numbers(DrawOptions options)
+// The steps beside the structure say what its head would, in the room that it needs; so do reactions that are not asked
+// for, on the projector.
+DrawOptions with_node_numbers(DrawOptions options, const DerivationShow& steps)
 {
     options.show.insert(Show::NodeNumbers);
     options.show.erase(Show::Legend);
+    const auto* const derivation = steps.derivation();
+    const bool is_of_reaction = derivation != nullptr &&
+                                derivation->effect.quantity == femoop::ExpectedQuantity::Reaction;
+    if (options.theme == ui::ThemeName::Projector && !is_of_reaction) options.show.erase(Show::Reactions);
     return options;
 }
 
@@ -167,7 +172,7 @@ DrawOptions looked_at(const Workspace& workspace)
     if (shown_work(session) != nullptr) return with_unit_load(std::move(options), session.model().analysis);
     if (options.show.contains(Show::Counting)) return with_counting(std::move(options));
     if (options.is_envelope) options.show = options.show - ShowSet{Show::Loads, Show::Deformed};
-    if (explained_step(workspace) != nullptr) return with_node_numbers(std::move(options));
+    if (explained_step(workspace) != nullptr) return with_node_numbers(std::move(options), workspace.derivation);
     return options;
 }
 

@@ -232,7 +232,7 @@ TEST_CASE(
     std::string bridge = text_of_source("examples/bridge.json");
     const std::string list = "\"trains\": [";
     bridge.insert(bridge.find(list) + list.size(), R"({"id": "one", "path": "deck", "axles": [10], "spacings": []},)");
-    for (const auto& [train, zero] : std::vector<Standing>{
+    for (const Standing& asked : std::vector<Standing>{
              {{"one", "--member", "BC", "--at", "52", "--component", "M", "--at-position", "60"}, "M(BC, 52 ft) = 0 "},
              {{"one", "--member", "BC", "--at", "52", "--component", "M", "--at-position", "0"}, "M(BC, 52 ft) = 0 "},
              {{"one", "--member", "BC", "--at", "52", "--component", "V", "--at-position", "60"}, "V(BC, 52 ft) = 0 "},
@@ -241,11 +241,11 @@ TEST_CASE(
              {{"HS20", "--member", "BC", "--at", "48", "--component", "M", "--at-position", "228"},
               "M(BC, 48 ft) = 0 "}}) {
         std::vector<std::string> words{"render", "-", "-o", folder.path("a.svg"), "--train"};
-        words.insert(words.end(), train.begin(), train.end());
+        words.insert(words.end(), asked.train.begin(), asked.train.end());
         CHECK(cremona(words, bridge).status == 0);
         const std::string picture = folder.read("a.svg");
-        CHECK_MESSAGE(has(picture, zero), zero);
-        CHECK_MESSAGE(!has(picture, "e-1"), zero);
+        CHECK_MESSAGE(has(picture, asked.zero), asked.zero);
+        CHECK_MESSAGE(!has(picture, "e-1"), asked.zero);
     }
 }
 
