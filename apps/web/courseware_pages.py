@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
-"""courseware_pages.py ROOT SITE: the pages of courseware/ as HTML in SITE/courseware, with what they show, and the page that
-lists them. Where a page names an example or another page, it leads there."""
+"""courseware_pages.py ROOT SITE: the pages of courseware/ as HTML in SITE/courseware, with what they show, and the
+page that lists them. Where a page names an example or another page, it leads there."""
 
 import html
 import json
@@ -61,7 +61,8 @@ class Pages:
 
     def convert(self, path):
         source = path.relative_to(self.root).as_posix()
-        converter = markdown.Converter(lambda to: self.address(source, to), lambda words: self.place_named(source, words))
+        converter = markdown.Converter(lambda to: self.address(source, to),
+                                       lambda words: self.place_named(source, words))
         body = converter.convert(path.read_text(encoding='utf-8'))
         title = html.unescape(next((text for level, _, text in converter.headings if level == 1), path.stem))
         top = '../' * source.count('/')

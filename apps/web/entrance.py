@@ -1,9 +1,10 @@
 #!/usr/bin/env python3
-"""entrance.py ROOT SITE: the entrance page in both languages, SITE/index.html and SITE/index.pt_BR.html: what each app is, the
-examples as pictures, each of which opens in its app at a click, and the lessons."""
+"""entrance.py ROOT SITE: the entrance page in both languages, SITE/index.html and SITE/index.pt_BR.html: what each app is,
+the examples as pictures, each of which opens in its app at a click, and the lessons."""
 
 import html
 import pathlib
+import re
 import sys
 
 import gallery
@@ -16,8 +17,8 @@ OF_HTML = {'en': 'en', 'pt_BR': 'pt-BR'}  # languages as HTML names them
 TEXTS = {
     'en': {
         'title': 'Cremona: structural analysis that teaches',
-        'intro': 'Structures are drawn, solved exactly, and explained: each number says where it comes from. Everything runs in '
-                 'this browser. Nothing is sent anywhere, and nothing needs to be installed.',
+        'intro': 'Structures are drawn, solved exactly, and explained: each number says where it comes from. Everything '
+                 'runs in this browser. Nothing is sent anywhere, and nothing needs to be installed.',
         'apps': 'The apps',
         'frame': ('Frame', 'a frame, truss or grillage at work: draw it, load it, see it bend'),
         'plane': ('Plane', 'a plate, a wall or a dam: stresses in the plane by finite elements'),
@@ -28,14 +29,14 @@ TEXTS = {
         'lessons': 'Lessons',
         'more': 'All lessons, and a page of every program and file',
         'single': 'Without a server',
-        'carry': 'Each app is also one file, which opens from a disk or a USB stick without a network. Save it, and open it by '
-                 'a double click:',
+        'carry': 'Each app is also one file, which opens from a disk or a USB stick without a network. Save it, and '
+                 'open it by a double click:',
         'free': 'Free software under the MIT licence; the lessons are under CC BY 4.0.',
     },
     'pt_BR': {
         'title': 'Cremona: análise de estruturas que ensina',
-        'intro': 'Estruturas são desenhadas, resolvidas exatamente e explicadas: cada número diz de onde vem. Tudo roda neste '
-                 'navegador. Nada é enviado a lugar algum, e nada precisa ser instalado.',
+        'intro': 'Estruturas são desenhadas, resolvidas exatamente e explicadas: cada número diz de onde vem. Tudo '
+                 'roda neste navegador. Nada é enviado a lugar algum, e nada precisa ser instalado.',
         'apps': 'Os programas',
         'frame': ('Frame', 'um pórtico, uma treliça ou uma grelha em ação: desenhe, carregue, veja fletir'),
         'plane': ('Plane', 'uma chapa, uma parede ou uma barragem: tensões no plano por elementos finitos'),
@@ -46,8 +47,8 @@ TEXTS = {
         'lessons': 'Lições (em inglês)',
         'more': 'Todas as lições, e uma página de cada programa e arquivo',
         'single': 'Sem servidor',
-        'carry': 'Cada programa é também um só arquivo, que abre de um disco ou de um pendrive, sem rede. Salve o arquivo e '
-                 'abra-o com um clique duplo:',
+        'carry': 'Cada programa é também um só arquivo, que abre de um disco ou de um pendrive, sem rede. Salve o '
+                 'arquivo e abra-o com um clique duplo:',
         'free': 'Software livre sob a licença MIT; as lições estão sob CC BY 4.0.',
     },
 }
@@ -98,7 +99,8 @@ def entrance(language, entries, lessons):
     texts = TEXTS[language]
     other = next(name for name in PAGES if name != language)
     named = {'en': 'English', 'pt_BR': 'Português'}[other]
-    heading = (f'<a href="{PAGES[other]}?lang={other}" hreflang="{OF_HTML[other]}" lang="{OF_HTML[other]}">{named}</a>\n')
+    of_html = OF_HTML[other]
+    heading = f'<a href="{PAGES[other]}?lang={other}" hreflang="{of_html}" lang="{of_html}">{named}</a>\n'
     body = (f'<h1>Cremona</h1>\n<p>{texts["intro"]}</p>\n' + app_list(texts, language)
             + example_list(texts, language, entries) + lesson_list(texts, lessons) + file_list(texts))
     return page(texts['title'], body, language=OF_HTML[language], heading=heading, footing=f'<p>{texts["free"]}</p>\n',
@@ -110,8 +112,8 @@ def lessons_of(root):
     pages = Pages(root)
     for path in pages.sources:
         pages.convert(path)
-    return [(source.removesuffix('.md') + '.html', title)
-            for source, title in pages.titles.items() if source.count('/') == 1 and source[len('courseware/')].isdigit()]
+    return [(source.removesuffix('.md') + '.html', title) for source, title in pages.titles.items()
+            if re.fullmatch(r'courseware/\d[^/]*', source)]
 
 
 def write(root, site):

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
-"""gallery.py ROOT SITE COMMAND...: the pictures of the entrance page, in SITE/pictures. COMMAND is the program cremona, which
-draws the examples; what it does not draw is copied."""
+"""gallery.py ROOT SITE COMMAND...: the pictures of the entrance page, in SITE/pictures. COMMAND is the program cremona,
+which draws the examples; what it does not draw is copied."""
 
 import json
 import pathlib
@@ -18,7 +18,9 @@ def entries(root):
 
 def picture_of(entry):
     """The name of its file in the site."""
-    return pathlib.PurePath(entry['picture']).name if 'picture' in entry else entry['example'].removesuffix('.json') + '.svg'
+    if 'picture' in entry:
+        return pathlib.PurePath(entry['picture']).name
+    return entry['example'].removesuffix('.json') + '.svg'
 
 
 def draw(entry, root, output, command):

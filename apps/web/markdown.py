@@ -1,6 +1,6 @@
-"""Markdown to HTML, as much of it as the pages of courseware/ are written in: headings, paragraphs, lists in lists, tables,
-fenced and indented programs, pictures, links, emphasis by asterisks, and anchors `<a id="name"></a>`. Whatever else looks like
-HTML is text."""
+"""Markdown to HTML, as much of it as the pages of courseware/ are written in: headings, paragraphs, lists in lists,
+tables, fenced and indented programs, pictures, links, emphasis by asterisks, and anchors `<a id="name"></a>`. Whatever
+else looks like HTML is text."""
 
 import html
 import re
@@ -27,8 +27,8 @@ def slug(text):
 
 
 class Converter:
-    """Of one page. `address`: what a link's or a picture's address becomes. `place_named`: where the words of a program's text
-    lead. Both give None where there is nothing to go to."""
+    """Of one page. `address`: what a link's or a picture's address becomes. `place_named`: where the words of a
+    program's text lead. Both give None where there is nothing to go to."""
 
     def __init__(self, address=lambda to: to, place_named=lambda words: None):
         self.address, self.place_named = address, place_named
@@ -143,7 +143,8 @@ class Converter:
         while end < len(lines) and lines[end].strip() and not self.interrupts(lines[end]):
             end += 1
         text = self.inline('\n'.join(line.strip() for line in lines[i:end]))
-        return (f'{text}\n' if is_tight or ANCHOR.fullmatch(lines[i].strip()) and end == i + 1 else f'<p>{text}</p>\n'), end - i
+        is_anchor = ANCHOR.fullmatch(lines[i].strip()) and end == i + 1
+        return f'{text}\n' if is_tight or is_anchor else f'<p>{text}</p>\n', end - i
 
     @staticmethod
     def interrupts(line):

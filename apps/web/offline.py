@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
-"""offline.py ROOT SITE: what makes the site one that is kept by a browser: SITE/service_worker.js, with the version of all that
-the site has and the list of the pages that are kept at the first visit, and SITE/manifest.webmanifest."""
+"""offline.py ROOT SITE: what makes the site one that is kept by a browser: SITE/service_worker.js, with the version of
+all that the site has and the list of the pages that are kept at the first visit, and SITE/manifest.webmanifest."""
 
 import hashlib
 import json

@@ -1,8 +1,9 @@
-// The site without a network: the server's files while it answers, what is kept of them where it does not. Kept are the pages
-// that are read, from the first visit on, and of the apps those that were opened.
+// The site without a network: the server's files while it answers, what is kept of them where it does not. Kept are the
+// pages that are read, from the first visit on, and of the apps those that were opened.
 'use strict';
 
-const cacheName = `cremona ${self.registration.scope} @version@`; // of other versions nothing is kept
+const ourCaches = `cremona ${self.registration.scope} `;
+const cacheName = ourCaches + '@version@'; // of other versions nothing is kept
 const readPages = @pages@;
 
 self.addEventListener('install', (event) => {
@@ -11,7 +12,7 @@ self.addEventListener('install', (event) => {
 });
 
 self.addEventListener('activate', (event) => event.waitUntil((async () => {
-    const others = (await caches.keys()).filter((name) => name.startsWith(`cremona ${self.registration.scope} `) && name !== cacheName);
+    const others = (await caches.keys()).filter((name) => name.startsWith(ourCaches) && name !== cacheName);
     await Promise.all(others.map((name) => caches.delete(name)));
     await self.clients.claim();
 })()));

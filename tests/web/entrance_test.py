@@ -23,7 +23,8 @@ class Entrance(unittest.TestCase):
         cls.folder = tempfile.TemporaryDirectory()
         cls.site = pathlib.Path(cls.folder.name)
         entrance.write(ROOT, cls.site)
-        cls.texts = {language: (cls.site / name).read_text(encoding='utf-8') for language, name in entrance.PAGES.items()}
+        cls.texts = {language: (cls.site / name).read_text(encoding='utf-8')
+                     for language, name in entrance.PAGES.items()}
         cls.read = {language: PageReader(text) for language, text in cls.texts.items()}
 
     @classmethod
@@ -42,7 +43,8 @@ class Entrance(unittest.TestCase):
 
     def test_every_app_and_every_example_is_there_in_its_language(self):
         for language, page in self.read.items():
-            opened = [urllib.parse.urlsplit(link) for link in page.links if '.html?' in link and not link.startswith('index')]
+            opened = [urllib.parse.urlsplit(link) for link in page.links
+                      if '.html?' in link and not link.startswith('index')]
             self.assertEqual(len(opened), len(entrance.APPS) + len(gallery.entries(ROOT)))
             self.assertEqual({link.path for link in opened}, {f'{app}.html' for app in entrance.APPS})
             for link in opened:
@@ -65,7 +67,8 @@ class Entrance(unittest.TestCase):
                               ('single', (f'{app}.html' for app in entrance.APPS)),
                               ('courseware', ['index.html']),
                               ('courseware', (path.stem + '.html' for path in (ROOT / 'courseware').glob('*.md'))),
-                              ('', (f'{app}.html' for app in entrance.APPS)), ('', ['site.css', 'entrance.js', 'offline.js', 'manifest.webmanifest'])):
+                              ('', (f'{app}.html' for app in entrance.APPS)),
+                              ('', ['site.css', 'entrance.js', 'offline.js', 'manifest.webmanifest'])):
             (self.site / folder).mkdir(exist_ok=True)
             for name in names:
                 (self.site / folder / name).touch()

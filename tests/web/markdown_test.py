@@ -63,7 +63,8 @@ class Markdown(unittest.TestCase):
         self.assertIn('<h2 id="natural-modes">Natural modes</h2>', converted('## Natural modes'))
 
     def test_no_text_makes_it_fail(self):
-        for text in ('', '|', '| |\n|-|', '```', '*', '**', '[', '[](', '`', '- ', '-', '1.', '#', '   - a\n - b\n- c', '\\'):
+        for text in ('', '|', '| |\n|-|', '```', '*', '**', '[', '[](', '`', '- ', '-', '1.', '#', '\\',
+                     '   - a\n - b\n- c'):
             with self.subTest(text=text):
                 self.assertEqual(PageReader(converted(text)).faults, [])
 
@@ -75,7 +76,8 @@ class Courseware(unittest.TestCase):
         cls.site = pathlib.Path(cls.folder.name)
         cls.pages = Pages(ROOT)
         cls.pages.write(cls.site)
-        for file in ('site.css', 'offline.js', 'manifest.webmanifest', 'index.html', 'frame.html', 'plane.html', 'euler.html'):
+        for file in ('site.css', 'offline.js', 'manifest.webmanifest', 'index.html', 'frame.html', 'plane.html',
+                     'euler.html'):
             (cls.site / file).write_text('', encoding='utf-8')  # of others
 
     @classmethod
@@ -104,7 +106,8 @@ class Courseware(unittest.TestCase):
 
     def test_an_example_that_is_named_opens_in_its_app(self):
         lesson = self.pages.written['courseware/05-where-beam-theory-ends.html']
-        self.assertIn('<a href="../plane.html?open=/examples/deep_beam.json"><code>examples/deep_beam.json</code></a>', lesson)
+        self.assertIn('<a href="../plane.html?open=/examples/deep_beam.json"><code>examples/deep_beam.json</code></a>',
+                      lesson)
         self.assertEqual(app_of(ROOT / 'examples/portal.json'), 'frame')
         self.assertEqual(app_of(ROOT / 'examples/cube.eul'), 'euler')
         self.assertIsNone(app_of(ROOT / 'examples/bracket.dxf'))

@@ -274,7 +274,8 @@ class Pages(unittest.TestCase):
     def test_a_browser_that_is_too_old_says_so(self):
         with Browser() as page:
             page.call('Page.addScriptToEvaluateOnNewDocument', source='WebAssembly.validate = () => false;'
-                      'WebAssembly.instantiateStreaming = WebAssembly.instantiate = () => Promise.reject(new Error("no"));')
+                      'WebAssembly.instantiateStreaming = WebAssembly.instantiate ='
+                      ' () => Promise.reject(new Error("no"));')
             page.read(f'{self.address}euler.html')
             page.wait_for("document.getElementById('message').textContent.includes('too old')", 20)
 

@@ -18,7 +18,7 @@ const isFinder = (rows, x0, y0) => rows.slice(y0, y0 + 7).every((row, y) => row.
     (isDark, x) => isDark === (Math.max(Math.abs(x - 3), Math.abs(y - 3)) !== 2)));
 
 const claims = {
-    'a polynomial of the standard generates the corrections'() { // of degree 7, as exponents of 2: 87 229 146 149 238 102 21
+    'a polynomial of the standard generates the corrections'() { // of degree 7, as exponents of 2
         const power = (n) => (n === 0 ? 1 : qr.product(power(n - 1), 2));
         assert.deepStrictEqual(qr.generator(7), [87, 229, 146, 149, 238, 102, 21].map(power));
     },
@@ -39,15 +39,19 @@ const claims = {
     'three corners have finders, the fourth has none'() {
         for (const n of [5, 100, 1000]) {
             const rows = qr.modules(letters(n)), far = rows.length - 7;
-            assert.deepStrictEqual([[0, 0], [far, 0], [0, far], [far, far]].map(([x, y]) => isFinder(rows, x, y)), [true, true, true, false]);
+            const corners = [[0, 0], [far, 0], [0, far], [far, far]];
+            assert.deepStrictEqual(corners.map(([x, y]) => isFinder(rows, x, y)), [true, true, true, false]);
         }
     },
     'both copies of the format say level L and the same mask'() {
         for (const n of [5, 60, 700]) {
             const rows = qr.modules(letters(n)), size = rows.length;
-            const places = [[0, 8], [1, 8], [2, 8], [3, 8], [4, 8], [5, 8], [7, 8], [8, 8], [8, 7], [8, 5], [8, 4], [8, 3], [8, 2], [8, 1], [8, 0]];
-            const others = [...Array.from({ length: 7 }, (_, i) => [8, size - 1 - i]), ...Array.from({ length: 8 }, (_, i) => [size - 8 + i, 8])];
-            const [first, second] = [places, others].map((list) => list.reduce((sum, [x, y]) => 2 * sum + rows[y][x], 0) ^ 0x5412);
+            const places = [[0, 8], [1, 8], [2, 8], [3, 8], [4, 8], [5, 8], [7, 8], [8, 8],
+                            [8, 7], [8, 5], [8, 4], [8, 3], [8, 2], [8, 1], [8, 0]];
+            const others = [...Array.from({ length: 7 }, (_, i) => [8, size - 1 - i]),
+                            ...Array.from({ length: 8 }, (_, i) => [size - 8 + i, 8])];
+            const [first, second] = [places, others].map(
+                (list) => list.reduce((sum, [x, y]) => 2 * sum + rows[y][x], 0) ^ 0x5412);
             assert.strictEqual(first, second);
             assert.strictEqual(first >> 13, 1);
         }

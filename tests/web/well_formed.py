@@ -29,7 +29,7 @@ class PageReader(HTMLParser):
 
 
 def leads_nowhere(site, name, text):
-    """The links of a page of the site whose file or place in it is not there. `site`: text by path of what is written."""
+    """The links of a page of the site whose file or place in it is not there. `site`: its folder."""
     lost = []
     for link in PageReader(text).links:
         if link.startswith(('http:', 'https:', 'data:')):

@@ -7,23 +7,29 @@
 
 const language = new URLSearchParams(location.search).get('lang') || navigator.language;
 const allTexts = {
-    en: { open: 'Open a file…', copy: 'Copy link', copied: 'The link was copied. It holds the document itself: {n} characters.',
+    en: { open: 'Open a file…', copy: 'Copy link',
+          copied: 'The link was copied. It holds the document itself: {n} characters.',
           code: 'QR code', close: 'Close',
-          here: 'The link, to be copied from here:', tooLarge: 'This document is too large for a link; send the file instead:',
+          here: 'The link, to be copied from here:',
+          tooLarge: 'This document is too large for a link; send the file instead:',
           cut: 'The document in this link cannot be read: the link was cut off, or changed on its way.',
           later: 'This link was made by a later version of Cremona, and cannot be read by this one.',
           large: 'The document in this link is too large, and was not opened.',
           over: 'The program has ended; load the page again to start it.',
-          tooOld: 'This browser is too old: it needs WebAssembly with exceptions (Chrome or Edge 95, Firefox 100, Safari 15.2, or later).',
+          tooOld: 'This browser is too old: it needs WebAssembly with exceptions ' +
+                  '(Chrome or Edge 95, Firefox 100, Safari 15.2, or later).',
           old: 'This browser is too old for this: it cannot unpack it (DecompressionStream).' },
-    pt: { open: 'Abrir um arquivo…', copy: 'Copiar link', copied: 'O link foi copiado. Contém o próprio documento: {n} caracteres.',
+    pt: { open: 'Abrir um arquivo…', copy: 'Copiar link',
+          copied: 'O link foi copiado. Contém o próprio documento: {n} caracteres.',
           code: 'Código QR', close: 'Fechar',
-          here: 'O link, para ser copiado daqui:', tooLarge: 'Este documento é grande demais para um link; envie o arquivo:',
+          here: 'O link, para ser copiado daqui:',
+          tooLarge: 'Este documento é grande demais para um link; envie o arquivo:',
           cut: 'O documento deste link não pode ser lido: o link foi cortado, ou mudado no caminho.',
           later: 'Este link foi feito por uma versão posterior do Cremona, e não pode ser lido por esta.',
           large: 'O documento deste link é grande demais, e não foi aberto.',
           over: 'O programa terminou; recarregue a página para iniciá-lo.',
-          tooOld: 'Este navegador é antigo demais: precisa de WebAssembly com exceções (Chrome ou Edge 95, Firefox 100, Safari 15.2, ou posterior).',
+          tooOld: 'Este navegador é antigo demais: precisa de WebAssembly com exceções ' +
+                  '(Chrome ou Edge 95, Firefox 100, Safari 15.2, ou posterior).',
           old: 'Este navegador é antigo demais para isto: não consegue descompactar (DecompressionStream).' },
 };
 const texts = allTexts[language.startsWith('pt') ? 'pt' : 'en'];
@@ -53,7 +59,7 @@ function programArguments() {
     return words;
 }
 
-// A document that the page of another app gave to this one, or that the link holds: what the program reads as its input.
+// A document that the page of another app gave to this one, or that the link holds: what the program reads as input.
 let input = '';
 function readHandedDocument() {
     const key = new URLSearchParams(location.search).get('handed');

@@ -3,10 +3,10 @@
 
 var qr = (() => {
     // Of the versions 1 to 40: codewords of correction in a block, and blocks (table 9 of the standard).
-    const correction = [7, 10, 15, 20, 26, 18, 20, 24, 30, 18, 20, 24, 26, 30, 22, 24, 28, 30, 28, 28, 28, 28, 30, 30, 26, 28, 30, 30, 30, 30, 30, 30,
-                        30, 30, 30, 30, 30, 30, 30, 30];
-    const blocks = [1, 1, 1, 1, 1, 2, 2, 2, 2, 4, 4, 4, 4, 4, 6, 6, 6, 6, 7, 8, 8, 9, 9, 10, 12, 12, 12, 13, 14, 15, 16, 17, 18, 19, 19, 20, 21, 22,
-                    24, 25];
+    const correction = [7, 10, 15, 20, 26, 18, 20, 24, 30, 18, 20, 24, 26, 30, 22, 24, 28, 30, 28, 28, 28, 28, 30, 30,
+                        26, 28, 30, 30, 30, 30, 30, 30, 30, 30, 30, 30, 30, 30, 30, 30];
+    const blocks = [1, 1, 1, 1, 1, 2, 2, 2, 2, 4, 4, 4, 4, 4, 6, 6, 6, 6, 7, 8, 8, 9, 9, 10, 12, 12, 12, 13, 14, 15, 16,
+                    17, 18, 19, 19, 20, 21, 22, 24, 25];
     const masks = [
         (x, y) => (x + y) % 2, (x, y) => y % 2, (x) => x % 3, (x, y) => (x + y) % 3,
         (x, y) => (Math.floor(x / 3) + Math.floor(y / 2)) % 2, (x, y) => ((x * y) % 2) + ((x * y) % 3),
@@ -54,7 +54,8 @@ var qr = (() => {
         append(0, Math.min(4, room - bits.length));
         append(0, (8 - (bits.length % 8)) % 8);
         for (let fill = 0xec; bits.length < room; fill ^= 0xec ^ 0x11) append(fill, 8);
-        return Array.from({ length: room / 8 }, (_, i) => bits.slice(8 * i, 8 * i + 8).reduce((sum, bit) => 2 * sum + bit, 0));
+        return Array.from({ length: room / 8 },
+                          (_, i) => bits.slice(8 * i, 8 * i + 8).reduce((sum, bit) => 2 * sum + bit, 0));
     }
 
     // ---- Reed and Solomon, in the field of 256 elements with x^8 + x^4 + x^3 + x^2 + 1
@@ -72,7 +73,8 @@ var qr = (() => {
     function generator(degree) {
         const coefficients = [...Array(degree - 1).fill(0), 1];
         for (let i = 0, root = 1; i < degree; ++i, root = product(root, 2))
-            for (let j = 0; j < degree; ++j) coefficients[j] = product(coefficients[j], root) ^ (coefficients[j + 1] || 0);
+            for (let j = 0; j < degree; ++j)
+                coefficients[j] = product(coefficients[j], root) ^ (coefficients[j + 1] || 0);
         return coefficients;
     }
 
@@ -96,7 +98,8 @@ var qr = (() => {
             parts.push(codes.slice(begin, begin + size));
             begin += size;
         }
-        const inTurn = (lists) => lists.at(-1).flatMap((_, i) => lists.filter((list) => i < list.length).map((list) => list[i]));
+        const inTurn = (lists) => lists.at(-1).flatMap(
+            (_, i) => lists.filter((list) => i < list.length).map((list) => list[i]));
         return [...inTurn(parts), ...inTurn(parts.map((part) => remainder(part, divisor)))];
     }
 
@@ -104,7 +107,8 @@ var qr = (() => {
 
     const checked = (value, shift, divisor) => { // with the rest of a division of polynomials over 2
         let rest = value << shift;
-        for (let i = 31 - Math.clz32(divisor), top = 31; top >= i; --top) if ((rest >>> top) & 1) rest ^= divisor << (top - i);
+        const degree = 31 - Math.clz32(divisor);
+        for (let top = 31; top >= degree; --top) if ((rest >>> top) & 1) rest ^= divisor << (top - degree);
         return (value << shift) | rest;
     };
 
@@ -125,7 +129,8 @@ var qr = (() => {
 
         square(x, y, reach, isDark) { // isDark: of a module by its distance from the middle
             for (let dy = -reach; dy <= reach; ++dy)
-                for (let dx = -reach; dx <= reach; ++dx) this.set(x + dx, y + dy, isDark(Math.max(Math.abs(dx), Math.abs(dy))));
+                for (let dx = -reach; dx <= reach; ++dx)
+                    this.set(x + dx, y + dy, isDark(Math.max(Math.abs(dx), Math.abs(dy))));
         }
 
         drawPatterns() {
@@ -203,8 +208,8 @@ var qr = (() => {
             for (let y = 0; y < this.size; ++y)
                 for (let x = 0; x < this.size; ++x) {
                     nDark += this.dark[y][x];
-                    const here = this.dark[y][x];
-                    if (x > 0 && y > 0 && here === this.dark[y][x - 1] && here === this.dark[y - 1][x] && here === this.dark[y - 1][x - 1]) sum += 3;
+                    const square = [this.dark[y][x], this.dark[y][x - 1], this.dark[y - 1]?.[x], this.dark[y - 1]?.[x - 1]];
+                    if (square.every((isDark) => isDark === square[0])) sum += 3;
                 }
             return sum + 10 * Math.floor(Math.abs(20 * nDark - 10 * this.size ** 2) / this.size ** 2);
         }

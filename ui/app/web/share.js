@@ -6,9 +6,10 @@ var share = (() => {
     const version = '1';
     const longest = 8000;        // fragment that is made: mail programs and course pages break longer ones
     const longestRead = 100000;  // fragment that is read
-    const largest = 1 << 20;     // document that is unpacked [bytes]: a small fragment can hold a thousand times its size
+    const largest = 1 << 20;     // document that is unpacked [bytes]: a fragment can hold a thousand times its size
 
-    class Fault extends Error {} // its message: 'cut' (or otherwise damaged), 'later' (a later version's), 'large', 'old' (the browser is)
+    // Its message: 'cut' (or otherwise damaged), 'later' (a later version's), 'large', 'old' (the browser is).
+    class Fault extends Error {}
 
     function base64url(bytes) {
         const letters = Array.from(bytes, (byte) => String.fromCharCode(byte)).join('');

@@ -35,7 +35,8 @@ def packed(part, path):
 def single_file(site, app):
     page = (site / f'{app}.html').read_text(encoding='utf-8')
     page = re.sub(r"script-src 'self'", "script-src 'unsafe-inline'", page)
-    page = page.replace("connect-src 'self'", "connect-src 'none'").replace("; manifest-src 'self'; worker-src 'self'", '')
+    page = page.replace("connect-src 'self'", "connect-src 'none'")
+    page = page.replace("; manifest-src 'self'; worker-src 'self'", '')
     for line in ('<link rel="manifest" href="manifest.webmanifest">\n', '<script src="offline.js"></script>\n'):
         page = page.replace(line, '')
     page = page.replace('<a href="index.html">Cremona</a>\n', '<span>Cremona</span>\n')
