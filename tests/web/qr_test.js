@@ -3,16 +3,9 @@
 
 const assert = require('node:assert');
 const qr = require('../../ui/app/web/qr.js');
+const anyLetters = require('./any_letters.js');
 
-// Letters, the same each time.
-function letters(n) {
-    let state = 7, text = '';
-    while (text.length < n) {
-        state = (48271 * state) % 2147483647;
-        text += String.fromCharCode(48 + (state % 70));
-    }
-    return text;
-}
+const letters = (n) => anyLetters(n, { seed: 7, first: 48, count: 70 });
 
 const isFinder = (rows, x0, y0) => rows.slice(y0, y0 + 7).every((row, y) => row.slice(x0, x0 + 7).every(
     (isDark, x) => isDark === (Math.max(Math.abs(x - 3), Math.abs(y - 3)) !== 2)));

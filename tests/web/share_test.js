@@ -4,20 +4,14 @@
 const assert = require('node:assert');
 const zlib = require('node:zlib');
 const share = require('../../ui/app/web/share.js');
+const anyLetters = require('./any_letters.js');
 
 const url = (bytes) => Buffer.from(bytes).toString('base64url');
 const packed = (text) => '#m=1.' + url(zlib.deflateSync(text));
 const refused = (fragment, fault) => assert.rejects(share.text(fragment), { message: fault });
 
 // Letters that do not compress, the same each time.
-function noise(size) {
-    let state = 1, text = '';
-    while (text.length < size) {
-        state = (48271 * state) % 2147483647;
-        text += String.fromCharCode(33 + (state % 90));
-    }
-    return text;
-}
+const noise = (size) => anyLetters(size, { seed: 1, first: 33, count: 90 });
 
 const claims = {
     async 'what was packed comes out the same'() {

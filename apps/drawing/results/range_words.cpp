@@ -224,17 +224,9 @@ private:
         return kind == Kind::BreakBefore ? words_.tr()("break, − side") : words_.tr()("break, + side");
     }
 
-    double best_value() const { return proof_.best ? proof_.best->candidate.value : 0.0; }
-
     std::string best() const
     {
         return proof_.best ? candidate(*proof_.best) : value(0.0) + ", " + words_.tr()("no axle on the path");
-    }
-
-    bool is_best(const SearchProof::Entry& entry) const
-    {
-        constexpr double equal_values = 1e-10; // as the search takes them
-        return std::abs(entry.candidate.value - best_value()) <= equal_values * proof_.scale;
     }
 
     /// Other positions that are as good as the best one: forwards ascending, then reversed.
@@ -244,7 +236,7 @@ private:
         if (proof_.best) known.push_back(*proof_.best);
         for (const SearchProof::Entry& entry : proof_.entries) {
             const auto is_here = [&](const SearchProof::Entry& other) { return is_one_place(entry, other); };
-            if (!is_best(entry) || std::ranges::any_of(known, is_here)) continue;
+            if (!proof_.is_best(entry) || std::ranges::any_of(known, is_here)) continue;
             known.push_back(entry);
             found.push_back(entry);
         }
@@ -268,7 +260,7 @@ private:
     std::optional<SearchProof::Entry> runner_up() const
     {
         const auto next = std::ranges::find_if(entries_,
-                                               [&](const SearchProof::Entry& entry) { return !is_best(entry); });
+                                               [&](const SearchProof::Entry& entry) { return !proof_.is_best(entry); });
         return next != entries_.end() ? std::optional(*next) : std::nullopt;
     }
 

@@ -319,6 +319,11 @@ double SearchProof::sum(const Entry& entry) const
     return without_rounding(entry.candidate.value + uniform + concentrated, scale);
 }
 
+bool SearchProof::is_best(const Entry& entry) const
+{
+    return std::abs(entry.candidate.value - (best ? best->candidate.value : 0.0)) <= equal_values * scale;
+}
+
 TrainSearch::TrainSearch(const PiecewiseLine& line, std::vector<double> ends, MovingTrain train)
     : line_(line), ends_(std::move(ends)), train_(std::move(train))
 {}

@@ -64,6 +64,8 @@ struct SearchProof {
 
     /// All that counts where an entry stands.
     double sum(const Entry& entry) const;
+    /// Whether it is as good as the best one, or as no axle on the path.
+    bool is_best(const Entry& entry) const;
 };
 
 /// Where a train is worst on an influence line, exactly.
