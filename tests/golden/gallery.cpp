@@ -1,6 +1,7 @@
 #include "tests/golden/gallery.h"
 
 #include "tests/golden/comparison.h"
+#include "tests/golden/webp.h"
 
 #include <algorithm>
 #include <fstream>
@@ -13,7 +14,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr const char* endings[] = {".new.png", ".reference.png", ".difference.png", ".new.txt", ".html"};
+constexpr const char* endings[] = {".new.png", ".new.webp", ".reference.png", ".difference.png", ".new.txt", ".html"};
 
 std::optional<std::string> text_of(const fs::path& path)
 {
@@ -52,8 +53,9 @@ std::string Gallery::fault_of_text(const Exhibit& exhibit) const
 std::string Gallery::fault_of_pixels(const Exhibit& exhibit) const
 {
     if (!exhibit.pixels) return {};
-    if (!fs::exists(reference(exhibit.name, ".png"))) return "there is no reference picture";
-    const auto result = compare(*exhibit.pixels, ui::read_png(reference(exhibit.name, ".png")));
+    const fs::path wanted = reference(exhibit.name, ".webp");
+    if (!fs::exists(wanted)) return "there is no reference picture";
+    const auto result = compare(*exhibit.pixels, read_webp(wanted));
     if (result.is_same()) return {};
     if (!result.has_same_size) return "the picture has another size than its reference";
     return std::to_string(result.n_differing) + " pixels differ, by " + std::to_string(result.largest) + " at most";
@@ -79,10 +81,13 @@ void Gallery::keep(const Exhibit& exhibit, const std::string& words) const
     fs::create_directories(failures_);
     forget(exhibit.name);
     std::ofstream(failure(exhibit.name, ".new.txt"), std::ios::binary) << exhibit.text;
-    const fs::path wanted = reference(exhibit.name, ".png");
-    if (exhibit.pixels) ui::write_png(failure(exhibit.name, ".new.png"), *exhibit.pixels);
+    if (exhibit.pixels) {
+        ui::write_png(failure(exhibit.name, ".new.png"), *exhibit.pixels);
+        write_webp(failure(exhibit.name, ".new.webp"), *exhibit.pixels);
+    }
+    const fs::path wanted = reference(exhibit.name, ".webp");
     if (exhibit.pixels && fs::exists(wanted)) {
-        const ui::Pixels before = ui::read_png(wanted);
+        const ui::Pixels before = read_webp(wanted);
         ui::write_png(failure(exhibit.name, ".reference.png"), before);
         if (before.size == exhibit.pixels->size)
             ui::write_png(failure(exhibit.name, ".difference.png"), difference_picture(*exhibit.pixels, before));

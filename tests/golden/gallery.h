@@ -20,15 +20,15 @@ struct Verdict {
     std::string words; ///< what differs, and where the pictures of it are
 };
 
-/// The reference pictures, NAME.png and NAME.txt, and a folder for what differs from them.
+/// The reference pictures, NAME.webp and NAME.txt, and a folder for what differs from them.
 class Gallery {
 public:
     Gallery(std::filesystem::path references, std::filesystem::path failures)
         : references_(std::move(references)), failures_(std::move(failures))
     {}
 
-    /// Compares with the reference. What fails is written to the failures' folder: NAME.new.png, NAME.reference.png,
-    /// NAME.difference.png, NAME.new.txt, NAME.html, and an index.html of all failures; what is good is removed there.
+    /// Compares with the reference. What fails is written to the failures' folder: NAME.new.png and .webp,
+    /// NAME.reference.png, NAME.difference.png, NAME.new.txt, NAME.html, and an index.html of all; what is good is removed.
     Verdict judge(const Exhibit& exhibit) const;
 
 private:

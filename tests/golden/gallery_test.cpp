@@ -3,6 +3,7 @@
 #include "tests/golden/gallery.h"
 #include "tests/golden/scene.h"
 #include "tests/golden/text_alone.h"
+#include "tests/golden/webp.h"
 #include "tests/source_folder.h"
 #include "ui/context/gl.h"
 #include "ui/paint/painter.h"
@@ -72,15 +73,15 @@ TEST_CASE("A failing picture leaves new, reference, difference, text and pages b
     const golden::Gallery gallery(references.path(), failures.path());
     const auto right = reading("12.50 kN"), wrong = reading("12.51 kN");
     if (!right.pixels) return;
-    ui::write_png(references.path() / "reading.png", *right.pixels);
+    golden::write_webp(references.path() / "reading.webp", *right.pixels);
     std::ofstream(references.path() / "reading.txt") << right.text;
 
     CHECK(gallery.judge(right).is_good);
     const auto verdict = gallery.judge(wrong);
     CHECK_FALSE(verdict.is_good);
     CHECK(verdict.words.find("pixels differ") != std::string::npos);
-    for (const char* file : {"reading.new.png", "reading.reference.png", "reading.difference.png", "reading.new.txt",
-                             "reading.html", "index.html"}) {
+    for (const char* file : {"reading.new.png", "reading.new.webp", "reading.reference.png", "reading.difference.png",
+                             "reading.new.txt", "reading.html", "index.html"}) {
         CAPTURE(file);
         CHECK(std::filesystem::exists(failures.path() / file));
     }
@@ -128,6 +129,17 @@ TEST_CASE("A picture written as PNG is read back to the last bit")
     CHECK(ui::read_png(folder.path("picture.png")) == *exhibit.pixels);
 }
 
+TEST_CASE("A picture written as WebP is read back to the last bit, and a file that is none is refused by its name")
+{
+    const Folder folder;
+    ui::Pixels pixels = gray(100);
+    pixels.at(2, 1)[0] = 3;
+    golden::write_webp(folder.path("picture.webp"), pixels);
+    CHECK(golden::read_webp(folder.path("picture.webp")) == pixels);
+    std::ofstream(folder.path("none.webp")) << "RIFF, but no picture";
+    CHECK_THROWS_WITH(golden::read_webp(folder.path("none.webp")), doctest::Contains("none.webp cannot be read"));
+}
+
 TEST_CASE("A picture is kept without its pixels only where it is listed, beside one of its kind that has them")
 {
     const std::filesystem::path golden = source_folder() + "/tests/golden";
@@ -137,13 +149,13 @@ TEST_CASE("A picture is kept without its pixels only where it is listed, beside 
         const std::string& name = listed.first;
         CAPTURE(name);
         CHECK(has(name + ".txt"));
-        CHECK_FALSE(has(name + ".png"));
-        CHECK(has(listed.second + ".png"));
+        CHECK_FALSE(has(name + ".webp"));
+        CHECK(has(listed.second + ".webp"));
     }
     for (const auto& entry : std::filesystem::directory_iterator(golden / "pictures")) {
         const std::string name = entry.path().stem().string();
         CAPTURE(name);
-        CHECK((has(name + ".png") || kinds.contains(name)));
+        CHECK((has(name + ".webp") || kinds.contains(name)));
     }
 }
 

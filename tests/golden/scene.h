@@ -20,7 +20,7 @@ std::optional<ui::Pixels> if_drawn(const std::function<ui::Pixels()>& draw, Mach
 /// The picture in pixels, if it can be drawn.
 std::optional<ui::Pixels> drawn(const ui::Picture& picture, const ui::Fonts& fonts, const ui::Sheet& sheet);
 
-/// For a test: draws the scene off screen and compares picture and text with tests/golden/pictures/NAME.png and .txt; of
+/// For a test: draws the scene off screen and compares picture and text with tests/golden/pictures/NAME.webp and .txt; of
 /// what text_alone.txt lists, the text alone.
 ///
 /// Where there is no off-screen renderer the text is compared all the same. Under a sanitizer, or with
