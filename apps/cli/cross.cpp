@@ -7,7 +7,7 @@
 #include "apps/cli/argument.h"
 #include "apps/cli/model_input.h"
 #include "apps/cli/output_file.h"
-#include "apps/cross/session/calculation.h"
+#include "apps/cross/report/calculation.h"
 #include "femoop/io/cross/cross_block.h"
 #include "femoop/io/cross/cross_json.h"
 #include "femoop/io/cross/cross_table.h"

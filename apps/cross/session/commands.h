@@ -5,14 +5,12 @@
 #include <string_view>
 #include <utility>
 
+#include "apps/cross/report/tables.h"
 #include "apps/cross/session/session.h"
 #include "ui/command/menu_builder.h"
 #include "ui/workspace/document_workspace.h"
 
 namespace cross {
-
-/// What the panel at the right shows.
-enum class Topic : std::uint8_t { Sheet, Comparison, Sways, Convergence, Kani, Equations, Exercises };
 
 /// A session and the panels around its picture.
 struct Workspace : ui::DocumentWorkspace<Workspace, Session> {

@@ -9,10 +9,8 @@
 
 namespace cross {
 
-/// Numbers in rows and columns with what is to be said of them, as panels and files show them. \pre the session has a
-/// task
+/// The same of what is open, with its exercises; blanks while an exercise hides the results.
 tabular::Table table_of(const Session& session, Topic topic);
-tabular::Table table_of(const Scene& scene, Topic topic);
 
 /// Of a file of separated values: semicolons where the comma is decimal.
 tabular::Separators separators(ui::Language language);

@@ -5,7 +5,7 @@
 #include <exception>
 #include <utility>
 
-#include "apps/cross/session/calculation.h"
+#include "apps/cross/report/calculation.h"
 #include "apps/cross/session/report.h"
 #include "apps/cross/window/player_bar.h"
 #include "apps/cross/window/results_panel.h"

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "apps/cross/document/file.h"
-#include "apps/cross/session/calculation.h"
+#include "apps/cross/report/calculation.h"
 #include "femoop/methods/cross/superposition.h"
 #include "ui/paint/surface/golden_text.h"
 #include "ui/report/html.h"

@@ -1,11 +1,11 @@
-#include "apps/cross/session/calculation.h"
+#include "apps/cross/report/calculation.h"
 
 #include <algorithm>
 #include <string>
 #include <utility>
 #include <vector>
 
-#include "apps/cross/session/report.h"
+#include "apps/cross/report/tables.h"
 #include "apps/cross/view/columns.h"
 #include "apps/cross/view/numbers.h"
 #include "apps/cross/view/sheet_bays.h"
