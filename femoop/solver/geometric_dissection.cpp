@@ -9,7 +9,7 @@
 #include <optional>
 
 #include "femoop/solver/index.h"
-#include "femoop/solver/multifrontal/team.h"
+#include "femoop/solver/team.h"
 
 namespace femoop {
 
@@ -126,7 +126,7 @@ private:
 
     void dissect(std::span<std::int32_t> blocks, std::int32_t level)
     {
-        const std::optional<Cut> cut = blocks.size() > smallest_part ? best_cut(blocks) : std::nullopt;
+        const std::optional<Cut> cut = blocks.size() > smallest_part ? best_cut(blocks, level) : std::nullopt;
         if (!cut) {
             result_.order.insert(result_.order.end(), blocks.begin(), blocks.end());
             add_part(result_.order.size() - blocks.size(), level, false);
@@ -173,38 +173,51 @@ private:
     }
 
     /// The narrowest cut near the middle; nothing where all blocks are in one place.
-    std::optional<Cut> best_cut(std::span<const std::int32_t> blocks)
+    std::optional<Cut> best_cut(std::span<const std::int32_t> blocks, std::int32_t level)
     {
+        const auto n = static_cast<std::int32_t>(space_.directions.size());
+        std::vector<Cut> cuts(at(n));
+        const bool in_two_threads = level == 0 && blocks.size() >= worth_two_halves;
+        if (in_two_threads)
+            Team(2).for_each(n, [&](std::int32_t i, int) {
+                std::vector<float> values, sorted;
+                cuts[at(i)] = middle_cut(blocks, space_.directions[at(i)], values, sorted);
+            });
+        else
+            for (std::int32_t i = 0; i < n; ++i)
+                cuts[at(i)] = middle_cut(blocks, space_.directions[at(i)], values_, sorted_);
         Cut best;
-        for (const Eigen::Vector3f& direction : space_.directions) {
-            Cut cut = middle_cut(blocks, direction);
-            if (direction.squaredNorm() > 1.5F) cut.cost *= slanted; // of equal cuts the slanted one leaves lozenges
+        for (Cut& cut : cuts) {
+            if (cut.direction.squaredNorm() > 1.5F)
+                cut.cost *= slanted; // of equal cuts the slanted one leaves lozenges
             if (cut.cost < best.cost) best = cut;
         }
         if (std::isinf(best.cost)) return std::nullopt;
         return best;
     }
 
-    Cut middle_cut(std::span<const std::int32_t> blocks, const Eigen::Vector3f& direction)
+    /// \param values, sorted  room for them
+    Cut middle_cut(std::span<const std::int32_t> blocks, const Eigen::Vector3f& direction, std::vector<float>& values,
+                   std::vector<float>& sorted) const
     {
         const std::size_t n = blocks.size();
-        values_.resize(n);
-        for (std::size_t i = 0; i < n; ++i) values_[i] = value(blocks[i], direction);
-        sorted_ = values_;
-        const auto middle = sorted_.begin() + static_cast<std::ptrdiff_t>(n / 2);
-        std::nth_element(sorted_.begin(), middle, sorted_.end());
+        values.resize(n);
+        for (std::size_t i = 0; i < n; ++i) values[i] = value(blocks[i], direction);
+        sorted = values;
+        const auto middle = sorted.begin() + static_cast<std::ptrdiff_t>(n / 2);
+        std::nth_element(sorted.begin(), middle, sorted.end());
         Cut cut{.direction = direction,
                 .value = *middle - tolerance * std::abs(*middle) - tolerance,
                 .reach = space_.reach(direction)};
         const auto n_below = static_cast<std::size_t>(
-            std::count_if(sorted_.begin(), middle, [&](float v) { return v < cut.value; }));
+            std::count_if(sorted.begin(), middle, [&](float v) { return v < cut.value; }));
         if (n_below == 0) return cut;
 
         std::array<std::size_t, 2> touching{0, 0};
         const std::int32_t here = marked(blocks.front());
         for (std::size_t i = 0; i < n; ++i)
-            if (is_near(values_[i], cut) && has_neighbour_beyond(blocks[i], cut, here))
-                ++touching[values_[i] < cut.value ? 0 : 1];
+            if (is_near(values[i], cut) && has_neighbour_beyond(blocks[i], cut, here))
+                ++touching[values[i] < cut.value ? 0 : 1];
         cut.separator_is_below = touching[0] <= touching[1];
         const double imbalance = static_cast<double>(std::max(n_below, n - n_below)) / static_cast<double>(n);
         cut.cost = static_cast<double>(std::min(touching[0], touching[1])) * imbalance;

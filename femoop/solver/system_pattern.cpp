@@ -5,10 +5,17 @@
 #include <stdexcept>
 #include <utility>
 
+#include "femoop/solver/at_once.h"
 #include "femoop/solver/elimination_plan.h"
 #include "femoop/solver/index.h"
 
 namespace femoop {
+
+namespace {
+
+constexpr std::size_t blocks_at_once = 20000; // or cliques, that a thread does
+
+} // namespace
 
 SystemPattern::SystemPattern(const BlockGraph& graph)
     : block_sizes_(graph.block_sizes), clique_start_(graph.clique_start), clique_blocks_(graph.clique_blocks)
@@ -33,7 +40,9 @@ SystemPattern::SystemPattern(const BlockGraph& graph, Ordering ordering) : Syste
 void SystemPattern::fill(const BlockAdjacency& adjacency)
 {
     number();
+    start_columns(adjacency);
     fill_columns(adjacency);
+    start_pairs();
     place_cliques();
 }
 
@@ -48,36 +57,42 @@ void SystemPattern::number()
     column_start_.reserve(at(equation) + 1);
 }
 
+/// The columns of a block have the rest of its own triangle each, and the rows of the blocks below.
+void SystemPattern::start_columns(const BlockAdjacency& adjacency)
+{
+    std::vector<std::int32_t> n_below(block_sizes_.size(), 0);
+    in_ranges(block_sizes_.size(), blocks_at_once, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t block = begin; block < end; ++block)
+            for (const std::int32_t other : adjacency.of(static_cast<std::int32_t>(block)))
+                if (first_equation_[at(other)] > first_equation_[block]) n_below[block] += block_sizes_[at(other)];
+    });
+    column_start_.push_back(0);
+    for (const std::int32_t block : order_)
+        for (std::int32_t height = block_sizes_[at(block)]; height > 0; --height)
+            column_start_.push_back(column_start_.back() + height + n_below[at(block)]);
+}
+
 void SystemPattern::fill_columns(const BlockAdjacency& adjacency)
 {
-    std::size_t n_rows = 0;
-    for (std::size_t block = 0; block < block_sizes_.size(); ++block) {
-        std::size_t height = at(block_sizes_[block] + 1); // twice the mean height of its own triangle
-        for (const std::int32_t other : adjacency.of(static_cast<std::int32_t>(block)))
-            if (first_equation_[at(other)] > first_equation_[block]) height += 2 * at(block_sizes_[at(other)]);
-        n_rows += height * at(block_sizes_[block]) / 2;
-    }
-    rows_.reserve(n_rows);
-    column_start_.push_back(0);
-    std::vector<std::int32_t> lower; // first equations of the blocks below
-    std::vector<std::int32_t> tail;  // the rows in which every column of the block ends
-    for (const std::int32_t block : order_) {
-        const std::int32_t first = first_equation_[at(block)];
-        const std::int32_t end = first + block_sizes_[at(block)];
-        lower.clear();
-        for (const std::int32_t other : adjacency.of(block))
-            if (first_equation_[at(other)] > first) lower.push_back(other);
-        std::sort(lower.begin(), lower.end(),
-                  [&](std::int32_t a, std::int32_t b) { return first_equation_[at(a)] < first_equation_[at(b)]; });
-        tail.clear();
-        for (const std::int32_t other : lower)
-            for (std::int32_t i = 0; i < block_sizes_[at(other)]; ++i) tail.push_back(first_equation_[at(other)] + i);
-        for (std::int32_t column = first; column < end; ++column) {
-            for (std::int32_t row = column; row < end; ++row) rows_.push_back(row);
-            rows_.insert(rows_.end(), tail.begin(), tail.end());
-            column_start_.push_back(static_cast<std::int32_t>(rows_.size()));
+    rows_.resize(n_nonzeros());
+    in_ranges(order_.size(), blocks_at_once, [&](std::size_t begin, std::size_t end) {
+        std::vector<std::pair<std::int32_t, std::int32_t>> below; // first equations and sizes of the blocks
+        for (std::size_t i = begin; i < end; ++i) {
+            const std::int32_t block = order_[i], first = first_equation_[at(block)];
+            below.clear();
+            for (const std::int32_t other : adjacency.of(block))
+                if (first_equation_[at(other)] > first)
+                    below.emplace_back(first_equation_[at(other)], block_sizes_[at(other)]);
+            std::sort(below.begin(), below.end());
+            const std::int32_t last = first + block_sizes_[at(block)];
+            for (std::int32_t column = first; column < last; ++column) {
+                auto next = rows_.begin() + column_start_[at(column)];
+                for (std::int32_t row = column; row < last; ++row) *next++ = row;
+                for (const auto& [start, size] : below)
+                    for (std::int32_t row = start; row < start + size; ++row) *next++ = row;
+            }
         }
-    }
+    });
 }
 
 /// From the end of the columns of block `upper` to the first row of block `lower`; 0 for a block without unknowns.
@@ -90,27 +105,36 @@ std::int32_t SystemPattern::distance_from_end(std::int32_t lower, std::int32_t u
     return static_cast<std::int32_t>(end - std::lower_bound(begin, end, first_equation_[at(lower)]));
 }
 
-void SystemPattern::place_cliques()
+void SystemPattern::start_pairs()
 {
     const std::size_t n = clique_start_.size() - 1;
-    distance_.reserve(n);
     bool all_are_pairs = true;
-    for (std::size_t clique = 0; clique < n; ++clique) {
-        const auto blocks = clique_of(clique);
-        all_are_pairs = all_are_pairs && blocks.size() == 2;
-        for (std::size_t j = 1; j < blocks.size(); ++j)
-            for (std::size_t i = 0; i < j; ++i) {
-                const bool i_is_above = first_equation_[at(blocks[i])] < first_equation_[at(blocks[j])];
-                distance_.push_back(i_is_above ? distance_from_end(blocks[j], blocks[i])
-                                               : distance_from_end(blocks[i], blocks[j]));
-            }
-    }
+    for (std::size_t clique = 0; clique < n && all_are_pairs; ++clique) all_are_pairs = clique_of(clique).size() == 2;
     if (all_are_pairs) return;
+    pair_start_.reserve(n + 1);
     pair_start_.push_back(0);
     for (std::size_t clique = 0; clique < n; ++clique) {
         const auto size = static_cast<std::int32_t>(clique_of(clique).size());
         pair_start_.push_back(pair_start_.back() + size * (size - 1) / 2);
     }
+}
+
+void SystemPattern::place_cliques()
+{
+    const std::size_t n = clique_start_.size() - 1;
+    distance_.resize(pair_start(n));
+    in_ranges(n, blocks_at_once, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t clique = begin; clique < end; ++clique) {
+            const auto blocks = clique_of(clique);
+            auto next = distance_.begin() + static_cast<std::ptrdiff_t>(pair_start(clique));
+            for (std::size_t j = 1; j < blocks.size(); ++j)
+                for (std::size_t i = 0; i < j; ++i) {
+                    const bool i_is_above = first_equation_[at(blocks[i])] < first_equation_[at(blocks[j])];
+                    *next++ = i_is_above ? distance_from_end(blocks[j], blocks[i])
+                                         : distance_from_end(blocks[i], blocks[j]);
+                }
+        }
+    });
 }
 
 SparseMatrix SystemPattern::matrix() const

@@ -107,7 +107,9 @@ private:
     explicit SystemPattern(const BlockGraph& graph);
     void fill(const BlockAdjacency& adjacency);
     void number();
+    void start_columns(const BlockAdjacency& adjacency);
     void fill_columns(const BlockAdjacency& adjacency);
+    void start_pairs();
     void place_cliques();
     std::int32_t distance_from_end(std::int32_t lower, std::int32_t upper) const;
 

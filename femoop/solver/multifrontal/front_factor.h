@@ -1,17 +1,17 @@
 #pragma once
 
 #include <cstdint>
-#include <memory>
 #include <vector>
 
 #include "femoop/solver/index.h"
 #include "femoop/solver/multifrontal/front_tree.h"
+#include "femoop/solver/multifrontal/numbers.h"
 
 namespace femoop {
 
 /// L and D of K = L D L', front by front.
 struct FrontFactor {
-    std::unique_ptr<double[]> entries; ///< [tree.n_entries()] columns of L, D on their diagonal
+    Numbers entries; ///< [tree.n_entries()] columns of L, D on their diagonal
     /// Empty where pivots stay as the tree has them (Signs::Positive); else one number for each row of every front.
     std::vector<std::int32_t> order; ///< of pivots: the row of the front that it comes from
     std::vector<double> coupling;    ///< of pivots: D between it and the next one, 0 where it stands alone

@@ -2,9 +2,9 @@
 
 #include "femoop/solver/multifrontal/front_factor.h"
 #include "femoop/solver/multifrontal/front_tree.h"
-#include "femoop/solver/multifrontal/team.h"
 #include "femoop/solver/progress.h"
 #include "femoop/solver/symmetric_solver.h"
+#include "femoop/solver/team.h"
 
 namespace femoop {
 

@@ -4,7 +4,7 @@
 
 #include "femoop/solver/multifrontal/front_factor.h"
 #include "femoop/solver/multifrontal/front_tree.h"
-#include "femoop/solver/multifrontal/team.h"
+#include "femoop/solver/team.h"
 
 namespace femoop {
 

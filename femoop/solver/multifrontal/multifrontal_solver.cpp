@@ -6,7 +6,7 @@
 #include "femoop/solver/multifrontal/front_factorization.h"
 #include "femoop/solver/multifrontal/front_memory.h"
 #include "femoop/solver/multifrontal/front_solution.h"
-#include "femoop/solver/multifrontal/team.h"
+#include "femoop/solver/team.h"
 
 namespace femoop {
 
@@ -30,7 +30,7 @@ void MultifrontalSolver::analyse_ordered(Pattern pattern)
     predicted_bytes_ = FrontMemory(tree_, Schedule(tree_, n_members), Depths(tree_.fronts())).bytes(tree_, n_members);
     if (const double limit = memory_limit(); predicted_bytes_ > limit)
         throw InsufficientMemory(predicted_bytes_, limit);
-    factor_.entries = std::make_unique_for_overwrite<double[]>(tree_.n_entries());
+    factor_.entries = make_numbers(tree_.n_entries());
 }
 
 Pivots MultifrontalSolver::factorize_ordered(const SparseMatrix& K, Signs signs)

@@ -13,9 +13,10 @@
 #include <string>
 #include <vector>
 
+#include "femoop/solver/at_once.h"
 #include "femoop/solver/multifrontal/dense_front.h"
 #include "femoop/solver/multifrontal/schedule.h"
-#include "femoop/solver/multifrontal/team.h"
+#include "femoop/solver/team.h"
 #include "tests/femoop/solver/graph_kinds.h"
 
 using namespace femoop;
@@ -145,6 +146,23 @@ TEST_CASE("A team does every item once and hands on what an item throws")
         team.for_each(1, [&](std::int32_t, int) { ++n; });
         CHECK(n == 1);
     }
+}
+
+TEST_CASE("Ranges cover every number once, and two works both end before either's exception comes out")
+{
+    for (const std::size_t n : {0, 1, 6, 7, 8, 50}) {
+        CAPTURE(n);
+        std::vector<std::atomic<int>> done(n);
+        in_ranges(n, 7, [&](std::size_t begin, std::size_t end) {
+            CHECK(begin % 7 == 0);
+            for (std::size_t i = begin; i < end; ++i) ++done[i];
+        });
+        for (const std::atomic<int>& times : done) CHECK(times == 1);
+    }
+    int first = 0, second = 0;
+    at_once([&] { first = 3; }, [&] { second = 5; });
+    CHECK(first + second == 8);
+    CHECK_THROWS_WITH(at_once([] { throw std::runtime_error("first"); }, [] {}), "first");
 }
 
 TEST_CASE("A front's elimination leaves the Schur complement and L D L'")

@@ -1,4 +1,4 @@
-#include "femoop/solver/multifrontal/team.h"
+#include "femoop/solver/team.h"
 
 #include <algorithm>
 #include <atomic>

@@ -1,5 +1,5 @@
 // Team where there are no threads, as in a browser: the caller does everything.
-#include "femoop/solver/multifrontal/team.h"
+#include "femoop/solver/team.h"
 
 namespace femoop {
 
