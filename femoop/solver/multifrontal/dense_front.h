@@ -22,6 +22,13 @@ struct DenseFront {
     double* coupling = nullptr;    ///< [n_pivots] D between a pivot and the next one; 0 where it stands alone
 };
 
+/// What a child leaves to its parent: a lower triangle by columns, n high.
+struct ChildUpdate {
+    const double* entries;
+    const std::int32_t* places; ///< [n] of its rows among the parent's, ascending
+    std::int32_t n;
+};
+
 /// Numbers that the elimination of a front needs beside it.
 inline std::size_t workspace_size(std::int32_t n_pivots, std::int32_t n_rows)
 {
@@ -43,6 +50,8 @@ struct DenseKernel {
     /// K = L D L'; update -= below pivots^-1 below'. Returns how many pivots it eliminated: fewer than all if the next
     /// was zero or not finite; nothing from there on is worth anything.
     std::int32_t (*eliminate)(const DenseFront& front, double* workspace, const TileWorkers& workers);
+    /// Adds the update matrix of a child, n x n, in those of the front's columns begin .. end - 1 that it falls into.
+    void (*add_update)(const DenseFront& front, const ChildUpdate& child, std::int32_t begin, std::int32_t end);
     std::string_view name; ///< "avx512", "avx2" or "baseline"
 };
 

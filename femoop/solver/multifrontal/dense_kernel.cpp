@@ -12,9 +12,10 @@ namespace {
 using Index = Eigen::Index;
 using Matrix = Eigen::Map<Eigen::MatrixXd, 0, Eigen::OuterStride<>>;
 
-constexpr Index block_width = 96; // pivots at a time
-constexpr Index small = 24;       // pivots that are eliminated one after the other
-constexpr Index tile_side = 192;  // rows of a tile
+constexpr Index block_width = 96;         // pivots at a time
+constexpr Index small = 24;               // pivots that are eliminated one after the other
+constexpr Index tile_side = 192;          // rows of a tile
+constexpr Index most_rows_of_small = 250; // of a front whose columns are eliminated one by one
 
 bool is_usable(double pivot) { return pivot - pivot == 0.0 && pivot != 0.0; } // false for infinite ones and NaN
 
@@ -166,11 +167,12 @@ public:
 
     std::int32_t run()
     {
-        for (Index k = 0; k < n(); k += block_width) {
-            const Index width = smaller(block_width, n() - k);
-            const Index done = exchanges() ? eliminate_exchanging(k, width) : eliminate_square(k, width);
+        const bool is_small = n() <= block_width && height() <= most_rows_of_small && !exchanges();
+        const Index most = is_small ? small : block_width;
+        for (Index k = 0; k < n(); k += most) {
+            const Index width = smaller(most, n() - k);
+            const Index done = is_small ? eliminate_columns(k, width) : eliminate_and_divide(k, width);
             if (done < width) return static_cast<std::int32_t>(k + done);
-            divide_rows(k, width);
             update_columns(k, width);
         }
         update_rest();
@@ -198,6 +200,33 @@ private:
         workers_.for_each(
             workers_.self, static_cast<std::int32_t>(count),
             [](void* context, std::int32_t tile) { (*static_cast<Work*>(context))(tile); }, &work);
+    }
+
+    Index eliminate_and_divide(Index k, Index width)
+    {
+        const Index done = exchanges() ? eliminate_exchanging(k, width) : eliminate_square(k, width);
+        if (done == width) divide_rows(k, width);
+        return done;
+    }
+
+    /// A few columns down to the last row, each once those before it are known; returns how many pivots.
+    Index eliminate_columns(Index k, Index width) const
+    {
+        for (Index j = k; j < k + width; ++j) {
+            const Index m = height() - j;
+            auto column = part(j, j, m, 1).col(0);
+            const auto L = [&](Index i) { return front_.panel[j + i * height()]; };
+            const auto LD = [&](Index i) { return scaled(j, i, m, 1).col(0); };
+            Index i = k;
+            for (; i + 4 <= j; i += 4)
+                column -= L(i) * LD(i) + L(i + 1) * LD(i + 1) + L(i + 2) * LD(i + 2) + L(i + 3) * LD(i + 3);
+            for (; i < j; ++i) column -= L(i) * LD(i);
+            const double pivot = column[0];
+            if (!is_usable(pivot)) return j - k;
+            LD(j) = column;
+            column.tail(m - 1) /= pivot;
+        }
+        return width;
     }
 
     /// A block on the diagonal, in halves; returns how many pivots of it.
@@ -304,7 +333,56 @@ private:
     const TileWorkers& workers_;
 };
 
+/// Rows of a child that follow one another in the parent too: most do, since separators come whole.
+class Runs {
+public:
+    explicit Runs(const ChildUpdate& child)
+    {
+        for (Index i = 0; i < child.n; ++i) {
+            if (i > 0 && child.places[i] == child.places[i - 1] + 1) continue;
+            if (n_ == most || n_ * worth_length > child.n) {
+                n_ = most + 1;
+                return;
+            }
+            first_[n_++] = i;
+        }
+        first_[n_] = child.n;
+    }
+    bool are_long() const { return n_ <= most; }
+    Index first(Index run) const { return first_[run]; }
+
+private:
+    static constexpr Index most = 100;
+    static constexpr Index worth_length = 6;
+    Index first_[most + 1] = {};
+    Index n_ = 0;
+};
+
 } // namespace
+
+void add_update(const DenseFront& front, const ChildUpdate& child, std::int32_t begin, std::int32_t end)
+{
+    const Runs runs(child);
+    Index run = 0;
+    for (Index j = 0; j < child.n && child.places[j] < end; ++j) {
+        const Index u = child.places[j] - front.n_pivots, height = front.n_rows;
+        if (child.places[j] < begin) continue;
+        double* const column = u < 0 ? front.panel + child.places[j] * height
+                                     : front.update + u * (height - front.n_pivots) - front.n_pivots;
+        const double* const given = child.entries + j * child.n;
+        if (!runs.are_long()) {
+            for (Index i = j; i < child.n; ++i) column[child.places[i]] += given[i];
+            continue;
+        }
+        while (runs.first(run + 1) <= j) ++run;
+        for (Index i = j, r = run; i < child.n; ++r) {
+            const Index last = runs.first(r + 1);
+            Eigen::Map<Eigen::VectorXd>(column + child.places[i],
+                                        last - i) += Eigen::Map<const Eigen::VectorXd>(given + i, last - i);
+            i = last;
+        }
+    }
+}
 
 std::int32_t eliminate(const DenseFront& front, double* workspace, const TileWorkers& workers)
 {

@@ -5,10 +5,13 @@
 // What is compiled for one kind of processor each; see dense_kernel.cpp.
 namespace femoop::baseline {
 std::int32_t eliminate(const DenseFront& front, double* workspace, const TileWorkers& workers);
-}
+void add_update(const DenseFront& front, const ChildUpdate& child, std::int32_t begin, std::int32_t end);
+} // namespace femoop::baseline
 namespace femoop::avx2 {
 std::int32_t eliminate(const DenseFront& front, double* workspace, const TileWorkers& workers);
-}
+void add_update(const DenseFront& front, const ChildUpdate& child, std::int32_t begin, std::int32_t end);
+} // namespace femoop::avx2
 namespace femoop::avx512 {
 std::int32_t eliminate(const DenseFront& front, double* workspace, const TileWorkers& workers);
-}
+void add_update(const DenseFront& front, const ChildUpdate& child, std::int32_t begin, std::int32_t end);
+} // namespace femoop::avx512

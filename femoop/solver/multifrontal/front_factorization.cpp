@@ -175,13 +175,8 @@ private:
                    std::int32_t end) const
     {
         const std::span<const std::int32_t> places = tree_.places_in_parent(fronts_[at(c)]);
-        const std::size_t n = places.size();
-        const auto from = static_cast<std::size_t>(std::ranges::lower_bound(places, begin) - places.begin());
-        for (std::size_t j = from; j < n && places[j] < end; ++j) {
-            double* const entries = column(here, places[j]);
-            const double* const given = update + j * n;
-            for (std::size_t i = j; i < n; ++i) entries[places[i]] += given[i];
-        }
+        const ChildUpdate child{update, places.data(), static_cast<std::int32_t>(places.size())};
+        kernel_.add_update(here, child, begin, end);
     }
 
     void note(const DenseFront& here, const Front& front, std::int32_t done, Pivots& pivots) const
