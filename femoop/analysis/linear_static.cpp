@@ -35,20 +35,18 @@ struct LinearStatic::Parts {
         : options(chosen), system(std::move(structure), chosen.solver.kind)
     {
         statistics.order = watch.lap();
-        system.assemble();
-        statistics.assemble = watch.lap();
-        analyse_pattern();
+        prepare();
         factorize(model);
     }
 
-    void analyse_pattern()
+    void prepare()
     {
         try {
-            system.analyse(options);
+            system.prepare(options, statistics);
         } catch (const InsufficientMemory& refusal) {
             throw ModelError({insufficient_memory(refusal, system.reduced().matrix().rows())});
         }
-        statistics.order += watch.lap();
+        watch.lap();
     }
 
     void factorize(const Model& model)

@@ -48,11 +48,12 @@ void ReducedSystem::constrain(const Elimination& elimination, SparseMatrix&& own
 void ReducedSystem::analyse(const AnalysisOptions& options)
 {
     options_ = options;
-    if (matrix().rows() == 0) return;
     if (is_constrained_) {
+        if (K_reduced_.rows() == 0) return;
         solver_ = solver_for(K_reduced_, options.solver);
         return;
     }
+    if (equations_.n_unknowns() == 0) return;
     SolverOptions chosen = options.solver;
     chosen.kind = equations_.pattern().solver();
     solver_ = make_solver(chosen);

@@ -23,13 +23,15 @@ namespace femoop {
 /// What is handed over is swapped in: Eigen copies a sparse matrix that is moved.
 class ReducedSystem {
 public:
-    /// Of all unknowns of the equations. \pre K is their lower triangle and has their pattern.
+    /// Of all unknowns of the equations, with no numbers yet.
+    explicit ReducedSystem(const Equations& equations) : equations_(equations) {}
+    /// \pre K is their lower triangle and has their pattern.
     ReducedSystem(const Equations& equations, SparseMatrix&& K);
 
     /// Leaves only the independent unknowns. `own` is what the constraints take from members, over all unknowns.
     void constrain(const Elimination& elimination, SparseMatrix&& own);
 
-    void analyse(const AnalysisOptions& options); ///< symbolic
+    void analyse(const AnalysisOptions& options); ///< symbolic; without constraints it asks for no numbers
     void update(SparseMatrix&& K);                ///< other numbers, to be factored. \pre no constraints, analyse
     Pivots factorize();                           ///< \pre analyse
     /// The system that is factored; nothing where no unknown is left.

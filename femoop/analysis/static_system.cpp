@@ -7,11 +7,16 @@
 #include "femoop/analysis/constraints.h"
 #include "femoop/analysis/member_mechanism.h"
 #include "femoop/analysis/settlement_force.h"
+#include "femoop/analysis/stopwatch.h"
 #include "femoop/element/analysis_model.h"
+#include "femoop/solver/at_once.h"
+#include "femoop/solver/available_memory.h"
 
 namespace femoop {
 
 namespace {
+
+constexpr std::size_t unknowns_worth_two_threads = 20000; // unknowns
 
 detail::Motions<double> rounded_motions(const detail::Motions<DoubleDouble>& motions)
 {
@@ -54,6 +59,39 @@ void StaticSystem::assemble()
     reduced_.emplace(equations_, stiffness());
     if (structure_->has_constraints)
         reduced_->constrain(eliminate_constraints(*assembler_, {}), assembler_->constrained_stiffness<double>());
+}
+
+void StaticSystem::prepare(const AnalysisOptions& options, AnalysisStatistics& statistics)
+{
+    Stopwatch watch;
+    if (structure_->has_constraints || equations_.n_unknowns() < unknowns_worth_two_threads) {
+        assemble();
+        statistics.assemble += watch.lap();
+        reduced_->analyse(options);
+        statistics.order += watch.lap();
+        return;
+    }
+    reduced_.emplace(equations_);
+    SparseMatrix K;
+    double assembled = 0.0;
+    std::optional<InsufficientMemory> refusal;
+    at_once(
+        [&] {
+            try {
+                reduced_->analyse(options);
+            } catch (const InsufficientMemory& found) {
+                refusal = found;
+            }
+        },
+        [&] {
+            stiffness().swap(K);
+            Stopwatch own = watch;
+            assembled = own.lap();
+        });
+    reduced_->update(std::move(K));
+    statistics.assemble += assembled;
+    statistics.order += std::max(0.0, watch.lap() - assembled); // what of it the assembly did not cover
+    if (refusal) throw *refusal;
 }
 
 void StaticSystem::update(std::shared_ptr<const Discretisation> structure)

@@ -26,11 +26,13 @@ public:
     StaticSystem& operator=(const StaticSystem&) = delete;
 
     void assemble(); ///< K, with artificial restraints where nothing takes part in a rotation
-    /// Takes on other numbers and assembles them; what is symbolic stays. \pre analyse, have_same_equations
+    /// Takes on other numbers and assembles them; what is symbolic stays. \pre prepare, have_same_equations
     void update(std::shared_ptr<const Discretisation> structure);
-    void analyse(const AnalysisOptions& options) { reduced_->analyse(options); } ///< symbolic. \pre assemble
-    Pivots factorize() { return reduced_->factorize(); }                         ///< \pre analyse
-    void note_size(AnalysisStatistics& statistics) const;                        ///< and who solves. \pre analyse
+    /// Assembles, and does the symbolic work of the solver, at the same time where there is enough of both. Seconds are
+    /// added to the statistics. \throws InsufficientMemory, once assembled
+    void prepare(const AnalysisOptions& options, AnalysisStatistics& statistics);
+    Pivots factorize() { return reduced_->factorize(); }  ///< \pre prepare
+    void note_size(AnalysisStatistics& statistics) const; ///< and who solves. \pre prepare
 
     const std::shared_ptr<const Discretisation>& structure() const { return structure_; }
     const Equations& equations() const { return equations_; }

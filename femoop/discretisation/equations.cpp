@@ -107,6 +107,7 @@ BlockGraph block_graph(const Discretisation& structure, const Elements& elements
     graph.positions = structure.positions;
     const std::vector<std::vector<NodeId>> leaders = leaders_of(structure);
     const std::span<const Dof> dofs = model_dofs(structure.kind);
+    graph.block_sizes.reserve(structure.positions.size());
     for (std::size_t node = 0; node < structure.positions.size(); ++node) {
         std::int32_t size = 0;
         for (const Dof dof : dofs) size += is_unknown(structure, NodeId(node), dof) ? 1 : 0;
@@ -116,6 +117,7 @@ BlockGraph block_graph(const Discretisation& structure, const Elements& elements
         graph.block_sizes.push_back(size);
     }
     std::vector<std::int32_t> blocks;
+    graph.clique_start.reserve(elements.size() + 1);
     for (std::size_t i = 0; i < elements.size(); ++i) {
         const ElementDofs touched = elements[i].dofs();
         blocks.clear();
