@@ -2,12 +2,15 @@
 
 #include <cmath>
 #include <numbers>
+#include <numeric>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "apps/cli/bench_frame.h"
 #include "femoop/analysis/stopwatch.h"
 #include "femoop/plane/analysis/plane_analysis.h"
+#include "femoop/solver/at_once.h"
 #include "topology/meshing/mapped_mesher.h"
 
 namespace cli {
@@ -68,16 +71,19 @@ double sum_of_stresses(const fp::PlaneCase& result)
     const double g = 1.0 / std::numbers::sqrt3;
     const std::vector<femoop::NaturalPoint> in_square{{-g, -g}, {g, -g}, {g, g}, {-g, g}},
         in_triangle{{0.2, 0.2}, {0.6, 0.2}, {0.2, 0.6}, {1.0 / 3.0, 1.0 / 3.0}};
-    double sum = 0.0;
+    constexpr std::size_t at_once = 10000; // elements
     const auto& elements = result.structure().model().elements;
-    for (std::size_t e = 0; e < elements.size(); ++e) {
-        const bool is_triangle = elements[e].kind == ShapeKind::T3 || elements[e].kind == ShapeKind::T6;
-        for (const femoop::NaturalPoint& at : is_triangle ? in_triangle : in_square) {
-            const auto stress = result.element_stress({.element = fp::ElementId(e), .at = at});
-            sum += stress.sx + stress.sy + stress.txy;
-        }
-    }
-    return sum;
+    std::vector<double> sums(elements.size() / at_once + 1);
+    result.sample();
+    femoop::in_ranges(elements.size(), at_once, [&](std::size_t begin, std::size_t end) {
+        double& sum = sums[begin / at_once];
+        for (std::size_t e = begin; e < end; ++e)
+            for (const femoop::NaturalPoint& at : femoop::is_triangle(elements[e].kind) ? in_triangle : in_square) {
+                const auto stress = result.element_stress({.element = fp::ElementId(e), .at = at});
+                sum += stress.sx + stress.sy + stress.txy;
+            }
+    });
+    return std::accumulate(sums.begin(), sums.end(), 0.0);
 }
 
 } // namespace
@@ -110,11 +116,11 @@ fp::PlaneModel unit_square(std::size_t n, ShapeKind element)
     return model;
 }
 
-PlaneBench bench_plane(const fp::PlaneModel& model, const femoop::AnalysisOptions& options)
+PlaneBench bench_plane(fp::PlaneModel model, const femoop::AnalysisOptions& options)
 {
     PlaneBench bench;
     femoop::Stopwatch watch;
-    const fp::PlaneResults results = fp::analyse(model, options);
+    const fp::PlaneResults results = fp::analyse(std::move(model), options);
     const double solved = watch.lap();
     const fp::PlaneCase result = results[femoop::CaseId(0)];
     bench.sum = sum_of_stresses(result);

@@ -20,6 +20,6 @@ struct PlaneBench {
     double tip = 0.0;     ///< uy at (1, 0.5)
     double sum = 0.0;     ///< of what was recovered, so that nothing can be left out
 };
-PlaneBench bench_plane(const femoop::plane::PlaneModel& model, const femoop::AnalysisOptions& options);
+PlaneBench bench_plane(femoop::plane::PlaneModel model, const femoop::AnalysisOptions& options);
 
 } // namespace cli

@@ -3,10 +3,13 @@
 #include <Eigen/LU>
 #include <algorithm>
 #include <array>
+#include <optional>
 #include <stdexcept>
+#include <vector>
 
 #include "femoop/element/continuum/continuum_model.h"
 #include "femoop/element/continuum/element_geometry.h"
+#include "femoop/solver/at_once.h"
 
 namespace femoop {
 
@@ -304,6 +307,29 @@ void check_geometry(const ContinuumFormulation& formulation, std::span<const Nod
     refuse(formulation.geometry_check().fault(X));
 }
 
+constexpr std::size_t elements_made_at_once = 10000; // that a thread makes
+
+template <StressState state> class BlockOfState final : public ContinuumBlock {
+public:
+    using Own = ElementOfState<state>;
+
+    BlockOfState(std::size_t n, std::span<const Eigen::Vector2d> positions, const ContinuumRows& rows) : elements_(n)
+    {
+        in_ranges(n, elements_made_at_once, [&](std::size_t begin, std::size_t end) {
+            std::optional<Own>* next = elements_.data() + begin;
+            rows(begin, end, [&](const ContinuumRow& row) {
+                check_geometry(row.formulation, row.nodes, positions);
+                next++->emplace(row.formulation, row.nodes, positions, row.stiffness_group);
+            });
+        });
+    }
+    std::size_t size() const override { return elements_.size(); }
+    const ContinuumElement& operator[](std::size_t i) const override { return *elements_[i]; }
+
+private:
+    std::vector<std::optional<Own>> elements_;
+};
+
 } // namespace
 
 StrainVector ContinuumElement::total_strain(const ElementVector& u, NaturalPoint p, Heat heat) const
@@ -325,6 +351,17 @@ StrainVector ContinuumElement::thermal_strain(NaturalPoint p, Heat heat) const
     double rise = 0.0;
     for (const ThermalLoad& load : heat) rise += load.rise(place(p));
     return formulation_.material().thermal_strain(rise);
+}
+
+std::unique_ptr<const ContinuumBlock> make_continuum_elements(StressState state, std::size_t n,
+                                                              std::span<const Eigen::Vector2d> positions,
+                                                              const ContinuumRows& rows)
+{
+    switch (state) {
+    case StressState::PlaneStress: return std::make_unique<BlockOfState<StressState::PlaneStress>>(n, positions, rows);
+    case StressState::PlaneStrain: return std::make_unique<BlockOfState<StressState::PlaneStrain>>(n, positions, rows);
+    default: return std::make_unique<BlockOfState<StressState::Axisymmetric>>(n, positions, rows);
+    }
 }
 
 std::unique_ptr<ContinuumElement> make_continuum_element(const ContinuumFormulation& formulation,

@@ -1,6 +1,8 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <span>
 
@@ -66,6 +68,32 @@ protected:
 private:
     const ContinuumFormulation& formulation_;
 };
+
+/// Elements of one analysis, one after the other in memory.
+class ContinuumBlock {
+public:
+    virtual ~ContinuumBlock() = default;
+    virtual std::size_t size() const = 0;
+    virtual const ContinuumElement& operator[](std::size_t i) const = 0;
+};
+
+/// What an element of a block is made of; what it points to outlives the block.
+struct ContinuumRow {
+    const ContinuumFormulation& formulation;
+    std::span<const NodeId> nodes;
+    std::uint32_t stiffness_group = 0;
+};
+
+/// Calls add(row) for each of the elements begin .. end - 1, in order.
+using ContinuumRows =
+    std::function<void(std::size_t begin, std::size_t end, const std::function<void(const ContinuumRow&)>& add)>;
+
+/// `n` elements in the stress state of their formulations. Ranges of them are asked for at the same time.
+/// \pre formulations and positions outlive the block
+/// \throws std::invalid_argument with the sentence of why_not_element
+std::unique_ptr<const ContinuumBlock> make_continuum_elements(StressState state, std::size_t n,
+                                                              std::span<const Eigen::Vector2d> positions,
+                                                              const ContinuumRows& rows);
 
 /// An element between nodes. `positions` are of all nodes, by their ids.
 /// \pre formulation and positions outlive the element

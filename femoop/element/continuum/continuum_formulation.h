@@ -30,6 +30,7 @@ class GeometryChecks {
 public:
     explicit GeometryChecks(StressState state) : state_(state) {}
     const GeometryCheck& of(ShapeKind shape);
+    const GeometryCheck& known(ShapeKind shape) const { return checks_.at(shape); } ///< \pre asked for before
 
 private:
     StressState state_;

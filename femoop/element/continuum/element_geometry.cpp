@@ -16,6 +16,7 @@ constexpr double area_rounding = 64.0 * std::numeric_limits<double>::epsilon();
 double area_ratio(const Eigen::Matrix2d& J)
 {
     const double area = J.determinant();
+    if (std::abs(area) > area_rounding * J.row(0).lpNorm<1>() * J.row(1).lpNorm<1>()) return area; // without roots
     return std::abs(area) <= area_rounding * J.row(0).norm() * J.row(1).norm() ? 0.0 : area;
 }
 

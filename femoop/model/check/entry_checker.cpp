@@ -107,6 +107,14 @@ void EntryChecker::require_distinct(const Entry& place, const std::vector<Compon
     }
 }
 
+bool EntryChecker::are_flawless(const std::vector<std::string_view>& names)
+{
+    const auto is_flawed = [](std::string_view name) {
+        return name.empty() || std::ranges::any_of(name, is_control_character);
+    };
+    return std::ranges::none_of(names, is_flawed) && repeated_names(names).empty();
+}
+
 void EntryChecker::check_names(const std::vector<Entry>& entries)
 {
     std::vector<std::string_view> names;

@@ -48,12 +48,14 @@ protected:
     }
 
     void check_names(const std::vector<Entry>& entries); ///< that are unique together
+    static bool are_flawless(const std::vector<std::string_view>& names);
     /// Adds the entries of a list; one that could be read has a name.
     template <class Parts>
     void collect_names(std::vector<Entry>& entries, std::string_view list, const Parts& parts,
                        const std::vector<bool>& unreadable);
     template <class Parts> ///< of a list with names of its own
     void check_names(std::string_view list, const Parts& parts, const std::vector<bool>& unreadable);
+    template <class Parts> static bool have_flawless_names(const Parts& parts); ///< without looking for faults
     void check_material(const Material& material, const Entry& place);
     /// Terms that name cases by finite factors, and no combination of itself.
     template <class AnyModel> void check_combinations(const AnyModel& model, const std::vector<bool>& unreadable);
@@ -79,9 +81,18 @@ void EntryChecker::collect_names(std::vector<Entry>& entries, std::string_view l
     }
 }
 
+template <class Parts> bool EntryChecker::have_flawless_names(const Parts& parts)
+{
+    std::vector<std::string_view> names;
+    names.reserve(parts.size());
+    for (const auto& part : parts) names.emplace_back(part.id);
+    return are_flawless(names);
+}
+
 template <class Parts>
 void EntryChecker::check_names(std::string_view list, const Parts& parts, const std::vector<bool>& unreadable)
 {
+    if (have_flawless_names(parts)) return;
     std::vector<Entry> entries;
     collect_names(entries, list, parts, unreadable);
     check_names(entries);

@@ -160,15 +160,12 @@ void PlaneAnalysis::assemble(const std::shared_ptr<const PlaneStructure>& struct
     structure_ = structure;
     auto system = std::make_unique<StaticSystem>(numbers, options_.solver.kind);
     done.statistics.order = watch.lap();
-    system->assemble();
-    done.statistics.assemble = watch.lap();
-    require_finite_stiffness(structure->model(), *system);
     try {
-        system->analyse(options_);
+        system->prepare(options_, done.statistics);
     } catch (const InsufficientMemory& refusal) {
         throw ModelError({insufficient_memory(refusal, system->reduced().matrix().rows())});
     }
-    done.statistics.order += watch.lap();
+    require_finite_stiffness(structure->model(), *system);
     system_ = std::move(system);
 }
 
@@ -193,16 +190,16 @@ PlaneAnalysis::Solved PlaneAnalysis::solved(const std::shared_ptr<const PlaneStr
     return done;
 }
 
-PlaneResults PlaneAnalysis::solve(const PlaneModel& model)
+PlaneResults PlaneAnalysis::solve(PlaneModel model)
 {
     require_sound(model);
-    return solve_sound(model);
+    return solve_sound(std::move(model));
 }
 
-PlaneResults PlaneAnalysis::solve_sound(const PlaneModel& model)
+PlaneResults PlaneAnalysis::solve_sound(PlaneModel model)
 {
     require_no_vanishing_stiffness(model);
-    auto structure = std::make_shared<const PlaneStructure>(model);
+    auto structure = std::make_shared<const PlaneStructure>(std::move(model));
     refuse_rigid_motions(*structure);
     auto solution = std::make_shared<detail::Solution>();
     solution->structure = structure->discretisation();
@@ -211,7 +208,7 @@ PlaneResults PlaneAnalysis::solve_sound(const PlaneModel& model)
     Solved done = solved(structure, solution->loads);
     solution->solutions = std::move(done.cases);
     add_reactions(*solution);
-    if (model.analysis == StressState::Axisymmetric) keep_axial_sums(*solution);
+    if (structure->model().analysis == StressState::Axisymmetric) keep_axial_sums(*solution);
     if (auto faults = ill_conditioned_cases(*solution, LeastForce::OfBodies); !faults.empty())
         throw ModelError(std::move(faults));
     solution->warnings = inaccurate_cases(*solution, LeastForce::OfBodies);
@@ -220,9 +217,9 @@ PlaneResults PlaneAnalysis::solve_sound(const PlaneModel& model)
     return results;
 }
 
-PlaneResults analyse(const PlaneModel& model, const AnalysisOptions& options)
+PlaneResults analyse(PlaneModel model, const AnalysisOptions& options)
 {
-    return PlaneAnalysis(options).solve(model);
+    return PlaneAnalysis(options).solve(std::move(model));
 }
 
 } // namespace femoop::plane

@@ -18,7 +18,7 @@ namespace femoop::plane {
 /// Errors   ModelError     what `check` finds, or a system that the memory cannot hold
 ///          MechanismError the body can move: each independent way
 ///          Cancelled      by options.progress
-PlaneResults analyse(const PlaneModel& model, const AnalysisOptions& options = {});
+PlaneResults analyse(PlaneModel model, const AnalysisOptions& options = {});
 
 /// The same analysis again and again, for a mesh whose nodes move while its elements stay.
 ///
@@ -32,8 +32,8 @@ public:
 
     /// Where the same displacements are unknown and the same ones coupled as the last time, all symbolic work is kept.
     /// \throws what `analyse` throws; it can be used again after that.
-    PlaneResults solve(const PlaneModel& model);
-    PlaneResults solve_sound(const PlaneModel& model); ///< likewise. \pre `check(model)` finds no error
+    PlaneResults solve(PlaneModel model);
+    PlaneResults solve_sound(PlaneModel model); ///< likewise. \pre `check(model)` finds no error
 
 private:
     struct Solved;

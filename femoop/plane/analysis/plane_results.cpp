@@ -7,6 +7,7 @@
 #include "femoop/algebra/dense_solution.h"
 #include "femoop/plane/analysis/patch_recovery.h"
 #include "femoop/plane/mesh/mesh_geometry.h"
+#include "femoop/solver/at_once.h"
 
 namespace femoop::plane {
 
@@ -31,7 +32,8 @@ StressVector vector_of(const PlaneStress& s, StressState state)
     return v;
 }
 
-constexpr int points_of_piece = 8; // of Gauss's rule along a part of a cut
+constexpr int points_of_piece = 8;                      // of Gauss's rule along a part of a cut
+constexpr std::size_t elements_sampled_at_once = 10000; // that a thread does
 
 } // namespace
 
@@ -145,17 +147,21 @@ const PlaneCase::Samples& PlaneCase::samples() const
     const PlaneModel& model = structure_->model();
     auto made = std::make_shared<Samples>(Samples{SampleNumbers(model), {}});
     made->values.resize(static_cast<Eigen::Index>(made->numbers.size()), 8);
-    for (Eigen::Index row = 0, e = 0; const PlaneElement& element : model.elements) {
-        const ElementField inside = field(ElementId(static_cast<std::size_t>(e++)));
-        const std::span<const ShapeAtPoint> points = recovery_points(element.kind);
-        const ContinuumElement::StrainColumns totals = inside.strains(points);
-        for (Eigen::Index i = 0; const ShapeAtPoint& point : points) {
-            const StrainVector total = totals.col(i++);
-            StrainVector mechanical = total;
-            if (inside.is_warmed()) mechanical -= inside.thermal_strain(point.at);
-            made->values.row(row++) = values_of(element.region, total, mechanical);
+    in_ranges(model.elements.size(), elements_sampled_at_once, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t e = begin; e < end; ++e) {
+            const PlaneElement& element = model.elements[e];
+            const ElementField inside = field(ElementId(e));
+            const std::span<const ShapeAtPoint> points = recovery_points(element.kind);
+            const ContinuumElement::StrainColumns totals = inside.strains(points);
+            auto row = static_cast<Eigen::Index>(made->numbers.first(ElementId(e)));
+            for (Eigen::Index i = 0; const ShapeAtPoint& point : points) {
+                const StrainVector total = totals.col(i++);
+                StrainVector mechanical = total;
+                if (inside.is_warmed()) mechanical -= inside.thermal_strain(point.at);
+                made->values.row(row++) = values_of(element.region, total, mechanical);
+            }
         }
-    }
+    });
     samples_ = std::move(made);
     return *samples_;
 }
@@ -196,6 +202,7 @@ const PlaneCase::Recovered& PlaneCase::recovered() const
     return *recovered_;
 }
 
+void PlaneCase::sample() const { static_cast<void>(samples()); }
 void PlaneCase::recover() const { static_cast<void>(recovered()); }
 
 Values PlaneCase::element_values(const Location& place) const

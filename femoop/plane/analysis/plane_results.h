@@ -65,7 +65,8 @@ public:
     PlaneStrain smoothed_strain(NodeId node, RegionId region) const;
     PlaneStress element_stress(NodeId node, RegionId region) const;
 
-    void recover() const; ///< finds what is smoothed now, and not when it is first asked for
+    void sample() const;  ///< finds the stresses of all elements now, and not when they are first asked for
+    void recover() const; ///< likewise what is smoothed
 
     /// Calls visit(place, stress) at every integration point of an element.
     void at_integration_points(ElementId element,

@@ -10,12 +10,14 @@
 
 #include "femoop/element/continuum/foundation_element.h"
 #include "femoop/material/linear_elastic.h"
+#include "femoop/solver/at_once.h"
 
 namespace femoop::plane {
 
 namespace {
 
-constexpr int foundation_degree = 4; // of two quadratic functions
+constexpr int foundation_degree = 4;                     // of two quadratic functions
+constexpr std::size_t elements_worth_two_threads = 5000; // elements
 
 IntegrationRule rule_of(ShapeKind kind, Formulation formulation, StressState analysis)
 {
@@ -65,23 +67,29 @@ public:
             negligible_ = std::max(negligible_, digits * at.cwiseAbs().maxCoeff());
     }
 
-    std::uint32_t next(const ContinuumFormulation& formulation, const std::vector<NodeId>& nodes)
+    /// Elements that follow one another and are one, beginning with `first`.
+    struct Run {
+        std::uint32_t number = 0; ///< none yet
+        const ContinuumFormulation* formulation = nullptr;
+        const std::vector<NodeId>* first = nullptr; ///< nodes of the first element
+    };
+
+    /// The number of the run that an element goes on with, or begins: its own then.
+    std::uint32_t next(Run& run, std::size_t element, const ContinuumFormulation& formulation,
+                       const std::vector<NodeId>& nodes) const
     {
         if (is_of_revolution_) return 0;
-        if (run_ == 0 || &formulation != formulation_ || !is_moved_along(nodes)) {
-            ++run_;
-            formulation_ = &formulation;
-            first_ = nodes;
-        }
-        return run_;
+        if (run.number == 0 || &formulation != run.formulation || !is_moved_along(*run.first, nodes))
+            run = {.number = static_cast<std::uint32_t>(element + 1), .formulation = &formulation, .first = &nodes};
+        return run.number;
     }
 
 private:
-    bool is_moved_along(const std::vector<NodeId>& nodes) const
+    bool is_moved_along(const std::vector<NodeId>& first, const std::vector<NodeId>& nodes) const
     {
-        const Eigen::Vector2d by = at(nodes[0]) - at(first_[0]);
+        const Eigen::Vector2d by = at(nodes[0]) - at(first[0]);
         for (std::size_t i = 1; i < nodes.size(); ++i)
-            if (!((at(nodes[i]) - at(first_[i]) - by).cwiseAbs().maxCoeff() <= negligible_)) return false;
+            if (!((at(nodes[i]) - at(first[i]) - by).cwiseAbs().maxCoeff() <= negligible_)) return false;
         return true;
     }
     const Eigen::Vector2d& at(NodeId node) const { return positions_[node.index]; }
@@ -89,9 +97,6 @@ private:
     std::span<const Eigen::Vector2d> positions_;
     bool is_of_revolution_;
     double negligible_ = 0.0;
-    std::uint32_t run_ = 0;
-    const ContinuumFormulation* formulation_ = nullptr; ///< of the run's first element, with its nodes
-    std::vector<NodeId> first_;
 };
 
 } // namespace
@@ -103,16 +108,19 @@ Eigen::Matrix2d spring_matrix(const std::vector<HeldDirection>& held)
     return k;
 }
 
-PlaneStructure::PlaneStructure(const PlaneModel& model)
-    : model_(model),
-      positions_(plane::positions(model_)),
-      edges_(model_),
-      curves_(model_, edges_),
-      supports_(model_, curves_)
+PlaneStructure::PlaneStructure(PlaneModel model) : model_(std::move(model)), positions_(plane::positions(model_))
 {
-    list_elements_of_nodes();
     add_materials();
-    add_elements();
+    const auto add_mesh = [&] {
+        edges_.emplace(model_);
+        curves_.emplace(model_, *edges_);
+        supports_.emplace(model_, *curves_);
+        list_elements_of_nodes();
+    };
+    if (model_.elements.size() < elements_worth_two_threads) {
+        add_mesh();
+        add_elements();
+    } else at_once(add_mesh, [&] { add_elements(); });
     Discretisation structure{.kind = AnalysisKind::Truss2d}; // its nodes have ux and uy
     const std::size_t n = positions_.size();
     for (const Eigen::Vector2d& at : positions_) structure.positions.emplace_back(at.x(), at.y(), 0.0);
@@ -120,7 +128,8 @@ PlaneStructure::PlaneStructure(const PlaneModel& model)
     structure.is_attached.assign(n, false);
     for (const PlaneElement& element : model_.elements)
         for (const NodeId node : element.points) structure.is_attached[node.index] = true;
-    structure.bodies.assign(elements_.begin(), elements_.end());
+    structure.bodies.reserve(elements_->size());
+    for (std::size_t e = 0; e < elements_->size(); ++e) structure.bodies.emplace_back(elements_, &(*elements_)[e]);
     add_supports(structure);
     add_ties(structure);
     add_foundations(structure);
@@ -169,11 +178,12 @@ void PlaneStructure::add_materials()
     }
 }
 
-void PlaneStructure::add_elements()
+/// Made where they are missing, of every element.
+std::vector<const ContinuumFormulation*> PlaneStructure::formulations_of_elements()
 {
     std::map<std::pair<std::uint32_t, ShapeKind>, const ContinuumFormulation*> known;
-    StiffnessRuns runs(positions_, model_.analysis);
-    elements_.reserve(model_.elements.size());
+    std::vector<const ContinuumFormulation*> all;
+    all.reserve(model_.elements.size());
     for (const PlaneElement& element : model_.elements) {
         const ContinuumFormulation*& formulation = known[{element.region.index, element.kind}];
         if (formulation == nullptr) {
@@ -184,15 +194,30 @@ void PlaneStructure::add_elements()
                 density_of(model_[model_[element.region].material])));
             formulation = formulations_.back().get();
         }
-        const std::uint32_t run = runs.next(*formulation, element.points);
-        elements_.push_back(make_continuum_element(*formulation, element.points, positions_, run));
+        all.push_back(formulation);
     }
+    return all;
+}
+
+void PlaneStructure::add_elements()
+{
+    const std::vector<const ContinuumFormulation*> formulations = formulations_of_elements();
+    const StiffnessRuns runs(positions_, model_.analysis);
+    const auto rows = [&](std::size_t begin, std::size_t end, const auto& add) {
+        StiffnessRuns::Run run;
+        for (std::size_t e = begin; e < end; ++e) {
+            const std::vector<NodeId>& nodes = model_.elements[e].points;
+            const std::uint32_t group = runs.next(run, e, *formulations[e], nodes);
+            add({.formulation = *formulations[e], .nodes = nodes, .stiffness_group = group});
+        }
+    };
+    elements_ = make_continuum_elements(model_.analysis, model_.elements.size(), positions_, rows);
 }
 
 void PlaneStructure::add_supports(Discretisation& structure) const
 {
     for (std::size_t i = 0; i < positions_.size(); ++i) {
-        NodeSupport support = supports_[NodeId(i)];
+        NodeSupport support = (*supports_)[NodeId(i)];
         const bool is_on_axis = model_.analysis == StressState::Axisymmetric && positions_[i].x() == 0.0;
         if (is_on_axis) support.add({.direction = Eigen::Vector2d::UnitX(), .dof = Dof::ux, .is_blocked = true});
         if (!support.is_held()) continue;
@@ -213,8 +238,8 @@ void PlaneStructure::add_ties(Discretisation& structure) const
         for (std::size_t c = 0; c < model_.curves.size(); ++c) {
             if (!model_.curves[c].tie.contains(dof)) continue;
             has_ties = true;
-            for (const CurveNode& node : curves_.geometry[c].nodes())
-                groups.join(node.node.index, curves_.geometry[c].nodes().front().node.index);
+            for (const CurveNode& node : curves_->geometry[c].nodes())
+                groups.join(node.node.index, curves_->geometry[c].nodes().front().node.index);
         }
         if (!has_ties) continue;
         std::vector<std::size_t> leader(positions_.size());
@@ -232,7 +257,7 @@ void PlaneStructure::add_foundations(Discretisation& structure)
     for (std::size_t c = 0; c < model_.curves.size(); ++c) {
         const PlaneCurve& curve = model_.curves[c];
         if (!curve.support || curve.support->springs.empty()) continue;
-        for (std::size_t e = 0; e < curves_.edges[c].size(); ++e) {
+        for (std::size_t e = 0; e < curves_->edges[c].size(); ++e) {
             sprung_edges_.push_back({CurveId(c), e});
             structure.foundations.push_back(edge_foundation(CurveId(c), e));
         }
@@ -240,7 +265,7 @@ void PlaneStructure::add_foundations(Discretisation& structure)
     for (std::size_t i = 0; i < model_.points.size(); ++i) {
         if (!model_.points[i].support || model_.points[i].support->springs.empty()) continue;
         std::vector<HeldDirection> own; // springs of curves have no stiffness here
-        for (const HeldDirection& held : supports_[NodeId(i)].springs())
+        for (const HeldDirection& held : (*supports_)[NodeId(i)].springs())
             if (held.stiffness > 0.0) own.push_back(held);
         FoundationElement::Point point{.N = Shape::Values::Ones(1), .area = 1.0, .k = spring_matrix(own), .place = {}};
         point.place.at = positions_[i];
@@ -253,7 +278,7 @@ void PlaneStructure::add_foundations(Discretisation& structure)
 /// Springs per area of the face: the axes of a curve follow its edge.
 std::shared_ptr<const Element> PlaneStructure::edge_foundation(CurveId curve, std::size_t edge) const
 {
-    const CurveEdge& along = curves_.edges[curve.index][edge];
+    const CurveEdge& along = curves_->edges[curve.index][edge];
     const PlaneSupport& support = *model_[curve].support;
     const std::vector<NodeId> nodes = nodes_of(along);
     const Shape& line = shape_of(nodes.size() == 2 ? ShapeKind::Line2 : ShapeKind::Line3);

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <memory>
 #include <mutex>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -21,18 +22,18 @@ namespace femoop::plane {
 /// Results hold it, so that they outlive the model.
 class PlaneStructure {
 public:
-    explicit PlaneStructure(const PlaneModel& model); ///< \pre `check(model)` finds no error
+    explicit PlaneStructure(PlaneModel model); ///< \pre `check(model)` finds no error
     PlaneStructure(const PlaneStructure&) = delete;
     PlaneStructure& operator=(const PlaneStructure&) = delete;
 
     const PlaneModel& model() const { return model_; }
     const std::vector<Eigen::Vector2d>& positions() const { return positions_; }
-    const CurveTable& curves() const { return curves_; }
-    const NodeSupports& supports() const { return supports_; }
+    const CurveTable& curves() const { return *curves_; }
+    const NodeSupports& supports() const { return *supports_; }
     const std::shared_ptr<const Discretisation>& discretisation() const { return discretisation_; }
-    const EdgeTable& edges() const { return edges_; }
+    const EdgeTable& edges() const { return *edges_; }
     const Locator& locator() const; ///< made when it is first asked for
-    const ContinuumElement& element(ElementId id) const { return *elements_[id.index]; }
+    const ContinuumElement& element(ElementId id) const { return (*elements_)[id.index]; }
     const ConstitutiveModel& material(RegionId region) const { return *materials_[region.index]; }
 
     /// Indices of the elements that have a node.
@@ -57,6 +58,7 @@ private:
     void list_elements_of_nodes();
     void add_materials();
     void add_elements();
+    std::vector<const ContinuumFormulation*> formulations_of_elements();
     void add_supports(Discretisation& structure) const;
     void add_foundations(Discretisation& structure);
     void add_ties(Discretisation& structure) const;
@@ -64,12 +66,12 @@ private:
 
     PlaneModel model_;
     std::vector<Eigen::Vector2d> positions_;
-    EdgeTable edges_;
-    CurveTable curves_;
-    NodeSupports supports_;
+    std::optional<const EdgeTable> edges_;
+    std::optional<const CurveTable> curves_;
+    std::optional<const NodeSupports> supports_;
     std::vector<std::unique_ptr<const ConstitutiveModel>> materials_;       ///< of each region
     std::vector<std::unique_ptr<const ContinuumFormulation>> formulations_; ///< of regions and shapes
-    std::vector<std::shared_ptr<const ContinuumElement>> elements_;
+    std::shared_ptr<const ContinuumBlock> elements_;
     std::vector<std::uint32_t> elements_start_, elements_of_; ///< of every node
     std::vector<SprungEdge> sprung_edges_;                    ///< the first foundations
     std::vector<NodeId> sprung_points_;                       ///< those behind them

@@ -8,13 +8,15 @@
 #include "femoop/model/quantity/dof_dimension.h"
 #include "femoop/model/quantity/number_text.h"
 #include "femoop/plane/mesh/mesh_geometry.h"
+#include "femoop/solver/at_once.h"
 
 namespace femoop::plane {
 
 namespace {
 
 constexpr DofSet plane_displacements{Dof::ux, Dof::uy};
-constexpr double locking_ratio = 0.49; // Poisson's
+constexpr double locking_ratio = 0.49;                  // Poisson's
+constexpr std::size_t elements_checked_at_once = 10000; // that a thread checks
 
 constexpr Dimension foundation_dimension{.length = -3, .force = 1};
 
@@ -27,22 +29,44 @@ std::string natural_text(NaturalPoint at)
 
 } // namespace
 
-PlaneChecker::PlaneChecker(const PlaneModel& model, const Unreadable& unreadable)
-    : EntryChecker(model.units),
-      model_(model),
-      unreadable_(unreadable),
-      edges_(model),
-      geometry_checks_(model.analysis),
-      regions_of_point_(model.points.size())
+RegionsOfPoints::RegionsOfPoints(const PlaneModel& model) : first_(model.points.size(), none)
 {
     for (const PlaneElement& element : model.elements) {
         if (element.region.index >= model.regions.size()) continue;
         for (const NodeId point : element.points) {
-            if (point.index >= model.points.size()) continue;
-            std::vector<RegionId>& regions = regions_of_point_[point.index];
-            if (std::ranges::find(regions, element.region) == regions.end()) regions.push_back(element.region);
+            if (point.index >= first_.size() || first_[point.index] == element.region.index) continue;
+            if (first_[point.index] == none) {
+                first_[point.index] = element.region.index;
+                continue;
+            }
+            std::vector<RegionId>& others = others_[point];
+            if (std::ranges::find(others, element.region) == others.end()) others.push_back(element.region);
         }
     }
+}
+
+std::vector<RegionId> RegionsOfPoints::of(NodeId point) const
+{
+    std::vector<RegionId> all;
+    if (is_empty(point)) return all;
+    all.emplace_back(first_[point.index]);
+    if (const auto others = others_.find(point); others != others_.end())
+        all.insert(all.end(), others->second.begin(), others->second.end());
+    return all;
+}
+
+PlaneChecker::PlaneChecker(const PlaneModel& model, const Unreadable& unreadable)
+    : EntryChecker(model.units), model_(model), unreadable_(unreadable), geometry_checks_(model.analysis)
+{
+    together([&] { edges_.emplace(model_); }, [&] { regions_of_point_.emplace(model_); });
+}
+
+/// Two works on a mesh, at once where that pays.
+template <class First, class Second> void PlaneChecker::together(const First& first, const Second& second) const
+{
+    if (model_.elements.size() >= elements_checked_at_once) return at_once(first, second);
+    first();
+    second();
 }
 
 bool PlaneChecker::has_errors() const
@@ -68,7 +92,7 @@ std::vector<Fault> PlaneChecker::run()
     }
     const bool is_mesh_sound = !model_.is_drawn && !has_errors() && !unreadable_.is_incomplete;
     if (is_mesh_sound) {
-        curves_.emplace(model_, edges_);
+        curves_.emplace(model_, *edges_);
         supports_.emplace(model_, *curves_);
         check_ties();
     }
@@ -83,11 +107,14 @@ std::vector<Fault> PlaneChecker::run()
 
 void PlaneChecker::check_ids()
 {
+    bool are_points_flawless = false, are_elements_flawless = false;
+    together([&] { are_points_flawless = have_flawless_names(model_.points); },
+             [&] { are_elements_flawless = have_flawless_names(model_.elements); });
     check_names("materials", model_.materials, unreadable_.materials);
-    check_names("points", model_.points, unreadable_.points);
+    if (!are_points_flawless) check_names("points", model_.points, unreadable_.points);
     check_names("curves", model_.curves, unreadable_.curves);
     check_names("regions", model_.regions, unreadable_.regions);
-    check_names("elements", model_.elements, unreadable_.elements);
+    if (!are_elements_flawless) check_names("elements", model_.elements, unreadable_.elements);
     std::vector<Entry> cases; // load cases and combinations share one set of names
     collect_names(cases, "load_cases", model_.load_cases, unreadable_.load_cases);
     collect_names(cases, "combinations", model_.combinations, unreadable_.combinations);
@@ -176,11 +203,33 @@ void PlaneChecker::check_regions()
     }
 }
 
+bool PlaneChecker::is_flawless(const PlaneElement& element) const
+{
+    if (element.region.index >= model_.regions.size() || !has_points(model_, element)) return false;
+    if (!has_formulation(element.kind, model_.formulation(element.region), model_.analysis)) return false;
+    const NodePositions X = positions_of(model_, element);
+    return X.allFinite() && !geometry_checks_.known(element.kind).fault(X);
+}
+
+std::vector<std::uint8_t> PlaneChecker::flawless_elements()
+{
+    for (const ShapeKind kind : shape_kinds())
+        if (!shape_of(kind).edges().empty()) geometry_checks_.of(kind);
+    std::vector<std::uint8_t> all(model_.elements.size());
+    in_ranges(all.size(), elements_checked_at_once, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i)
+            all[i] = !flag(unreadable_.elements, i) && is_flawless(model_.elements[i]) ? 1 : 0;
+    });
+    return all;
+}
+
 void PlaneChecker::check_elements()
 {
     if (model_.elements.empty() && !unreadable_.is_incomplete) faults_.push_back({FaultKind::NoElements, {}});
     std::vector<std::uint8_t> said(model_.regions.size()); // a bit for each kind of element whose formulation it lacks
+    const std::vector<std::uint8_t> are_flawless = flawless_elements();
     for (std::size_t i = 0; i < model_.elements.size(); ++i) {
+        if (are_flawless[i] != 0) continue;
         const PlaneElement& element = model_.elements[i];
         is_partial_ = flag(unreadable_.elements, i);
         check_element(element, {"elements", i, element.id});
@@ -230,7 +279,7 @@ void PlaneChecker::check_curves()
         check_tied(curve, place);
         if (is_partial_ || unreadable_.is_incomplete) continue;
         if (curve.points.size() < 2) add(FaultKind::CurveTooShort, place, {std::to_string(curve.points.size())});
-        if (const auto gap = edges_along(model_, edges_, curve).gap)
+        if (const auto gap = edges_along(model_, *edges_, curve).gap)
             add(FaultKind::CurveWithoutEdge, place, {model_[curve.points[*gap]].id, model_[curve.points[*gap + 1]].id});
     }
 }
@@ -261,7 +310,7 @@ void PlaneChecker::check_use()
     for (const PlaneElement& element : model_.elements)
         if (element.region.index < has_elements.size()) has_elements[element.region.index] = true;
     for (std::size_t i = 0; i < model_.points.size(); ++i)
-        if (regions_of_point_[i].empty() && !model_.points[i].support)
+        if (regions_of_point_->is_empty(NodeId(i)) && !model_.points[i].support)
             add(FaultKind::LonePoint, {"points", i, model_.points[i].id}, {});
     for (std::size_t i = 0; i < model_.regions.size(); ++i)
         if (!has_elements[i]) add(FaultKind::RegionWithoutElements, {"regions", i, model_.regions[i].id}, {});

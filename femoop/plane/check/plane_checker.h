@@ -1,6 +1,9 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <cstdint>
+#include <limits>
+#include <map>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -13,6 +16,19 @@
 #include "femoop/plane/mesh/node_supports.h"
 
 namespace femoop::plane {
+
+/// The regions whose elements meet each point, in the order of their elements.
+class RegionsOfPoints {
+public:
+    explicit RegionsOfPoints(const PlaneModel& model);
+    bool is_empty(NodeId point) const { return first_[point.index] == none; }
+    std::vector<RegionId> of(NodeId point) const;
+
+private:
+    static constexpr std::uint32_t none = std::numeric_limits<std::uint32_t>::max();
+    std::vector<std::uint32_t> first_;
+    std::map<NodeId, std::vector<RegionId>> others_; ///< of points on borders
+};
 
 /// Goes through a plane model part by part and writes down what is wrong with it.
 class PlaneChecker : private EntryChecker {
@@ -27,12 +43,13 @@ private:
     /// Of a mesh that could be read: nothing takes what is put on the point.
     bool has_no_elements(NodeId point) const
     {
-        return !model_.is_drawn && !unreadable_.is_incomplete && regions_of_point_[point.index].empty();
+        return !model_.is_drawn && !unreadable_.is_incomplete && regions_of_point_->is_empty(point);
     }
     bool is_readable(MaterialId id) const
     {
         return id.index < model_.materials.size() && !flag(unreadable_.materials, id.index);
     }
+    template <class First, class Second> void together(const First& first, const Second& second) const;
     void check_ids();
     void check_materials();
     void check_points();
@@ -40,6 +57,8 @@ private:
     void check_regions();
     void check_mesh_options(const MeshOptions& mesh, const Entry& place);
     void check_elements();
+    std::vector<std::uint8_t> flawless_elements(); ///< 1 of those
+    bool is_flawless(const PlaneElement& element) const;
     void check_element(const PlaneElement& element, const Entry& place);
     void check_curves();
     void check_tied(const PlaneCurve& curve, const Entry& place);
@@ -85,10 +104,10 @@ private:
 
     const PlaneModel& model_;
     const Unreadable& unreadable_;
-    EdgeTable edges_;
+    std::optional<const EdgeTable> edges_;
     GeometryChecks geometry_checks_;
-    std::vector<std::vector<RegionId>> regions_of_point_; ///< of which elements meet it
-    std::optional<CurveTable> curves_;                    ///< once the mesh is known to be sound
+    std::optional<const RegionsOfPoints> regions_of_point_;
+    std::optional<CurveTable> curves_; ///< once the mesh is known to be sound
     std::optional<NodeSupports> supports_;
     std::optional<Locator> locator_; ///< made when it is first asked for
 };

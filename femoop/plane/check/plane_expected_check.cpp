@@ -95,7 +95,7 @@ const Locator& PlaneChecker::locator()
 
 std::vector<RegionId> PlaneChecker::regions_at(const PlaneExpected& check)
 {
-    if (check.point) return regions_of_point_[check.point->index];
+    if (check.point) return regions_of_point_->of(*check.point);
     std::vector<RegionId> regions;
     for (const Location& location : locator().find({check.at[0], check.at[1]}))
         if (const RegionId region = model_[location.element].region;

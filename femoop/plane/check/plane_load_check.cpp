@@ -92,7 +92,7 @@ void PlaneChecker::check_load(const CurveLoad& load, const Entry& place)
 void PlaneChecker::check_pressure(CurveId curve, const Entry& place)
 {
     if (curve.index >= model_.curves.size() || unreadable_.is_incomplete) return;
-    for (const CurveEdge& edge : edges_along(model_, edges_, model_[curve]).edges)
+    for (const CurveEdge& edge : edges_along(model_, *edges_, model_[curve]).edges)
         if (edge.left && edge.right) {
             add(FaultKind::PressureInside, place, {model_[curve].id});
             return;
