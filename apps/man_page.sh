@@ -5,16 +5,16 @@ set -eu
 program=$1
 name=$(basename "$program")
 "$program" --help >/dev/null # fails here rather than inside a pipe
-version=$("$program" --version | awk '{ print $NF; exit }')
+version=$("$program" --version | awk '{ print $2; exit }')
 
 # Plain help to roff: titles that end with ":", items indented by two with their text behind or below, paragraphs.
 roff() {
-    awk '
+    awk -v name="$name" '
         { gsub(/\\/, "\\e"); gsub(/-/, "\\-") }
         /^$/                    { if (!blank) print ".PP"; blank = 1; item = 0; next }
                                 { blank = 0 }
         /^[A-Z][A-Za-z ]*:$/    { sub(/:$/, ""); print (top ? ".SH " : ".SS ") toupper(substr($0, 1, 1)) substr($0, 2); blank = 1; next }
-        /^(Usage|Uso):/         { sub(/^[^:]*: */, ""); print ".PP\n\\fB" $0 "\\fR"; next }
+        /^(Usage|Uso):/         { sub(/^[^:]*: *[^ ]*/, name); print ".PP\n\\fB" $0 "\\fR"; next }
         /^  [^ ]/               { sub(/^  /, ""); text = ""
                                   if (match($0, /  +/)) { text = substr($0, RSTART + RLENGTH); $0 = substr($0, 1, RSTART - 1) }
                                   sub(/ +$/, ""); print ".TP\n\\fB" $0 "\\fR"; if (text != "") print guarded(text); item = 1; next }

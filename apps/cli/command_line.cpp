@@ -10,8 +10,10 @@
 
 #include "apps/cli/console.h"
 #include "apps/cli/help.h"
+#include "apps/cli/open_app.h"
 #include "apps/cli/subcommands.h"
 #include "femoop/model/check/suggestion.h"
+#include "ui/context/start_program.h"
 
 namespace cli {
 
@@ -42,13 +44,18 @@ std::vector<Example> first_examples(const ui::Catalogue& tr)
 /// The command line as CLI11 sees it, and the subcommands bound to it.
 class CommandLine {
 public:
-    explicit CommandLine(Console& console) : console_(console), tr_(console.tr()), subcommands_(all_subcommands())
+    CommandLine(Console& console, const std::string& version)
+        : console_(console), tr_(console.tr()), subcommands_(all_subcommands())
     {
         app_.name("cremona");
-        app_.description(tr_("Structural analysis that teaches: solves, explains, draws and verifies frames, "
-                             "trusses and grillages without a display. Results go to stdout, messages to stderr.") +
-                         "\n\n" + tr_("`cremona COMMAND --help` explains a command."));
-        app_.set_version_flag("--version", "cremona " CREMONA_VERSION, tr_("print the version and leave"));
+        app_.description(
+            tr_("Structural analysis that teaches: solves, explains, draws and verifies frames, "
+                "trusses and grillages without a display. Results go to stdout, messages to stderr.") +
+            "\n\n" +
+            tr_("`cremona COMMAND --help` explains a command. `cremona frame` and `cremona plane` open these "
+                "apps, `cremona cross`, `cremona mohr` and `cremona euler` without another word do too, and "
+                "`cremona FILE` opens a file in its app."));
+        app_.set_version_flag("--version", "cremona " + version, tr_("print the version and leave"));
         app_.footer(help_footer({.summary = {}, .description = {}, .examples = first_examples(tr_)}, tr_));
         prepare(app_);
         app_.require_subcommand(0, 1); // so that a word behind a command is never another one: `cremona bench mesh`
@@ -168,23 +175,31 @@ private:
     std::string language_;
 };
 
-ExitStatus run_in_language(const std::vector<std::string>& arguments, Console& console)
+/// \throws UsageError: the app could not be started
+void open_app(const AskedApp& app, const Console& console)
 {
-    ExitStatus status = CommandLine(console).run(arguments);
+    if (const auto reason = ui::become_program(app.program, app.arguments))
+        throw UsageError("cremona: " + console.tr()(*reason));
+}
+
+ExitStatus run_in_language(const std::vector<std::string>& arguments, const std::string& version, Console& console)
+{
+    if (const auto app = asked_app(arguments)) open_app(*app, console);
+    ExitStatus status = CommandLine(console, version).run(arguments);
     console.flush();
     return status;
 }
 
 } // namespace
 
-ExitStatus run(const std::vector<std::string>& arguments)
+ExitStatus run(const std::vector<std::string>& arguments, const std::string& version)
 {
     const std::optional<std::string> wanted = language_argument(arguments);
     const std::optional<ui::Language> language = ui::language_named(wanted.value_or("en"));
     Console console(language ? ui::Catalogue(*language) : ui::Catalogue());
     try {
         if (!language) throw UsageError("cremona: --lang: there is no language \"" + *wanted + "\"; use en or pt");
-        return run_in_language(arguments, console);
+        return run_in_language(arguments, version, console);
     } catch (const std::bad_alloc&) {
         console.message(console.tr()("there is not enough memory; close other programs or make the model smaller"));
         return ExitStatus::BadInput;

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "apps/cli/command_line.h"
+#include "version.h"
 
 namespace {
 
@@ -23,7 +24,7 @@ try {
 #ifdef SIGXFSZ
     std::signal(SIGXFSZ, SIG_IGN); // so is a file that must not grow further
 #endif
-    leave(cli::run(std::vector<std::string>(argv + 1, argv + argc)));
+    leave(cli::run(std::vector<std::string>(argv + 1, argv + argc), CREMONA_VERSION));
 } catch (const std::exception& error) {
     std::cerr << "cremona: " << error.what() << '\n';
     leave(cli::ExitStatus::BadInput);

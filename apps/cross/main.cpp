@@ -1,8 +1,9 @@
 #include "apps/cross/window/options.h"
 #include "apps/cross/window/run.h"
 #include "ui/app/program.h"
+#include "version.h"
 
 int main(int argc, char** argv)
 {
-    ui::run_program("cross", [&] { return cross::run(cross::parse_options(argc, argv)); });
+    ui::run_program("cross", [&] { return cross::run(cross::parse_options(argc, argv, CREMONA_VERSION)); });
 }

@@ -1,8 +1,9 @@
 #include "apps/plane/window/options.h"
 #include "apps/plane/window/run.h"
 #include "ui/app/program.h"
+#include "version.h"
 
 int main(int argc, char** argv)
 {
-    ui::run_program("plane", [&] { return plane::run(plane::parse_options(argc, argv)); });
+    ui::run_program("plane", [&] { return plane::run(plane::parse_options(argc, argv, CREMONA_VERSION)); });
 }

@@ -14,14 +14,28 @@ file(REMOVE_RECURSE "${work}")
 run("${CMAKE_COMMAND}" --install "${build}" --prefix "${work}/prefix")
 
 if(apps)
-  foreach(file bin/cremona bin/cross bin/euler bin/frame share/man/man1/cremona.1 share/man/man1/euler.1 share/man/man1/frame.1
-               share/applications/cremona-euler.desktop share/icons/hicolor/scalable/apps/cremona-euler.svg
-               share/applications/cremona-frame.desktop share/icons/hicolor/scalable/apps/cremona-frame.svg)
+  set(files bin/cremona share/man/man1/cremona.1 share/bash-completion/completions/cremona share/mime/packages/cremona.xml
+    share/applications/cremona.desktop)
+  foreach(app cross euler frame mohr plane)
+    list(APPEND files bin/cremona-${app} share/man/man1/cremona-${app}.1 share/bash-completion/completions/cremona-${app}
+      share/applications/cremona-${app}.desktop share/icons/hicolor/scalable/apps/cremona-${app}.svg)
+  endforeach()
+  foreach(file IN LISTS files)
     if(NOT EXISTS "${work}/prefix/${file}")
       message(FATAL_ERROR "not installed: ${file}")
     endif()
   endforeach()
+  file(GLOB programs RELATIVE "${work}/prefix/bin" "${work}/prefix/bin/*")
+  list(FILTER programs EXCLUDE REGEX "^cremona")
+  if(programs)
+    message(FATAL_ERROR "installed under a name that others have: ${programs}")
+  endif()
   run("${work}/prefix/bin/cremona" --help)
+  run("${work}/prefix/bin/cremona" frame --describe) # becomes the app beside it
+  run("${work}/prefix/bin/cremona" "${examples}/cube.eul" --describe)
+  run(bash -c "source '${work}/prefix/share/bash-completion/completions/cremona' && COMP_WORDS=(cremona sol) COMP_CWORD=1 && \
+_cremona && [ \"\${COMPREPLY[*]}\" = solve ] && COMP_WORDS=(cremona solve --js) COMP_CWORD=2 && _cremona && \
+[ \"\${COMPREPLY[*]}\" = --json ]")
 endif()
 
 # A student's folder: the example, and the five lines that its lesson shows.

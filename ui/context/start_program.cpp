@@ -61,6 +61,27 @@ Message not_started(const std::string& program, int error)
             {{"program", program}, {"reason", std::generic_category().message(error)}}};
 }
 
+/// As the programs of the suite are called on disk, where names as common as `frame` are others' too.
+std::filesystem::path file_of(const std::string& program, const std::filesystem::path& folder)
+{
+    return folder / ("cremona-" + program);
+}
+
+Message not_there(const std::filesystem::path& file, const std::filesystem::path& folder)
+{
+    return {translatable("the program {program} is not in {folder}, where this one is; install it there"),
+            {{"program", file.filename().string()}, {"folder", folder.string()}}};
+}
+
+/// As C takes them: pointers into the words, which must outlive them.
+std::vector<char*> pointers_to(std::vector<std::string>& words)
+{
+    std::vector<char*> pointers;
+    for (std::string& word : words) pointers.push_back(word.data());
+    pointers.push_back(nullptr);
+    return pointers;
+}
+
 } // namespace
 
 std::filesystem::path folder_of_programs()
@@ -71,17 +92,13 @@ std::filesystem::path folder_of_programs()
 
 std::optional<Message> start_program(const ExportToApp& exported, const std::filesystem::path& folder)
 {
-    const std::filesystem::path program = folder / exported.program;
-    if (access(program.c_str(), X_OK) != 0)
-        return Message(translatable("the program {program} is not in {folder}, where this one is; install it there"),
-                       {{"program", exported.program}, {"folder", folder.string()}});
+    const std::filesystem::path program = file_of(exported.program, folder);
+    if (access(program.c_str(), X_OK) != 0) return not_there(program, folder);
     const File document = nameless_file(exported.document);
     if (!document) return not_started(exported.program, errno);
     std::vector<std::string> words{program.string(), "-"};
     words.insert(words.end(), exported.options.begin(), exported.options.end());
-    std::vector<char*> arguments;
-    for (std::string& word : words) arguments.push_back(word.data());
-    arguments.push_back(nullptr);
+    const std::vector<char*> arguments = pointers_to(words);
     const SpawnSettings settings(fileno(document.get()));
     pid_t child = 0;
     const int error = posix_spawn(&child, program.c_str(), &settings.actions, &settings.attributes, arguments.data(),
@@ -89,6 +106,17 @@ std::optional<Message> start_program(const ExportToApp& exported, const std::fil
     if (error != 0) return not_started(exported.program, error);
     std::thread([child] { waitpid(child, nullptr, 0); }).detach(); // else it stays in the table when it has ended
     return std::nullopt;
+}
+
+std::optional<Message> become_program(const std::string& program, const std::vector<std::string>& arguments,
+                                      const std::filesystem::path& folder)
+{
+    const std::filesystem::path file = file_of(program, folder);
+    if (access(file.c_str(), X_OK) != 0) return not_there(file, folder);
+    std::vector<std::string> words{file.string()};
+    words.insert(words.end(), arguments.begin(), arguments.end());
+    execv(file.c_str(), pointers_to(words).data());
+    return not_started(program, errno);
 }
 
 } // namespace ui

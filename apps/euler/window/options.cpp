@@ -4,7 +4,7 @@
 
 namespace euler {
 
-Options parse_options(int argc, const char* const* argv)
+Options parse_options(int argc, const char* const* argv, const std::string& version)
 {
     Options options;
     const auto add = [&](CLI::App& app) {
@@ -15,7 +15,7 @@ Options parse_options(int argc, const char* const* argv)
     };
     ui::parse_one_file(
         {.name = "euler",
-         .version = CREMONA_VERSION,
+         .version = version,
          .purpose =
              "Shows Euler operators at work: every step of a script in the picture, "
              "in the tables of the half-edge structure and in the formula of Euler and Poincare, forward and back.",

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <string>
+
 #include <cstddef>
 #include <optional>
 
@@ -13,6 +15,6 @@ struct Options : ui::AppOptions {    ///< files: one at most
 };
 
 /// \throws ui::OptionsEnd
-Options parse_options(int argc, const char* const* argv);
+Options parse_options(int argc, const char* const* argv, const std::string& version);
 
 } // namespace euler

@@ -13,14 +13,14 @@ const ui::OptionWords words{
 
 } // namespace
 
-Options parse_options(int argc, const char* const* argv)
+Options parse_options(int argc, const char* const* argv, const std::string& version)
 {
     Options options;
     std::string units, show, load_case;
     CLI::App app("Shows a frame, truss or grillage at work: loads, supports, N, V, M, deformed shape; "
                  "every number can be changed and the results follow.",
                  "frame");
-    app.set_version_flag("--version", "frame " CREMONA_VERSION);
+    app.set_version_flag("--version", "frame " + version);
     ui::add_app_options(app, options, words);
     app.add_option(
            "--units", units,

@@ -16,6 +16,6 @@ struct Options : ui::AppOptions { ///< files: one at most without a screen
 };
 
 /// \throws ui::OptionsEnd
-Options parse_options(int argc, const char* const* argv);
+Options parse_options(int argc, const char* const* argv, const std::string& version);
 
 } // namespace frame

@@ -2,12 +2,12 @@
 
 namespace mohr {
 
-ui::AppOptions parse_options(int argc, const char* const* argv)
+ui::AppOptions parse_options(int argc, const char* const* argv, const std::string& version)
 {
     ui::AppOptions options;
     ui::parse_one_file(
         {.name = "mohr",
-         .version = CREMONA_VERSION,
+         .version = version,
          .purpose =
              "Shows Mohr's circle at work: the element, the circle with its pole, "
              "the curves of the components against the angle, and in space the three circles, all dragged by hand.",

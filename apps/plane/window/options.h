@@ -1,10 +1,12 @@
 #pragma once
 
+#include <string>
+
 #include "ui/app/app_options.h"
 
 namespace plane {
 
 /// What the command line asks for; one file at most. \throws ui::OptionsEnd
-ui::AppOptions parse_options(int argc, const char* const* argv);
+ui::AppOptions parse_options(int argc, const char* const* argv, const std::string& version);
 
 } // namespace plane

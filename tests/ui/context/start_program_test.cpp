@@ -25,10 +25,10 @@ std::string awaited(const Folder& folder, const std::string& name)
 TEST_CASE("A started program reads the document as a file from its standard input and gets its options")
 {
     const Folder folder;
-    folder.write("cross", "#!/bin/sh\ncat /dev/stdin >'" + folder.path("got") + "'\necho \"$*\" >'" +
+    folder.write("cremona-cross", "#!/bin/sh\ncat /dev/stdin >'" + folder.path("got") + "'\necho \"$*\" >'" +
                               folder.path("part") + "'\nmv '" + folder.path("part") + "' '" + folder.path("order") +
                               "'\n");
-    std::filesystem::permissions(folder.path("cross"), std::filesystem::perms::owner_all);
+    std::filesystem::permissions(folder.path("cremona-cross"), std::filesystem::perms::owner_all);
     const ui::ExportToApp exported{.program = "cross", .document = "{\"cremona\": 1}\n", .options = {"--lang", "pt"}};
     CHECK(!ui::start_program(exported, folder.path()));
     CHECK(awaited(folder, "order") == "- --lang pt\n");

@@ -27,4 +27,11 @@ std::optional<Message> start_program(const ExportToApp& exported, const std::fil
                    {{"program", exported.program}});
 }
 
+std::optional<Message> become_program(const std::string& program, const std::vector<std::string>&,
+                                      const std::filesystem::path&)
+{
+    return Message(translatable("{program} is opened as a page of the browser: {page}"),
+                   {{"program", program}, {"page", program + ".html"}});
+}
+
 } // namespace ui
