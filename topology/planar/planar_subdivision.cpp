@@ -167,8 +167,34 @@ FaceId PlanarSubdivision::face_at(const FlatPoint& p) const
             p, [&](std::uint32_t number) { see(EdgeId{number}); }, [&](double end) { return nearest <= end; });
     if (!met) return unbounded_;
     for (const VertexId v : {solid_.start(*met), solid_.end(*met)}) // several edges are met at once
-        if (distance(at(v), {nearest, p.y}) <= snap_) return solid_.face(corner(v, {{no_curve, {}}, at(v), p}));
+        if (distance(at(v), {nearest, p.y}) <= snap_) {
+            const VertexId seen = seen_from(p, v);
+            return solid_.face(corner(seen, {{no_curve, {}}, at(seen), p}));
+        }
     return solid_.face(*met);
+}
+
+/// The vertex that p sees where it looks at v along level edges, which the line to the right does not cross.
+VertexId PlanarSubdivision::seen_from(const FlatPoint& p, VertexId v) const
+{
+    const auto is_level = [&](HalfEdgeId h) {
+        const Piece along = piece(h);
+        const auto is_between = [&](double share) {
+            const FlatPoint there = place(along, share);
+            return std::abs(there.y - p.y) <= snap_ && there.x > p.x;
+        };
+        return along.to.x < along.from.x && is_between(0.25) && is_between(0.5) && is_between(0.75) && is_between(1.0);
+    };
+    for (bool is_seen = false; !is_seen;) {
+        is_seen = true;
+        for (const HalfEdgeId h : solid_.fan(v)) {
+            if (!is_level(h)) continue;
+            v = solid_.end(h);
+            is_seen = false;
+            break;
+        }
+    }
+    return v;
 }
 
 std::optional<EdgeId> PlanarSubdivision::edge_at(const FlatPoint& p) const

@@ -160,6 +160,7 @@ private:
     double area(const Piece& piece, const FlatPoint& origin) const;
     /// Calls cross(x, whether upwards) wherever the half-edge crosses the height, each end's own height counted once.
     template <class Cross> void at_height(HalfEdgeId h, double y, const Cross& cross) const;
+    VertexId seen_from(const FlatPoint& p, VertexId v) const;
     bool encloses(LoopId l, const FlatPoint& p) const;
     bool has_area(LoopId l) const;
 

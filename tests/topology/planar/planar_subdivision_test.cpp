@@ -74,6 +74,72 @@ std::vector<Drawn> random_drawing(std::mt19937& dice, int range)
     return drawn;
 }
 
+/// The corners of columns of width 1 side by side, each from one whole height to another; all level edges are of length 1.
+struct Skyline {
+    std::vector<int> low, high;
+    bool is_upright = true; ///< else columns lie on their sides
+
+    bool has(const FlatPoint& p) const ///< \pre not on its outline
+    {
+        const double along = is_upright ? p.x : p.y, across = is_upright ? p.y : p.x;
+        const auto i = static_cast<std::size_t>(std::max(0.0, along));
+        return along > 0.0 && i < low.size() && low[i] < across && across < high[i];
+    }
+    double area() const
+    {
+        double sum = 0.0;
+        for (std::size_t i = 0; i < low.size(); ++i) sum += high[i] - low[i];
+        return sum;
+    }
+    std::vector<FlatPoint> corners() const
+    {
+        std::vector<FlatPoint> found;
+        const auto add = [&](std::size_t along, int across) {
+            const FlatPoint p{static_cast<double>(along), static_cast<double>(across)};
+            const FlatPoint corner = is_upright ? p : FlatPoint{p.y, p.x};
+            if (found.empty() || !(found.back() == corner)) found.push_back(corner);
+        };
+        for (std::size_t i = 0; i < low.size(); ++i) {
+            add(i, low[i]);
+            add(i + 1, low[i]);
+        }
+        for (std::size_t i = low.size(); i-- > 0;) {
+            add(i + 1, high[i]);
+            add(i, high[i]);
+        }
+        return found;
+    }
+};
+
+Skyline random_skyline(std::mt19937& dice)
+{
+    Skyline skyline;
+    skyline.is_upright = dice() % 2 == 0;
+    int low = 0, high = 3;
+    for (auto i = 3 + dice() % 6; i > 0; --i) { // neighbours share a stretch of at least 1
+        skyline.low.push_back(low);
+        skyline.high.push_back(high);
+        low = std::min(low + static_cast<int>(dice() % 3) - 1, high - 1);
+        high = std::max(high + static_cast<int>(dice() % 3) - 1, std::max(low, skyline.low.back()) + 1);
+        low = std::min(low, std::min(high, skyline.high.back()) - 1);
+    }
+    return skyline;
+}
+
+/// How often the loops of a face of straight edges run around p.
+int winding(const PlanarSubdivision& plane, FaceId f, const FlatPoint& p)
+{
+    int turns = 0;
+    for (const LoopId l : plane.solid().loops(f))
+        for (const HalfEdgeId h : plane.solid().chain(l)) {
+            if (!plane.solid().edge(h)) continue;
+            const FlatPoint a = plane.at(plane.solid().start(h)), b = plane.at(plane.solid().end(h));
+            if (a.y <= p.y && b.y > p.y && turn(a, b, p) > 0.0) ++turns;
+            if (a.y > p.y && b.y <= p.y && turn(a, b, p) < 0.0) --turns;
+        }
+    return turns;
+}
+
 } // namespace
 
 TEST_SUITE("planar subdivision")
@@ -209,6 +275,74 @@ TEST_SUITE("planar subdivision")
         CHECK(refusal->runs_along == CurveIndex{0});
         CHECK(plane.solid() == before);
         CHECK(plane.n_curves() == 1);
+    }
+
+    TEST_CASE("A circle level with a ledge of an outline is outside it, and a place there as well")
+    {
+        PlanarSubdivision plane(1e-9);
+        draw(plane, {{0, 0}, {10, 0}, {10, 8}, {5, 8}, {5, 4}, {0, 4}});
+        CHECK(plane.face_at({-2.0, 4.0}) == plane.unbounded());
+        draw_circle(plane, {-2.0, 4.0}, 0.5);
+        CHECK(areas(plane).front() == Approx(60.0).epsilon(1e-12));
+        check_sound(plane);
+    }
+
+    TEST_CASE("Islands level with edges of a rectilinear outline are in it or not, in any order of curves")
+    {
+        std::mt19937 dice(18);
+        for (int drawing = 0; drawing < 300; ++drawing) {
+            CAPTURE(drawing);
+            const Skyline skyline = random_skyline(dice);
+            const std::vector<FlatPoint> corners = skyline.corners();
+            std::vector<Drawn> curves;
+            for (std::size_t i = 0; i < corners.size(); ++i) {
+                const FlatPoint a = corners[i], b = corners[(i + 1) % corners.size()];
+                curves.push_back({Segment{a, b}, {a, b}});
+            }
+            constexpr double r = 0.11;
+            double wanted = skyline.area();
+            for (int x = -3; x < 12; ++x)
+                for (int y = -3; y < 12; ++y) {
+                    const bool is_level = dice() % 2 == 0;
+                    const FlatPoint at{x + (is_level ? 0.4 : 0.0), y + (is_level ? 0.0 : 0.4)};
+                    const auto is_on_edge = [&](const Drawn& each) {
+                        return distance(each.curve.at(each.curve.nearest(at, {})), at) < r;
+                    };
+                    if (dice() % 8 != 0 || std::ranges::any_of(curves, is_on_edge)) continue;
+                    const FlatPoint right{at.x + r, at.y};
+                    curves.push_back({circle_about(at, r), {right, right}});
+                    if (skyline.has(at)) wanted -= pi * r * r;
+                }
+            std::shuffle(curves.begin(), curves.end(), dice);
+            PlanarSubdivision plane(1e-9);
+            for (const Drawn& each : curves) REQUIRE(!plane.insert(each.curve, each.ends));
+            CHECK(areas(plane).front() == Approx(wanted).epsilon(1e-12));
+            check_sound(plane);
+        }
+    }
+
+    TEST_CASE("A place level with vertices and edges is in the face whose loops run around it")
+    {
+        std::mt19937 dice(21);
+        const auto number = [&] { return static_cast<double>(dice() % 6); };
+        for (int drawing = 0; drawing < 300; ++drawing) {
+            CAPTURE(drawing);
+            PlanarSubdivision plane(1e-9);
+            plane.insert(FlatPoint{2.0, 2.0});
+            for (auto i = 4 + dice() % 16; i > 0; --i) {
+                const FlatPoint a{number(), number()}, b{number(), dice() % 3 == 0 ? a.y : number()};
+                if (!(a == b)) draw(plane, a, b);
+            }
+            for (int place = 0; place < 60; ++place) {
+                const FlatPoint p{number() - 1.0 + 0.37 * static_cast<double>(dice() % 3), number()};
+                if (plane.edge_at(p) || p == FlatPoint{2.0, 2.0}) continue;
+                const FaceId found = plane.face_at(p);
+                CAPTURE(p.x);
+                CAPTURE(p.y);
+                for (const FaceId f : plane.solid().faces())
+                    CHECK((winding(plane, f, p) > 0) == (f == found && f != plane.unbounded()));
+            }
+        }
     }
 
     TEST_CASE("Any order of curves gives the same subdivision, and undo takes every one back bit for bit")
