@@ -1,6 +1,7 @@
 #include "ui/paint/mesh/polygon_mesh.h"
 #include "ui/paint/mesh/simplified.h"
 #include "ui/paint/mesh/stroke_mesh.h"
+#include "ui/paint/mesh/trapezoids.h"
 
 #include <doctest/doctest.h>
 #include <stdexcept>
@@ -132,9 +133,48 @@ TEST_CASE("A region with holes is filled once, and not in its holes, whichever w
         CHECK(ink(mesh, sheet) == Approx(50.0 * 50.0 - 20.0 * 20.0 - 0.5 * 5.0 * 6.0).epsilon(0.01));
         CHECK(mesh.coverage_at({30.0, 30.0}) == 0.0);
         CHECK(mesh.coverage_at({48.5, 12.0}) == 0.0);
-        CHECK(mesh.coverage_at({10.0, 30.0}) == 1.0);
+        CHECK(mesh.coverage_at({10.0, 30.0}) == Approx(1.0));
         std::reverse(hole.begin(), hole.end());
     }
+}
+
+namespace {
+
+double area_of(const std::vector<ui::Trapezoid>& parts)
+{
+    double sum = 0.0;
+    for (const auto& [top, bottom] : parts)
+        sum += 0.5 * (top[1].x - top[0].x + bottom[1].x - bottom[0].x) * (bottom[0].y - top[0].y);
+    return sum;
+}
+
+} // namespace
+
+TEST_CASE("A map with ten thousand holes that touch at their corners is filled in as many trapezoids as it has corners")
+{
+    constexpr int n = 142; // cells of a row, turned a little so that no two corners are level
+    const auto corner = [](int i, int j) { return ui::Point{5.0 * i + 0.031 * j, 4.0 * j - 0.017 * i}; };
+    std::vector<std::vector<ui::Point>> loops{{corner(0, 0), corner(n, 0), corner(n, n), corner(0, n)}};
+    for (int i = 0; i < n; ++i)
+        for (int j = i % 2; j < n; j += 2)
+            loops.push_back({corner(i, j), corner(i + 1, j), corner(i + 1, j + 1), corner(i, j + 1)});
+    const double whole = 0.5 * std::abs(ui::twice_area(loops.front()));
+    const std::vector<ui::Trapezoid> parts = ui::trapezoids(loops);
+    CHECK(area_of(parts) == Approx(0.5 * whole));
+    CHECK(parts.size() < 4 * loops.size());
+}
+
+TEST_CASE("Loops in loops are holes and islands by turns, and a loop that touches itself is filled once")
+{
+    const auto square = [](double a, double b) {
+        return std::vector<ui::Point>{{a, a + 0.1}, {b, a}, {b - 0.1, b}, {a, b - 0.2}};
+    };
+    const std::vector<std::vector<ui::Point>> nest{square(2.0, 50.0), square(10.0, 40.0), square(20.0, 30.0)};
+    const auto area = [](const std::vector<ui::Point>& loop) { return 0.5 * std::abs(ui::twice_area(loop)); };
+    CHECK(area_of(ui::trapezoids(nest)) == Approx(area(nest[0]) - area(nest[1]) + area(nest[2])));
+    const std::vector<std::vector<ui::Point>> glass{
+        {{10.0, 10.0}, {30.0, 30.0}, {50.0, 10.0}, {50.0, 50.0}, {30.0, 30.0}, {10.0, 50.0}}};
+    CHECK(area_of(ui::trapezoids(glass)) == Approx(0.5 * 40.0 * 40.0));
 }
 
 TEST_CASE("A moment diagram that changes sign is filled on both sides of the member")

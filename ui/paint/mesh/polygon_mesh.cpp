@@ -1,6 +1,6 @@
 #include "ui/paint/mesh/polygon_mesh.h"
 
-#include "ui/paint/mesh/keyhole.h"
+#include "ui/paint/mesh/trapezoids.h"
 
 #include <algorithm>
 #include <cmath>
@@ -279,12 +279,14 @@ void add_fill(Mesh& mesh, std::span<const Point> polygon, Border border)
 
 void add_region(Mesh& mesh, std::span<const std::vector<Point>> loops)
 {
-    std::vector<Point> outline;
-    for (const auto& [loop, corner] : keyhole(loops)) outline.push_back(loops[loop][corner]);
-    if (outline.size() < 3) return;
-    const auto first = static_cast<std::uint32_t>(mesh.vertices.size());
-    for (const Point p : outline) mesh.add(p, 1.0);
-    for (const auto& [a, b, c] : triangulation(outline)) mesh.triangle(first + a, first + b, first + c);
+    for (const auto& [top, bottom] : trapezoids(loops)) {
+        const bool has_top = top[0] != top[1], has_bottom = bottom[0] != bottom[1];
+        if (!has_top && !has_bottom) continue;
+        const std::uint32_t a = mesh.add(top[0], 1.0), b = has_top ? mesh.add(top[1], 1.0) : a;
+        const std::uint32_t c = mesh.add(bottom[1], 1.0), d = has_bottom ? mesh.add(bottom[0], 1.0) : c;
+        if (has_top) mesh.triangle(a, b, c);
+        if (has_bottom) mesh.triangle(a, c, d);
+    }
 }
 
 void add_disc(Mesh& mesh, Point center, double radius)

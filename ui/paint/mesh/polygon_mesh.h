@@ -14,7 +14,8 @@ enum class Border { Soft, Hard };
 /// Any polygon: convex, concave, or crossing, touching or retracing itself, where each of its loops is filled.
 void add_fill(Mesh& mesh, std::span<const Point> polygon, Border border = Border::Soft);
 
-/// Adds the area of the first loop without the others, which lie inside it, with a hard border.
+/// Adds the area of the first loop without the others, which lie inside it, with a hard border. A map of thousands of
+/// cells is filled while a frame lasts.
 void add_region(Mesh& mesh, std::span<const std::vector<Point>> loops);
 
 /// Adds a filled circle.

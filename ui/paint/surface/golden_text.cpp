@@ -30,6 +30,7 @@ public:
     void clip(const Box&) override {}
     void stroke(const Path&, const Stroke&) override { ++n_lines_; }
     void fill(std::span<const Point>, Color) override { ++n_areas_; }
+    void fill_region(std::span<const std::vector<Point>>, Color) override { ++n_areas_; }
     void stroke_arc(const Arc&, const Stroke&) override { ++n_lines_; }
     void fill_disc(Point, double, Color) override { ++n_areas_; }
     void image(const Photo& photo, const ImagePlace& place) override;

@@ -104,6 +104,7 @@ public:
     void clip(const Box& box) override;
     void stroke(const Path& path, const Stroke& stroke) override;
     void fill(std::span<const Point> polygon, Color color) override;
+    void fill_region(std::span<const std::vector<Point>> loops, Color color) override;
     void stroke_arc(const Arc& arc, const Stroke& stroke) override;
     void fill_disc(Point center, double radius, Color color) override;
     void text(Point at, std::string_view utf8, const TextStyle& style) override;
@@ -169,6 +170,20 @@ void CairoPage::fill(std::span<const Point> polygon, Color color)
     trace(polygon);
     set_color(color);
     cairo_fill(cairo_);
+}
+
+void CairoPage::fill_region(std::span<const std::vector<Point>> loops, Color color)
+{
+    cairo_new_path(cairo_);
+    for (const std::vector<Point>& loop : loops) {
+        cairo_new_sub_path(cairo_);
+        for (const Point p : loop) cairo_line_to(cairo_, p.x, p.y);
+        cairo_close_path(cairo_);
+    }
+    set_color(color);
+    cairo_set_fill_rule(cairo_, CAIRO_FILL_RULE_EVEN_ODD);
+    cairo_fill(cairo_);
+    cairo_set_fill_rule(cairo_, CAIRO_FILL_RULE_WINDING);
 }
 
 void CairoPage::stroke_arc(const Arc& arc, const Stroke& stroke)

@@ -113,6 +113,7 @@ public:
     void clip(const Box& box) override;
     void stroke(const Path& path, const Stroke& stroke) override;
     void fill(std::span<const Point> polygon, Color color) override;
+    void fill_region(std::span<const std::vector<Point>> loops, Color color) override;
     void stroke_arc(const Arc& arc, const Stroke& stroke) override;
     void fill_disc(Point center, double radius, Color color) override;
     void image(const Photo& photo, const ImagePlace& place) override;
@@ -157,6 +158,15 @@ void SvgSurface::stroke(const Path& path, const Stroke& stroke)
 void SvgSurface::fill(std::span<const Point> polygon, Color color)
 {
     body_ += "<path" + attribute("d", path_data(polygon, PathEnds::Closed)) + paint_attributes("fill", color) + "/>\n";
+}
+
+void SvgSurface::fill_region(std::span<const std::vector<Point>> loops, Color color)
+{
+    std::string data;
+    for (const std::vector<Point>& loop : loops)
+        if (!loop.empty()) data += path_data(loop, PathEnds::Closed);
+    body_ += "<path" + attribute("d", data) + attribute("fill-rule", "evenodd") + paint_attributes("fill", color) +
+             "/>\n";
 }
 
 std::string SvgSurface::circle(Point center, double radius, const std::string& attributes) const
