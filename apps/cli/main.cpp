@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "apps/cli/command_line.h"
-#include "version.h"
+#include "apps/version.h"
 
 namespace {
 

@@ -1,7 +1,7 @@
 #include "apps/cross/window/options.h"
 #include "apps/cross/window/run.h"
+#include "apps/version.h"
 #include "ui/app/program.h"
-#include "version.h"
 
 int main(int argc, char** argv)
 {

@@ -1,7 +1,7 @@
 #include "apps/euler/window/options.h"
 #include "apps/euler/window/run.h"
+#include "apps/version.h"
 #include "ui/app/program.h"
-#include "version.h"
 
 int main(int argc, char** argv)
 {

@@ -1,7 +1,7 @@
 #include "apps/frame/window/options.h"
 #include "apps/frame/window/run.h"
+#include "apps/version.h"
 #include "ui/app/program.h"
-#include "version.h"
 
 int main(int argc, char** argv)
 {

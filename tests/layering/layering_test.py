@@ -81,6 +81,7 @@ DRAWING = "apps/drawing/"
 DRAWING_ALLOWED = [DRAWING, "femoop/", *UI_BASE, "ui/paint/", "ui/canvas/", EIGEN]
 DRAWING_VALUES = re.compile(r"apps/drawing/(\w+)\.h$")  # what a picture shows: sets, parts, dimension lines
 APP_ALLOWED = ["topology/", "femoop/", "ui/", DRAWING, EIGEN, SYSTEM]
+VERSION = "apps/version.h"  # written by the build, for programs alone
 VIEW_FILE = "ui/files/view_file.h"  # where what belongs to a picture stands
 APP_DOCUMENT_ALLOWED = ["topology/", "femoop/", *UI_BASE, VIEW_FILE, DRAWING_VALUES, EIGEN]  # tests drive it without a screen
 APP_VIEW_ALLOWED = [*APP_DOCUMENT_ALLOWED, DRAWING, "ui/paint/", "ui/canvas/"]  # draws through the Painter only
@@ -116,7 +117,7 @@ def rule(path):
         if inside.startswith("predict"):  # judges what was drawn, whoever draws it
             return ["femoop/", EIGEN, f"apps/{app}/predict"]
         own = [*APP_ALLOWED, f"apps/{app}/", *BORROWED.get(app, [])]
-        return [*own, WINDOW, OPTIONS] if APP_WINDOW_PART.match(inside) else own
+        return [*own, WINDOW, OPTIONS, VERSION] if APP_WINDOW_PART.match(inside) else own
     folder = path
     while folder not in ALLOWED:
         folder = folder.rpartition("/")[0]

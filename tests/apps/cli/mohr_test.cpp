@@ -144,7 +144,7 @@ TEST_CASE("A file of cases that cannot be read is refused with the place")
 
 TEST_CASE("What Mohr's circle cannot be drawn of is refused with a remedy")
 {
-    CHECK(has(refusal({}), "no state is given; give one of --stress, --strain, --rosette, --inertia"));
+    CHECK(has(refusal({"--json"}), "no state is given; give one of --stress, --strain, --rosette, --inertia"));
     CHECK(has(refusal({"--stress", "1,2"}), "wanted SX,SY,TXY or SX,SY,SZ,TXY,TYZ,TZX, separated by commas"));
     CHECK(has(refusal({"--stress", "1,2,inf"}), "--stress TXY: \"inf\" does not begin with a number"));
     CHECK(has(refusal({"--stress", "1 kN,2 kN,0"}), "\"1 kN\" measures force, wanted stress"));
