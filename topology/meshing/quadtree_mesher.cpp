@@ -55,6 +55,7 @@ QuadtreeMesher::QuadtreeMesher(const MeshDomain& domain, MesherOptions options)
       options_(std::move(options)),
       domain_(domain),
       outline_(domain),
+      inside_(domain),
       tree_(tree_around(domain, options_.size)),
       around_(1)
 {
@@ -103,19 +104,6 @@ QuadtreeMesher::Step QuadtreeMesher::next()
     return last_ = Step::Smoothed;
 }
 
-/// Whether a place is inside the domain: on how many sides of it edges pass by. \pre it is on none
-bool QuadtreeMesher::has_inside(const FlatPoint& at) const
-{
-    bool is_inside = false;
-    for (const auto& loop : given_.loops)
-        for (std::size_t i = 0; i < loop.size(); ++i) {
-            const FlatPoint &a = given_.nodes[loop[i]], &b = given_.nodes[loop[(i + 1) % loop.size()]];
-            if ((a.y > at.y) == (b.y > at.y)) continue;
-            if (a.x + (at.y - a.y) / (b.y - a.y) * (b.x - a.x) > at.x) is_inside = !is_inside;
-        }
-    return is_inside;
-}
-
 bool QuadtreeMesher::is_too_large(Index square) const
 {
     if (tree_[square].level >= Quadtree::deepest || tree_.size() > most_squares) return false;
@@ -135,7 +123,7 @@ void QuadtreeMesher::look_around(Index square)
     const FlatBox box = tree_.box(square).grown(band_width * tree_.side(square));
     std::erase_if(around.borders, [&](std::uint32_t i) { return !part_meets(box, borders_[i].a, borders_[i].b); });
     if (!around.borders.empty() || around.is_inside || around.is_outside) return;
-    around.is_inside = has_inside(middle(box.low, box.high));
+    around.is_inside = inside_.has_inside(middle(box.low, box.high));
     around.is_outside = !around.is_inside;
 }
 
@@ -203,7 +191,7 @@ void QuadtreeMesher::list_places()
                               return distance_to_part(at, borders_[i].a, borders_[i].b) < band_width * tree_.side(leaf);
                           });
             }
-        return is_near || (!is_known_inside && !has_inside(at));
+        return is_near || (!is_known_inside && !inside_.has_inside(at));
     });
     for (const auto& [y, x] : places_) domain_.nodes.push_back(tree_.place(x, y));
 }

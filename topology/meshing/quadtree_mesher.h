@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "topology/meshing/domain_triangulation.h"
+#include "topology/meshing/inside_test.h"
 #include "topology/meshing/mesher.h"
 #include "topology/meshing/quadtree.h"
 
@@ -57,7 +58,6 @@ private:
     void cut(Index square);
     bool balance_next();
     void look_around(Index square);
-    bool has_inside(const FlatPoint& at) const;
     void list_places();
     void list_corners(Index leaf);
     bool stands(const Place& place) const;
@@ -73,6 +73,7 @@ private:
     MesherOptions options_;
     MeshDomain domain_;           ///< with the places of the tree
     DomainTriangulation outline_; ///< as it is given: that it can be meshed
+    InsideTest inside_;
     Quadtree tree_;
     std::vector<Border> borders_;
     std::vector<Surroundings> around_; ///< of each square

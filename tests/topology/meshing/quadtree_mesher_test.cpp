@@ -3,8 +3,10 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <numbers>
 #include <random>
+#include <vector>
 
 #include "tests/topology/meshing/mesh_figures.h"
 
@@ -31,6 +33,35 @@ TEST_SUITE("meshes by a quadtree")
             check_triangles(domain, mesh);
             CHECK(smallest_angle(mesh) >= 25.0);
         }
+    }
+
+    TEST_CASE("A place is inside a ring with teeth where its distance from the middle says so")
+    {
+        MeshDomain ring;
+        const auto add_loop = [&](int n, double radius, bool is_clockwise) {
+            std::vector<CellNode>& loop = ring.loops.emplace_back();
+            for (int i = 0; i < n; ++i) {
+                const double angle = 2.0 * std::numbers::pi * (is_clockwise ? -i : i) / n,
+                             r = radius * (i % 2 == 0 ? 1.0 : 1.05);
+                loop.push_back(static_cast<CellNode>(ring.nodes.size()));
+                ring.nodes.push_back({3.0 + r * std::cos(angle), -7.0 + r * std::sin(angle)});
+            }
+        };
+        add_loop(3000, 2.0, false);
+        add_loop(700, 0.5, true);
+        const InsideTest test(ring);
+        std::mt19937 random(11);
+        std::uniform_real_distribution<double> within(-2.5, 2.5);
+        int n_inside = 0;
+        for (int i = 0; i < 5000; ++i) {
+            const FlatPoint at{3.0 + within(random), -7.0 + within(random)};
+            const double r = std::hypot(at.x - 3.0, at.y + 7.0);
+            const bool is_inside = test.has_inside(at);
+            n_inside += is_inside ? 1 : 0;
+            if (r < 0.49 || r > 2.11) CHECK(!is_inside);
+            if (r > 0.53 && r < 1.99) CHECK(is_inside);
+        }
+        CHECK(n_inside > 1000);
     }
 
     TEST_CASE("By a quadtree there are about as many triangles as equilateral ones of the size fit")
