@@ -1,6 +1,7 @@
 #include "apps/plane/discretize/mapped_outline.h"
 
 #include <algorithm>
+#include <numbers>
 #include <string>
 #include <utility>
 
@@ -29,7 +30,8 @@ public:
         std::string missing;
         const Corners corners = named(missing);
         const std::size_t n_wanted = settings_.n_corners();
-        if (corners.size() < n_wanted && vertices_.size() == n_wanted) return sides(all_vertices());
+        const bool are_all = vertices_.size() == n_wanted && (settings_.is_map() || turns_at_all());
+        if (corners.size() < n_wanted && are_all) return sides(all_vertices());
         if (settings_.corners.empty())
             return refusal(FaultKind::MappedVertices,
                            {method(), std::to_string(n_wanted), std::to_string(vertices_.size())});
@@ -52,6 +54,14 @@ private:
         std::vector<VertexId> sorted = vertices_;
         std::sort(sorted.begin(), sorted.end());
         return std::adjacent_find(sorted.begin(), sorted.end()) != sorted.end();
+    }
+
+    /// A joint where curves touch is no corner.
+    bool turns_at_all() const
+    {
+        constexpr double straight = 160.0 / 180.0 * std::numbers::pi;
+        return std::all_of(loop_.begin(), loop_.end(),
+                           [&](topology::HalfEdgeId h) { return drawing_.subdivision().corner_angle(h) < straight; });
     }
 
     std::string method() const { return settings_.is_map() ? settings_.method : "mapped"; }

@@ -269,8 +269,7 @@ void RegionMesher::mesh(std::size_t outline)
     bool is_mapped = sides.has_value();
     if (is_mapped) {
         const std::vector<Cell> cells = cells_of_map(*sides, settings);
-        is_mapped = settings.is_map() ||
-                    std::all_of(cells.begin(), cells.end(), [&](const Cell& cell) { return is_well_shaped(cell); });
+        is_mapped = settings.is_map() || are_well_shaped(cells);
         if (is_mapped) add_mapped(cells, settings, region);
         else method = settings.is_triangle() ? "delaunay" : "quads";
     }
@@ -281,12 +280,25 @@ void RegionMesher::mesh(std::size_t outline)
     report.seconds += std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
 
-bool RegionMesher::is_well_shaped(const Cell& cell) const
+/// Of cells of a map: by the angles at which edges meet, as their middle nodes bend them.
+bool RegionMesher::are_well_shaped(const std::vector<Cell>& cells) const
 {
-    constexpr double least_quality = 0.1; // sine of 6 degrees
-    std::vector<FlatPoint> corners;
-    for (const CellNode node : cell.nodes()) corners.push_back(nodes_[node]);
-    return topology::QuadMesher::quality(corners) > least_quality;
+    constexpr double least_sine = 0.1; // of 6 degrees
+    const auto leaving = [&](CellNode from, CellNode to) {
+        const auto bend = middles_.find(key_of(from, to));
+        const topology::FlatVector chord = nodes_[to] - nodes_[from];
+        return bend == middles_.end() ? chord : 4.0 * (nodes_[bend->second] - nodes_[from]) - chord;
+    };
+    return std::all_of(cells.begin(), cells.end(), [&](const Cell& cell) {
+        const auto nodes = cell.nodes();
+        const std::size_t n = nodes.size();
+        for (std::size_t i = 0; i < n; ++i) {
+            const topology::FlatVector u = leaving(nodes[i], nodes[(i + 1) % n]),
+                                       v = leaving(nodes[i], nodes[(i + n - 1) % n]);
+            if (!(cross(u, v) > least_sine * length(u) * length(v))) return false;
+        }
+        return true;
+    });
 }
 
 /// Nodes along a side, those in the middle of edges too where elements have them: so a map places all middle nodes.
@@ -453,9 +465,11 @@ OutlineMesher RegionMesher::outline_mesher(std::size_t outline)
     OutlineMesher made{.method = method_of(outline), .region = outlines_[outline].region, .domain = {}, .mesher = {}};
     if (const auto& sides = divisions_.mapped()[outline]) {
         const std::size_t n_before = nodes_.size();
+        const auto middles = middles_;
+        const bool is_mapped = settings.is_map() || are_well_shaped(cells_of_map(*sides, settings_[outline]));
+        nodes_.resize(n_before);
+        middles_ = middles;
         const std::vector<Cell> cells = cells_of_map(*sides, settings);
-        const bool is_mapped = settings.is_map() || std::all_of(cells.begin(), cells.end(),
-                                                                [&](const Cell& cell) { return is_well_shaped(cell); });
         auto rows = rows_of(*sides, settings, cut_cells(cells, settings));
         if (is_mapped) made.mesher = std::make_unique<topology::RowMesher>(nodes_, std::move(rows));
         nodes_.resize(n_before);

@@ -62,7 +62,7 @@ private:
     std::vector<topology::Cell> cells_of_four(const topology::MappedSides& sides, const MeshSettings& settings);
     std::vector<topology::Cell> cells_of_three(const topology::TrilateralSides& sides, const MeshSettings& settings);
     std::vector<Chain> set_middles(const std::vector<Chain>& rows);
-    bool is_well_shaped(const topology::Cell& cell) const;
+    bool are_well_shaped(const std::vector<topology::Cell>& cells) const;
     void add_mapped(const std::vector<topology::Cell>& cells, const MeshSettings& settings,
                     femoop::plane::RegionId region);
     topology::MesherOptions options_of(const FaceOutline& outline, const MeshSettings& settings,

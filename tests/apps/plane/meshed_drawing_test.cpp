@@ -245,6 +245,38 @@ TEST_CASE("A region with four corners that no map fits is meshed freely, unless 
     CHECK(sentences_of(arrow(R"(, "method": "mapped")")).find("turned inside out") != std::string::npos);
 }
 
+TEST_CASE("Joints where curves touch are no corners of a map: a slot is meshed freely")
+{
+    for (const std::string element : {"T3", "T6", "Q4"}) {
+        CAPTURE(element);
+        const Meshed slot(R"({"cremona": 1, "analysis": "plane_stress", "units": {"length": "m", "force": "N"},
+            "materials": [{"id": "m", "E": 300, "nu": 0.2}], "mesh": {"element": ")" +
+                          element + R"("}, "points": [], "curves": [
+            {"id": "a", "kind": "line", "points": [[-1, -0.5], [1, -0.5]]},
+            {"id": "b", "kind": "arc", "center": [1, 0], "points": [[1, -0.5], [1, 0.5]]},
+            {"id": "c", "kind": "line", "points": [[1, 0.5], [-1, 0.5]]},
+            {"id": "d", "kind": "arc", "center": [-1, 0], "points": [[-1, 0.5], [-1, -0.5]]}],
+            "regions": [{"id": "slot", "material": "m", "thickness": 1}]})");
+        REQUIRE(slot.mesh.is_sound());
+        CHECK(slot.mesh.mesh().reports[0].method == (element[0] == 'T' ? "delaunay" : "quads"));
+        CHECK(slot.area() == Approx(2.0 + 0.25 * std::numbers::pi).epsilon(element[1] > '4' ? 1e-4 : 0.01));
+        CHECK(mesh_quality(slot.model()).min_jacobian > 0.2);
+    }
+}
+
+TEST_CASE("A map whose curved edges meet in no angle is no map, where chords would have one")
+{
+    // two arcs that touch lines at their ends: chords of a few parts turn there, tangents do not
+    const Meshed lens(R"({"cremona": 1, "analysis": "plane_stress", "units": {"length": "m", "force": "N"},
+        "materials": [{"id": "m", "E": 300, "nu": 0.2}], "mesh": {"element": "Q8", "size": 0.8}, "points": [],
+        "curves": [{"id": "a", "kind": "line", "points": [[0, 0], [2, 0]]},
+        {"id": "b", "kind": "bezier", "points": [[2, 0], [3.4, 0.3], [3.4, 1.7], [2, 2]]},
+        {"id": "c", "kind": "line", "points": [[2, 2], [0, 2]]}, {"id": "d", "kind": "line", "points": [[0, 2], [0, 0]]}],
+        "regions": [{"id": "lens", "material": "m", "thickness": 1}]})");
+    REQUIRE(lens.mesh.is_sound());
+    CHECK(lens.mesh.mesh().reports[0].method == "quads");
+}
+
 TEST_CASE("Middle nodes of a curve lie on it, so that a round hole's area is met to the fourth order")
 {
     const auto hole_of = [](int n) {
