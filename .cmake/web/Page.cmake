@@ -31,14 +31,14 @@ function(cremona_page app title)
     -lidbfs.js
     "SHELL:--preload-file ${page_files}@/")
   configure_file("${page_folder}/app.html.in" "${site}/${app}.html" @ONLY)
-  foreach(script page.js qr.js share.js)
+  foreach(script embed.js page.js qr.js share.js)
     configure_file("${page_folder}/${script}" "${site}/${script}" COPYONLY)
   endforeach()
   set(single "${site}/single/${app}.html")
   add_custom_command(OUTPUT "${single}"
     COMMAND /usr/bin/python3 "${page_folder}/single_file.py" "${site}" ${app} "${single}"
     DEPENDS ${app} "${page_folder}/single_file.py" "${site}/${app}.html" "${site}/page.js" "${site}/qr.js"
-            "${site}/share.js"
+            "${site}/share.js" "${site}/embed.js" ui_translations
     VERBATIM)
   add_custom_target(${app}_page ALL DEPENDS "${single}")
   set_property(GLOBAL APPEND PROPERTY CREMONA_PAGES "${single}")
