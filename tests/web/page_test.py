@@ -251,6 +251,117 @@ class Pages(unittest.TestCase):
             self.assertEqual(page.value("document.querySelector('h1').textContent"), 'A hole')
             self.picture(page, 'offline')
 
+    def host(self, query):
+        """A page of another origin around the frame app: the messages that it hears are `heard`, `ask` sends one."""
+        folder = tempfile.TemporaryDirectory(ignore_cleanup_errors=True)
+        self.addCleanup(folder.cleanup)
+        server = http.server.ThreadingHTTPServer(('127.0.0.1', 0), functools.partial(Quiet, directory=folder.name))
+        self.addCleanup(server.server_close)
+        self.addCleanup(server.shutdown)
+        threading.Thread(target=server.serve_forever, daemon=True).start()
+        origin = f'http://127.0.0.1:{server.server_port}'
+        (pathlib.Path(folder.name) / 'host.html').write_text(
+            '<!DOCTYPE html><title>course</title><link rel="icon" href="data:,"><iframe width="900" height="600" '
+            f'src="{self.address}{query.format(origin=origin)}"></iframe><script>'
+            "var heard = []; window.onmessage = (event) => heard.push(event.data);"
+            "function ask(message) { message.cremona = 1; message.id = heard.length + 1000 * Math.random();"
+            "  frames[0].postMessage(message, '*'); return new Promise((done) => {"
+            "    const wait = () => { const answer = heard.find((one) => one.id === message.id);"
+            "      if (answer) done(answer); else setTimeout(wait, 20); }; wait(); }); }</script>", encoding='utf-8')
+        return f'{origin}/host.html'
+
+    def test_a_page_of_a_course_sets_a_model_and_gets_its_results(self):
+        portal = (SITE / '../page_files/examples/portal.json').read_text(encoding='utf-8')
+        address = self.host('index.html?app=frame&model=/examples/truss.json&panels=none&allow={origin}')
+        with Browser() as page:
+            page.read(address)
+            page.wait_for("heard.some((one) => one.event === 'ready')")
+            self.assertIn('truss', page.value("ask({ get: 'description' }).then((answer) => answer.value)"))
+            self.assertEqual(page.value(f'ask({{ set: {portal} }}).then((answer) => answer.ok)'), True)
+            results = page.value("ask({ get: 'results' }).then((answer) => answer.value)")
+            self.assertEqual(set(results['cases']), {'G', 'Q', 'W', 'ULS', 'SLS'})
+            model = json.loads(page.value("ask({ get: 'model' }).then((answer) => answer.value)"))
+            self.assertEqual(len(model['members']), len(json.loads(portal)['members']))
+            self.assertTrue(page.value("ask({ run: 'view.fit' }).then((answer) => answer.ok)"))
+            self.assertIn('no.such', page.value("ask({ run: 'no.such' }).then((answer) => answer.reason)"))
+            self.assertFalse(page.value("ask({ set: '{' }).then((answer) => answer.ok)"))
+            self.assertFalse(page.value("ask({ get: 'constructor' }).then((answer) => answer.ok)"))
+            page.wait_for("heard.some((one) => one.event === 'change' && one.app === 'frame')", 10)
+            page.wait(0.5)
+            self.picture(page, 'embedded')
+            self.assertEqual(page.complaints(), [])
+
+    def test_a_page_of_another_origin_is_not_heard(self):
+        for query in ('frame.html?panels=none', 'frame.html?allow=https://course.example'):
+            with self.subTest(query=query), Browser() as page:
+                page.read(self.host(query))
+                page.wait(6.0)
+                page.value("void ask({ get: 'model' })")
+                page.wait(2.0)
+                self.assertEqual(page.value('heard.length'), 0)
+
+    def test_what_is_locked_is_looked_at_and_not_changed(self):
+        with Browser() as page:
+            page.open(f'{self.address}frame.html?model=/examples/portal.json&locked=1')
+            before = page.value('Module.copyOfDocument()[0]')
+            self.picture(page, 'locked')
+            page.key('m')
+            page.click(300, 300)
+            page.click(900, 600)
+            page.key('Delete')
+            page.move(640, 400)
+            page.press(640, 400)
+            page.move(700, 440, buttons=1)
+            page.release(700, 440)
+            page.wait(0.5)
+            self.picture(page, 'locked_moved')
+            self.assertEqual(page.value('Module.copyOfDocument()[0]'), before)
+            self.assertFalse(page.value("document.title.startsWith('*')"))
+            self.assertEqual(page.complaints(), [])
+
+    def test_the_document_stands_beside_the_picture_in_words(self):
+        with Browser() as page:
+            page.open(f'{self.address}frame.html?open=/examples/portal.json')
+            page.wait_for("document.getElementById('words').textContent.includes('A plane frame: 4 nodes, 3 members')", 10)
+            self.assertEqual(page.value("document.getElementById('words').getAttribute('aria-live')"), 'polite')
+            page.value("document.querySelector('#words p').kept = true")
+            page.key('m')
+            page.click(*B)
+            page.click(*D)
+            page.key('Escape')
+            page.wait_for("document.getElementById('words').textContent.includes('4 nodes, 4 members')", 10)
+            self.assertTrue(page.value("document.querySelector('#words p').kept"))  # what has not changed stays
+
+    def test_a_field_is_typed_into_by_keys_of_the_page_where_the_screen_is_touched(self):
+        with Browser() as page:
+            page.call('Emulation.setTouchEmulationEnabled', enabled=True, maxTouchPoints=2)
+            page.open(f'{self.address}frame.html?open=/examples/portal.json')
+            self.assertTrue(page.value("document.getElementById('keypad').hidden"))
+            for _ in range(5):  # a tap that lasts as long as a slow frame opens the menu instead
+                page.tap(1080, 95)  # the title of the model
+                page.wait(1.0)
+                if not page.value("document.getElementById('keypad').hidden"):
+                    break
+            self.assertFalse(page.value("document.getElementById('keypad').hidden"))
+            self.picture(page, 'keypad')
+            place = page.value("(({ x, y, width, height }) => [x + width / 2, y + height / 2])"
+                               "(document.querySelectorAll('#keypad button')[6].getBoundingClientRect())")
+            page.tap(*place)
+            page.key('Enter', text='\r')
+            page.wait(0.5)
+            self.assertIn('7', json.loads(page.value('Module.copyOfDocument()[0]'))['title'])
+
+    def test_who_changes_the_language_meets_portuguese(self):
+        for address in (f'{self.address}frame.html', (SITE / 'single/frame.html').resolve().as_uri()):
+            with self.subTest(address=address), Browser() as page:
+                page.open(f'{address}?lang=pt_BR&open=/examples/portal.json')
+                self.assertIn('Um pórtico plano', page.value('Module.description()'))
+                page.open(f'{address}?lang=en&open=/examples/portal.json')
+                page.wait_for('Module.portuguese !== undefined', 10)
+                self.assertIsNone(page.value("Module.runCommand('view.language.pt', '')"))
+                page.wait(0.5)
+                self.assertIn('Um pórtico plano', page.value('Module.description()'))
+
     def test_nothing_is_asked_of_another_machine(self):
         with Browser() as page:
             page.open(f'{self.address}frame.html')

@@ -1,7 +1,9 @@
 #pragma once
 
+#include <filesystem>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 
 #include "ui/context/context.h"
@@ -27,6 +29,13 @@ public:
     virtual std::string window_title() const = 0;
     /// The document as it stands and how it is looked at, for another window of this app.
     virtual ExportToApp copy_of_document() const = 0;
+    /// Document and results in words; the results as JSON, empty where the app has none.
+    virtual std::string document_in_words() const = 0;
+    virtual std::string results_text() const { return {}; }
+    /// The document is that of a file from now on, as a copy without a file. \returns why it cannot be read
+    virtual std::optional<std::string> replace_document(const std::filesystem::path& path) = 0;
+    /// As a scenario runs it, with an argument or (empty) without. \returns what hinders it, in English
+    virtual std::optional<std::string> run_command(const std::string& id, const std::string& argument) = 0;
     virtual ImGuiSession& gui() = 0;
     virtual const ImGuiSession& gui() const = 0;
 

@@ -63,6 +63,8 @@ public:
         add("--screenshot", "PNG", "draw one picture of the window to this PNG file and leave; needs no display",
             [program = name()](AppOptions& to, const std::string& text) { to.screenshot = png_named(program, text); });
         app_.add_flag("--describe", options_.describe, words.describe);
+        app_.add_flag("--bare", options_.is_bare, "show the picture and its tools, without menus and panels");
+        app_.add_flag("--no-tools", options_.has_no_tools, "show no bar of tools");
         add("--link", "FOLDER", "folder in which the program that has started this one offers its changes",
             [](AppOptions& to, const std::string& text) { to.link = text; });
     }
@@ -125,7 +127,8 @@ void add_app_options(CLI::App& app, AppOptions& options, const OptionWords& word
 
 void complete(AppOptions& options, const std::optional<DraftFolder>& folder)
 {
-    if (options.settings.theme == ThemeName::Projector) options.settings.has_panels = false; // as F5 would
+    if (options.is_bare || options.settings.theme == ThemeName::Projector)
+        options.settings.has_panels = false; // as F5 would
     options.asked_for = options.settings;
     if (folder && !options.is_headless())
         options.settings = options.settings.or_else(read_settings(settings_file(*folder)));

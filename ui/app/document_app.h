@@ -57,6 +57,19 @@ public:
         for (std::string& option : own_look()) copy.options.push_back(std::move(option));
         return copy;
     }
+    std::string document_in_words() const final { return words(); }
+    std::optional<std::string> replace_document(const std::filesystem::path& path) final
+    {
+        if (workspace_.session.open_copy(path)) return std::nullopt;
+        if (!session().notice) return path.string();
+        const std::string reason = session().tr()(session().notice->sentence);
+        workspace_.session.notice.reset(); // who asked is told
+        return reason;
+    }
+    std::optional<std::string> run_command(const std::string& id, const std::string& argument) final
+    {
+        return run_by_name(commands_, {id, argument}, workspace_);
+    }
     ImGuiSession& gui() final { return gui_; }
     const ImGuiSession& gui() const final { return gui_; }
 
@@ -74,6 +87,9 @@ public:
     /// knows `linked_text()`, `is_news(text)` and `adopt(text)`; what has them not has no links.
     void link_to(Link link);
     const std::optional<LinkedCopy>& linked() const { return linked_; }
+    /// The picture fills the window: no menus, no panels, and a foot where something is told alone.
+    void show_picture_alone() { is_bare_ = true; }
+    void hide_tools() { has_tools_ = false; }
     /// How another program of the suite is started, which says why it could not be; without it none is.
     using StartProgram = std::function<std::optional<Message>(const ExportToApp&)>;
     void start_programs_by(StartProgram start) { start_program_ = std::move(start); }
@@ -139,6 +155,7 @@ protected:
     virtual void start(const ExportToApp& exported);
     std::optional<Message> start_program(const ExportToApp& exported) const { return start_program_(exported); }
 
+    bool has_tools() const { return has_tools_; } ///< of an app that has a bar of them
     void show_panels_and_canvas();
     /// The same above something of a height [px]; none where that is 0.
     void show_panels_and_canvas_above(float height, const std::function<void()>& below);
@@ -193,6 +210,7 @@ private:
     std::optional<AwaitedExport> awaited_export_;
     std::vector<KeyEvent> held_keys_; ///< of commands that wait for a field to give its text to the document
     bool wants_to_quit_ = false;
+    bool is_bare_ = false, has_tools_ = true;
     bool had_popup_ = false; ///< in the last frame: Escape, which has closed it since, was for it
 };
 
@@ -225,13 +243,16 @@ template <class Workspace> void DocumentApp<Workspace>::frame(const Input& input
     handle_keys(input);
     workspace_.tick(input.seconds);
     follow_links(input.seconds);
-    show_menu_bar();
+    if (!is_bare_) show_menu_bar();
     const auto told = foot_message();
-    begin_body(told ? height(*told) : status_height());
+    begin_body(told ? height(*told) : is_bare_ ? 0.0F : status_height());
     show_body();
     end_body();
-    if (!told) show_status();
-    else if (const auto pressed = show(*told)) answer(*told, *pressed);
+    if (told) {
+        if (const auto pressed = show(*told)) answer(*told, *pressed);
+    } else if (!is_bare_) {
+        show_status();
+    }
     show_dialogs();
     handle_requests();
     session_store_.tick(workspace_, logical_size(context_), input.seconds);

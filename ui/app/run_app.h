@@ -37,6 +37,13 @@ template <class Session> void open_first(Session& session, const std::filesystem
     else session.open(file);
 }
 
+/// Of what is around the picture only what the options want.
+template <class Application> void show_less(Application& application, const AppOptions& options)
+{
+    if (options.is_bare) application.show_picture_alone();
+    if (options.has_no_tools) application.hide_tools();
+}
+
 /// The same in a window: it remembers from one time to the next files, unsaved work and how it was left, and starts other
 /// programs. \pre the settings are complete \param prepare  what else an app is told there
 template <class Application, class Session>
@@ -46,6 +53,7 @@ MakeApp remembering_app_with(Session& session, const AppOptions& options, const 
     return [&session, options, folder, prepare](Context& context, const Fonts& fonts) {
         auto application = std::make_unique<Application>(context, fonts, std::move(session));
         begin_as_left(application->workspace(), options.settings);
+        show_less(*application, options);
         if (folder) application->remember_in(*folder, options.asked_for);
         if (folder && options.link) application->link_to(Link(*options.link));
         application->start_programs_by([](const ExportToApp& exported) { return start_program(exported); });
@@ -93,7 +101,11 @@ int run_app(const AppOptions& options, std::string_view program, Session& sessio
     }
     if (options.play) return play_through<Application, AppStage>(options, program, session, session.tr());
     if (options.screenshot) {
-        take_screenshot(options, app_with<Application>(session));
+        take_screenshot(options, [&](Context& context, const Fonts& fonts) {
+            auto application = std::make_unique<Application>(context, fonts, std::move(session));
+            show_less(*application, options);
+            return application;
+        });
         return done;
     }
     if (!Window::has_display()) {

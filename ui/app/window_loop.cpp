@@ -5,7 +5,7 @@
 
 #include "ui/app/deliver_frame.h"
 #include "ui/context/frame_loop.h"
-#include "ui/context/offered_copy.h"
+#include "ui/context/offered_app.h"
 #include "ui/context/window.h"
 
 namespace ui {
@@ -63,7 +63,19 @@ private:
     Fonts fonts_;
     Window window_;
     std::unique_ptr<App> app_;
-    OfferedCopy offered_copy_{[this] { return app_->copy_of_document(); }};
+    OfferedApp offered_app_{{.copy = [this] { return app_->copy_of_document(); },
+                             .description = [this] { return app_->document_in_words(); },
+                             .results = [this] { return app_->results_text(); },
+                             .replace =
+                                 [this](const std::filesystem::path& file) {
+                                     n_due_ = settling_frames;
+                                     return app_->replace_document(file);
+                                 },
+                             .run_command =
+                                 [this](const std::string& id, const std::string& argument) {
+                                     n_due_ = settling_frames;
+                                     return app_->run_command(id, argument);
+                                 }}};
     int n_due_ = settling_frames;
     std::optional<Point> pointer_;
     std::string title_;

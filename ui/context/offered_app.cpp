@@ -1,10 +1,10 @@
-#include "ui/context/offered_copy.h"
+#include "ui/context/offered_app.h"
 
 #include <utility>
 
 namespace ui {
 
-OfferedCopy::OfferedCopy(Copy copy) : copy_(std::move(copy)) {}
-OfferedCopy::~OfferedCopy() = default;
+OfferedApp::OfferedApp(AppCalls calls) : calls_(std::move(calls)) {}
+OfferedApp::~OfferedApp() = default;
 
 } // namespace ui

@@ -1,26 +1,36 @@
 #pragma once
 
+#include <filesystem>
 #include <functional>
+#include <optional>
+#include <string>
 
 #include "ui/workspace/export_to_app.h"
 
 namespace ui {
 
-/// Lets the page around an app have a copy of the document, which it asks for where a link that holds it is wanted
-/// (ui/app/web/share.js). On a desktop nobody asks.
-class OfferedCopy {
+/// What the page around an app asks of it. Reasons are sentences; nothing: it was done.
+struct AppCalls {
+    std::function<ExportToApp()> copy; ///< the document and how it is looked at, for a link that holds both
+    std::function<std::string()> description, results; ///< in words; as JSON, empty where there are none
+    std::function<std::optional<std::string>(const std::filesystem::path& file)>
+        replace; ///< the document by that of a file
+    /// A command by its name, with an argument or (empty) without.
+    std::function<std::optional<std::string>(const std::string& id, const std::string& argument)> run_command;
+};
+
+/// Lets the page around an app have these (ui/app/web/page.js). On a desktop nobody asks.
+class OfferedApp {
 public:
-    using Copy = std::function<ExportToApp()>;
+    explicit OfferedApp(AppCalls calls);
+    ~OfferedApp();
+    OfferedApp(const OfferedApp&) = delete;
+    OfferedApp& operator=(const OfferedApp&) = delete;
 
-    explicit OfferedCopy(Copy copy);
-    ~OfferedCopy();
-    OfferedCopy(const OfferedCopy&) = delete;
-    OfferedCopy& operator=(const OfferedCopy&) = delete;
-
-    const Copy& copy() const { return copy_; }
+    const AppCalls& calls() const { return calls_; }
 
 private:
-    Copy copy_;
+    AppCalls calls_;
 };
 
 } // namespace ui

@@ -18,6 +18,7 @@
 #include "apps/frame/window/tool_bar.h"
 #include "apps/frame/window/transform_bar.h"
 #include "femoop/io/derivation/derivation_text.h"
+#include "femoop/io/results/results_json.h"
 #include "femoop/methods/influence/effect_name.h"
 #include "ui/files/ending.h"
 #include "ui/files/link.h"
@@ -257,8 +258,9 @@ float Application::covered_width() const { return workspace().has_open_draft() ?
 void Application::show_canvas()
 {
     const float row = ImGui::GetFrameHeight(), gap = 0.6F * ImGui::GetFontSize();
-    ui::button_bar("###tools", 1.25F * row + gap,
-                   [this] { tool_bar(workspace(), commands(), gui(), fonts(), fields_); });
+    if (has_tools())
+        ui::button_bar("###tools", 1.25F * row + gap,
+                       [this] { tool_bar(workspace(), commands(), gui(), fonts(), fields_); });
     if (workspace().transform)
         ui::button_bar("###transform", row + gap, [this] { transform_bar(workspace(), fields_); });
     document_tabs(workspace(), [this] {
@@ -294,6 +296,14 @@ std::string Application::words() const
     if (derivation == nullptr) return description(session());
     return description(session()) + "\n" +
            femoop::derivation::derivation_text(*derivation, workspace().derivation.model(session()), session().tr());
+}
+
+std::string Application::results_text() const
+{
+    const Solution& solution = session().solution();
+    if (!solution.results) return {};
+    constexpr std::size_t n_stations = 11;
+    return femoop::results_json(session().model(), *solution.results, solution.solved_cases(), n_stations);
 }
 
 void Application::show_beside_words()

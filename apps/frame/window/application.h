@@ -37,6 +37,8 @@ public:
 
     const Canvas& canvas() const { return canvas_; }
     TablesPanel& tables() { return tables_; }
+    std::string results_text()
+        const override; ///< of the cases that have results, as `cremona solve --json` prints them
     const TablesPanel& tables() const { return tables_; }
 
 private:

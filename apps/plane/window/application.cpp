@@ -161,7 +161,8 @@ void Application::show_right()
 void Application::show_canvas()
 {
     const float row = ImGui::GetFrameHeight(), gap = 0.6F * ImGui::GetFontSize();
-    ui::button_bar("###tools", 1.25F * row + gap, [this] { tool_bar(workspace(), commands(), gui(), fonts()); });
+    if (has_tools())
+        ui::button_bar("###tools", 1.25F * row + gap, [this] { tool_bar(workspace(), commands(), gui(), fonts()); });
     const float bar = session().player() != nullptr ? 1.25F * row + gap : 0.0F;
     ui::picture_area(bar, [this] { canvas_.show(workspace(), gui()); });
     if (bar > 0.0F) ui::button_bar("###player", bar, [this] { show_player(); });

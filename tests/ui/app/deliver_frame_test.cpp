@@ -22,6 +22,9 @@ public:
     bool wants_to_quit() const override { return false; }
     std::string window_title() const override { return "clock"; }
     ui::ExportToApp copy_of_document() const override { return {}; }
+    std::string document_in_words() const override { return {}; }
+    std::optional<std::string> replace_document(const std::filesystem::path&) override { return std::nullopt; }
+    std::optional<std::string> run_command(const std::string&, const std::string&) override { return std::nullopt; }
     ui::ImGuiSession& gui() override { return stage_.session; }
     const ui::ImGuiSession& gui() const override { return stage_.session; }
 

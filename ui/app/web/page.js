@@ -5,7 +5,8 @@
 // What the app writes into the first two is handed over as a download.
 'use strict';
 
-const language = new URLSearchParams(location.search).get('lang') || navigator.language;
+const address = new URLSearchParams(location.search);
+const language = address.get('lang') || navigator.language;
 const allTexts = {
     en: { open: 'Open a file…', copy: 'Copy link',
           copied: 'The link was copied. It holds the document itself: {n} characters.',
@@ -16,6 +17,7 @@ const allTexts = {
           later: 'This link was made by a later version of Cremona, and cannot be read by this one.',
           large: 'The document in this link is too large, and was not opened.',
           over: 'The program has ended; load the page again to start it.',
+          print: 'Print…', words: 'The document and its results in words', keys: 'Keys for numbers',
           tooOld: 'This browser is too old: it needs WebAssembly with exceptions ' +
                   '(Chrome or Edge 95, Firefox 100, Safari 15.2, or later).',
           old: 'This browser is too old for this: it cannot unpack it (DecompressionStream).' },
@@ -28,6 +30,7 @@ const allTexts = {
           later: 'Este link foi feito por uma versão posterior do Cremona, e não pode ser lido por esta.',
           large: 'O documento deste link é grande demais, e não foi aberto.',
           over: 'O programa terminou; recarregue a página para iniciá-lo.',
+          print: 'Imprimir…', words: 'O documento e seus resultados em palavras', keys: 'Teclas para números',
           tooOld: 'Este navegador é antigo demais: precisa de WebAssembly com exceções ' +
                   '(Chrome ou Edge 95, Firefox 100, Safari 15.2, ou posterior).',
           old: 'Este navegador é antigo demais para isto: não consegue descompactar (DecompressionStream).' },
@@ -49,29 +52,37 @@ function hasExceptions() {
     return typeof WebAssembly === 'object' && WebAssembly.validate(new Uint8Array(program));
 }
 
+// A page within another's shows what it is asked to (embed.js), and nothing that this browser keeps.
+const isEmbedded = window.parent !== window;
+const isLocked = address.get('locked') === '1';
+const isBare = isLocked || address.get('panels') === 'none';
+const link = share.linkOf(location.hash, address.get('model'));
+
 // What the address asks for: #m=1.DATA, or ?open=/examples/truss.json; and &lang=pt_BR&theme=dark
 function programArguments() {
-    const asked = new URLSearchParams(location.search);
     const words = [];
-    if (share.isAsked(location.hash) || asked.has('handed')) words.push('-');
-    else for (const file of asked.getAll('open')) words.push(file);
-    for (const option of options) if (asked.get(option)) words.push(`--${option}=${asked.get(option)}`);
+    const files = [...address.getAll('open'), ...address.getAll('model')];
+    if (link || address.has('handed')) words.push('-');
+    else for (const file of files) words.push(file);
+    for (const option of options) if (address.get(option)) words.push(`--${option}=${address.get(option)}`);
+    if (isBare) words.push('--bare');
+    if (isLocked) words.push('--no-tools');
     return words;
 }
 
 // A document that the page of another app gave to this one, or that the link holds: what the program reads as input.
 let input = '';
 function readHandedDocument() {
-    const key = new URLSearchParams(location.search).get('handed');
+    const key = address.get('handed');
     if (key) input = localStorage.getItem(key) || '';
     if (key) localStorage.removeItem(key);
-    if (share.isAsked(location.hash)) readLink();
+    if (link) readLink();
 }
 
 let warning = ''; // that stays when the program has begun
 function readLink() {
     addRunDependency('document of the link');
-    share.text(location.hash).then((text) => { input = text; }, (fault) => {
+    share.text(link).then((text) => { input = text; }, (fault) => {
         warning = texts[fault.message];
         Module.arguments.splice(Module.arguments.indexOf('-'), 1);
     }).finally(() => removeRunDependency('document of the link'));
@@ -163,16 +174,32 @@ function openApp(program, text, options) {
 function readKeptFiles() {
     for (const folder of kept) {
         FS.mkdirTree(folder);
-        FS.mount(IDBFS, {}, folder);
+        if (!isEmbedded) FS.mount(IDBFS, {}, folder);
     }
     addRunDependency('kept files');
-    FS.syncfs(true, (error) => {
+    FS.syncfs(true, async (error) => {
         if (error) console.warn('no files are kept: ' + error);
         removeLocks('/home');
         forEachDelivered((path, time) => handedOver.set(path, time));
         FS.chdir('/documents');
+        if (beginsInPortuguese()) await loadPortuguese();
         removeRunDependency('kept files');
     });
+}
+
+// As the program itself decides: by the address, else as it was left, else by the browser.
+function beginsInPortuguese() {
+    const settings = `/home/.local/state/cremona/${app}/settings`;
+    const left = FS.analyzePath(settings).exists ? FS.readFile(settings, { encoding: 'utf8' }) : '';
+    const asLeft = /^language (\S+)/m.exec(left);
+    return (address.get('lang') || (asLeft ? asLeft[1] : language)).startsWith('pt');
+}
+
+// What the program translates by, which it does not hold itself: most people read one language.
+async function loadPortuguese() {
+    if (Module.portuguese !== undefined) return;
+    const fetched = () => fetch('pt_BR.po').then((answer) => answer.text());
+    Module.portuguese = await (Module.packedPortuguese || fetched)().catch(() => undefined);
 }
 
 // Of pages that are no more.
@@ -187,7 +214,7 @@ function removeLocks(folder) {
 
 let isKeeping = false;
 function keepFiles() {
-    if (isKeeping) return;
+    if (isKeeping || isEmbedded) return;
     isKeeping = true;
     FS.syncfs(false, () => { isKeeping = false; });
 }
@@ -207,7 +234,69 @@ function deliverNewFiles() {
         if (handedOver.get(path) === time) return;
         handedOver.set(path, time);
         download(path);
+        if (path.endsWith('.html')) tell(path.slice(path.lastIndexOf('/') + 1) + ' ', printButton(path));
     });
+}
+
+// A report becomes a PDF by the browser's own print.
+function printButton(path) {
+    const button = document.createElement('button');
+    button.type = 'button';
+    button.textContent = texts.print;
+    button.onclick = () => {
+        const frame = document.createElement('iframe');
+        frame.hidden = true;
+        frame.src = URL.createObjectURL(new Blob([FS.readFile(path)], { type: 'text/html' }));
+        frame.onload = () => {
+            frame.contentWindow.onafterprint = () => frame.remove();
+            frame.contentWindow.print();
+        };
+        document.body.append(frame);
+    };
+    return button;
+}
+
+// The document in words beside the picture, a paragraph a line: of a change those lines are read that are others.
+const region = document.getElementById('words');
+function showWords() {
+    const begin = performance.now();
+    const lines = (Module.description ? Module.description() : '').split('\n').filter((line) => line);
+    const took = performance.now() - begin;
+    const old = [...region.children].map((paragraph) => paragraph.textContent);
+    let first = 0, last = 0; // lines that stay, at the beginning and at the end
+    const fewer = Math.min(lines.length, old.length);
+    while (first < fewer && lines[first] === old[first]) ++first;
+    while (last < fewer - first && lines[lines.length - 1 - last] === old[old.length - 1 - last]) ++last;
+    [...region.children].slice(first, old.length - last).forEach((paragraph) => paragraph.remove());
+    const changed = lines.slice(first, lines.length - last).map((line) => {
+        const paragraph = document.createElement('p');
+        paragraph.textContent = line;
+        return paragraph;
+    });
+    if (region.children[first]) region.children[first].before(...changed);
+    else region.append(...changed);
+    setTimeout(showWords, Math.max(2000, 50 * took));
+}
+
+// Keys for numbers, while a field is typed into on a screen that is touched.
+const keypad = document.getElementById('keypad');
+let isTouched = false;
+function makeKeypad() {
+    for (const key of [...'1234567890.,-e', 'Backspace', 'Tab', 'Enter']) {
+        const button = document.createElement('button');
+        button.type = 'button';
+        button.textContent = { Backspace: '⌫', Tab: '⇥', Enter: '⏎', '-': '−' }[key] || key;
+        button.setAttribute('aria-label', key);
+        button.onpointerdown = (event) => {
+            event.preventDefault(); // the picture keeps the keyboard
+            for (const kind of ['keydown', 'keyup'])
+                Module.canvas.dispatchEvent(new KeyboardEvent(kind, { key: key, bubbles: true, cancelable: true }));
+        };
+        keypad.append(button);
+    }
+    keypad.setAttribute('aria-label', texts.keys);
+    window.addEventListener('pointerdown', (event) => { isTouched = event.pointerType === 'touch'; }, true);
+    setInterval(() => { keypad.hidden = !(isTouched && Module.wantsText); }, 100);
 }
 
 function download(path) {
@@ -235,6 +324,9 @@ function setEnvironment() {
 }
 
 function listen() {
+    document.body.classList.toggle('bare', isBare);
+    region.setAttribute('aria-label', texts.words);
+    makeKeypad();
     const chooser = document.getElementById('file');
     document.getElementById('open').onclick = () => chooser.click();
     document.getElementById('open').textContent = texts.open;
@@ -248,11 +340,11 @@ function listen() {
     document.addEventListener('dragover', (event) => event.preventDefault());
     document.addEventListener('drop', (event) => {
         event.preventDefault();
-        openFiles([...event.dataTransfer.files]);
+        if (!isLocked) openFiles([...event.dataTransfer.files]);
     });
     Module.canvas.addEventListener('contextmenu', (event) => event.preventDefault());
     window.addEventListener('beforeunload', (event) => {
-        if (document.title.startsWith('*')) event.preventDefault(); // unsaved changes
+        if (document.title.startsWith('*') && !isEmbedded) event.preventDefault(); // unsaved changes
     });
     document.addEventListener('visibilitychange', keepFiles);
 }
@@ -276,11 +368,14 @@ var Module = {
         FS.unlink('/dev/stdin'); // a device, of which an app would read no document
         FS.writeFile('/dev/stdin', input);
         tell(warning);
+        setTimeout(showWords, 1000);
+        setTimeout(loadPortuguese, 1000); // for who changes the language
         if (window.keepLoaded) window.keepLoaded(); // offline.js, where there is a server
         document.getElementById('copy').disabled = false;
         setInterval(deliverNewFiles, 500);
         setInterval(keepFiles, 5000);
-        Module.canvas.focus();
+        embed.begin();
+        if (!isEmbedded) Module.canvas.focus();
     },
 };
 listen();

@@ -65,7 +65,14 @@ var share = (() => {
         }
     }
 
-    return { fragment, text, longest, isAsked: (hash) => hash.startsWith('#m=') };
+    const isAsked = (hash) => hash.startsWith('#m=');
+    // The link of an address' fragment, or of its ?model=1.DATA; nothing where it has none.
+    function linkOf(hash, model) {
+        if (isAsked(hash)) return hash;
+        return /^\d{1,4}\./.test(model || '') ? '#m=' + model : '';
+    }
+
+    return { fragment, text, longest, isAsked, linkOf };
 })();
 
 if (typeof module !== 'undefined') module.exports = share;

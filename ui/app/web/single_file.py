@@ -18,6 +18,7 @@ async function begin() {
     if (typeof DecompressionStream === 'undefined') return tell(texts.old);
     const files = await unpacked('files');
     Module.getPreloadedPackage = () => files;
+    Module.packedPortuguese = async () => new TextDecoder().decode(await unpacked('portuguese'));
     Module.wasmBinary = await unpacked('wasm');
     const program = document.createElement('script');
     program.textContent = new TextDecoder().decode(await unpacked('program'));
@@ -41,8 +42,8 @@ def single_file(site, app):
         page = page.replace(line, '')
     page = page.replace('<a href="index.html">Cremona</a>\n', '<span>Cremona</span>\n')
     parts = [packed('files', site / f'{app}.data'), packed('wasm', site / f'{app}.wasm'),
-             packed('program', site / f'{app}.js')]
-    for script in ('share.js', 'qr.js', 'page.js'):
+             packed('program', site / f'{app}.js'), packed('portuguese', site / 'pt_BR.po')]
+    for script in ('share.js', 'qr.js', 'embed.js', 'page.js'):
         text = (site / script).read_text(encoding='utf-8')
         page = page.replace(f'<script src="{script}"></script>\n', f'<script>\n{text}</script>\n')
     return page.replace(f'<script src="{app}.js"></script>\n', ''.join(parts) + f'<script>{UNPACK}</script>\n')

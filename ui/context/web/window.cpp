@@ -6,6 +6,7 @@
 
 #include <emscripten.h>
 #include <emscripten/html5.h>
+#include <imgui.h>
 
 #include <algorithm>
 #include <array>
@@ -22,6 +23,7 @@ EM_JS(int, web_has_page, (), { return typeof document !== 'undefined' && !!Modul
 EM_JS(double, web_canvas_left, (), { return Module['canvas'].getBoundingClientRect().left; });
 EM_JS(double, web_canvas_top, (), { return Module['canvas'].getBoundingClientRect().top; });
 EM_JS(void, web_set_cursor, (const char* name), { Module['canvas'].style.cursor = UTF8ToString(name); });
+EM_JS(void, web_tell_whether_text_is_wanted, (int isWanted), { Module['wantsText'] = !!isWanted; });
 EM_JS(void, web_set_title, (const char* title), { document.title = UTF8ToString(title); });
 // The clipboard can be read only while something is pasted, so what was pasted last is kept; a copy can be pasted too.
 EM_JS(void, web_listen_to_clipboard, (), {
@@ -276,7 +278,10 @@ PixelSize Window::size() const
 
 double Window::scale() const { return emscripten_get_device_pixel_ratio(); }
 const gl::Functions& Window::gl() const { return *parts_->gl; }
-void Window::present() {}                             // the browser does when the frame is over
+void Window::present() // the browser does when the frame is over
+{
+    web_tell_whether_text_is_wanted(ImGui::GetCurrentContext() != nullptr && ImGui::GetIO().WantTextInput);
+}
 bool Window::wants_to_close() const { return false; } // the page asks before it is left (page.js)
 void Window::stay_open() {}
 void Window::close() {}
