@@ -70,6 +70,7 @@ ALLOWED = {
     "ui/history": UI_BASE,
     "ui/command": UI_BASE,
     "ui/text": [*UI_BASE, HALVES],
+    "ui/text/web": [*UI_BASE, BROWSER],
     "ui/scenario": UI_BASE,
     "ui/files": [*UI_BASE, "ui/files/", "femoop/files/", SYSTEM],
     "ui/workbench": [*UI_BASE, "ui/files/", "ui/workbench/", "femoop/files/"],
@@ -104,6 +105,8 @@ def rule(path):
             return DRAWING_ALLOWED
         if app == "cli":
             return CLI_ALLOWED
+        if app == "core":  # femoop and topology as a module of a page
+            return ["topology/", "femoop/", BROWSER]
         inside = path.removeprefix(f"apps/{app}/")
         if inside.startswith("document"):
             return [*APP_DOCUMENT_ALLOWED, *(f"apps/{app}/{part}" for part in ("document", "backdrop", "discretize", "outline"))]
