@@ -34,4 +34,4 @@ cremona_compile_alone(test_femoop_solver
   tests/femoop/solver/system_pattern_test.cpp)
 
 # A test puts a team of its own in the place of this one, so this is a member of the library by itself.
-cremona_compile_alone(femoop femoop/solver/multifrontal/team.cpp)
+cremona_compile_alone(femoop femoop/solver/team.cpp)
