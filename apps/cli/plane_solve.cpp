@@ -21,6 +21,7 @@
 #include "femoop/analysis/stopwatch.h"
 #include "femoop/io/plane/element_trace_output.h"
 #include "femoop/io/plane/modes_output.h"
+#include "femoop/io/plane/plane_envelope_output.h"
 #include "femoop/io/plane/plane_output.h"
 #include "femoop/plane/analysis/natural_modes.h"
 #include "femoop/plane/analysis/plane_analysis.h"
@@ -41,7 +42,7 @@ std::vector<femoop::CaseId> cases_named(const fp::PlaneModel& model, const std::
         cases.emplace_back(i);
         names.push_back(model.case_name(femoop::CaseId(i)));
     }
-    if (!name || *name == "all") return cases;
+    if (!name || *name == "all" || *name == "envelope") return cases;
     throw unknown_choice("--case", *name, names, tr);
 }
 
@@ -149,6 +150,12 @@ std::size_t PlaneSolve::n_cycles(const ui::Catalogue& tr) const
     return static_cast<std::size_t>(whole_number("--cycles", *cycles_, {1, most}, tr));
 }
 
+/// Of a model that has no case of that name.
+bool PlaneSolve::asks_for_envelope(const Question& question)
+{
+    return question.case_name == "envelope" && !question.reading.model.find_case("envelope");
+}
+
 /// What would say nothing beside what is printed in place of the results.
 void PlaneSolve::require_one_output(const Question& question, const ui::Catalogue& tr) const
 {
@@ -159,15 +166,17 @@ void PlaneSolve::require_one_output(const Question& question, const ui::Catalogu
     const Given load_case{"--case", question.case_name.value_or("all") != "all"}, at{"--at", !places_.empty()},
         cut{"--cut", !cuts_.empty()}, full{"--full", is_full_}, time{"--time", question.is_timed},
         trace{"--trace", question.traced_element.has_value()}, cycles{"--cycles", cycles_.has_value()},
-        csv{"--csv", question.csv_folder.has_value()}, description{"--describe", question.is_described};
+        csv{"--csv", question.csv_folder.has_value()}, description{"--describe", question.is_described},
+        envelope{"--case envelope", asks_for_envelope(question)}, refinement{"--refine", question.is_refined};
     const auto refuse = [&](std::string_view output, std::initializer_list<Given> others) {
         for (const Given& other : others)
             if (other.is_given) throw print_different_things(output, other.option, tr);
     };
-    if (is_modal(tr)) refuse("--analysis modal", {load_case, trace, at, cut, cycles, description, csv, time});
-    if (trace.is_given) refuse(trace.option, {at, cut, cycles, full, time});
-    if (cycles.is_given) refuse(cycles.option, {at, cut, full, description, csv, time});
-    if (description.is_given) refuse(description.option, {full});
+    if (is_modal(tr))
+        refuse("--analysis modal", {load_case, trace, at, cut, cycles, description, csv, time, refinement});
+    if (trace.is_given) refuse(trace.option, {at, cut, cycles, full, time, refinement});
+    if (cycles.is_given) refuse(cycles.option, {envelope, at, cut, full, description, csv, time});
+    if (description.is_given) refuse(description.option, {envelope, full});
     if (question.units.are_given() && (is_modal(tr) || trace.is_given || cycles.is_given))
         throw units_of_file(is_modal(tr) ? "--analysis modal" : trace.is_given ? trace.option : cycles.option, tr);
     if (is_full_ && !question.is_json) throw needs_too("--full", "--json", tr);
@@ -224,12 +233,15 @@ std::string PlaneSolve::output(const Question& question, const PlaneInput& input
         const std::string text = description(question, input, results, selection, tr) + without_case;
         return question.is_json ? description_json(text) : text;
     }
-    if (question.is_json) return fp::plane_results_json(results, selection);
+    const bool is_envelope = asks_for_envelope(question) && !selection.cases.empty();
+    if (question.is_json)
+        return is_envelope ? fp::plane_envelope_json(results, selection) : fp::plane_results_json(results, selection);
     const fp::PlaneModel& model = results.model();
     const femoop::ResultUnits units = question.units.of_results(model, tr);
     std::string text = fp::plane_heading_text(results, tr);
     if (question.units.are_given())
         text += units_line({units.length, units.force, units.moment, units.displacement, units.stress}, tr);
+    if (is_envelope) return text + fp::plane_envelope_text(results, selection, units, tr);
     return text + fp::plane_cases_text(results, selection, units, tr) + without_case;
 }
 
@@ -243,7 +255,12 @@ ExitStatus PlaneSolve::print_results(const Question& question, const PlaneInput&
         if (question.is_timed) phases.recover = seconds_to_smooth(results, asked_for.cases);
         femoop::Stopwatch watch;
         console.print(output(question, input, results, asked_for, console.tr()));
-        if (question.csv_folder) write_tables(*question.csv_folder, fp::plane_results_csv(results, asked_for), console);
+        if (question.csv_folder)
+            write_tables(*question.csv_folder,
+                         asks_for_envelope(question) && !asked_for.cases.empty()
+                             ? fp::plane_envelope_csv(results, asked_for)
+                             : fp::plane_results_csv(results, asked_for),
+                         console);
         if (!question.is_timed) return ExitStatus::Done;
         console.flush();
         phases.write = watch.lap();
@@ -260,7 +277,7 @@ ExitStatus PlaneSolve::solve(const Question& question, const femoop::AnalysisOpt
     require_one_output(question, tr);
     femoop::Stopwatch watch;
     const PlaneInput input(question.reading);
-    PhaseTimes phases{.read = question.seconds_to_read};
+    PhaseTimes phases{.read = question.seconds_to_read, .has_refinement = question.is_refined};
     if (input.drawing() != nullptr) phases.mesh = watch.lap();
     console.report(question.file, question.reading.faults);
     if (!question.reading.is_sound()) return ExitStatus::BadInput;

@@ -25,12 +25,12 @@ public:
     struct Question {
         femoop::plane::PlaneReading& reading;
         std::string file;                     ///< as messages call it
-        std::optional<std::string> case_name; ///< of --case; none, or "all": all of them
+        std::optional<std::string> case_name; ///< of --case; none, "all" or "envelope": all of them
         bool is_json = false;
         std::optional<std::string> traced_element{}; ///< of --trace
         const AskedUnits& units;                     ///< of --unit
         std::optional<std::string> csv_folder{};
-        bool is_described = false, is_timed = false;
+        bool is_described = false, is_timed = false, is_refined = false;
         double seconds_to_read = 0.0;
     };
 
@@ -46,6 +46,7 @@ private:
                            Console& console) const;
     femoop::plane::PlaneSelection selection(const Question& question, const PlaneInput& input,
                                             const ui::Catalogue& tr) const; ///< \throws UsageError
+    static bool asks_for_envelope(const Question& question);
     std::string output(const Question& question, const PlaneInput& input, const femoop::plane::PlaneResults& results,
                        const femoop::plane::PlaneSelection& selection, const ui::Catalogue& tr) const;
     void print_trace(const Question& question, const femoop::plane::PlaneModel& model, Console& console) const;

@@ -62,7 +62,7 @@ private:
     void require_one_output(const ui::Catalogue& tr) const;
     void require_no_envelope(const Model& model, const ui::Catalogue& tr) const;
     std::optional<std::string_view> calculation() const;
-    std::optional<std::string_view> of_members_alone(const femoop::plane::PlaneModel& model) const;
+    std::optional<std::string_view> of_members_alone() const;
     void count_in_chosen_units(Model& model, const ui::Catalogue& tr);
     std::string trace(const Model& model, const ui::Catalogue& tr) const;
     ExitStatus solve_plane(femoop::plane::PlaneReading& reading, const femoop::AnalysisOptions& options,
@@ -395,13 +395,11 @@ double seconds_to_recover(const Model& model, const Results& results, const Sele
 }
 
 /// What plane models are not asked for.
-std::optional<std::string_view> Solve::of_members_alone(const femoop::plane::PlaneModel& model) const
+std::optional<std::string_view> Solve::of_members_alone() const
 {
     if (const auto option = calculation(); option && !traced_member_ && !is_described_) return option;
-    if (is_refined_) return "--refine";
     if (stations_ != std::to_string(femoop::usual_n_stations)) return "--stations";
     if (solver_trace_.are_given()) return "--trace-solver";
-    if (case_ == "envelope" && !model.find_case("envelope")) return "--case envelope";
     return std::nullopt;
 }
 
@@ -410,7 +408,7 @@ ExitStatus Solve::solve_plane(femoop::plane::PlaneReading& reading, const femoop
 {
     const ui::Catalogue& tr = console.tr();
     tell_of_case_named_as_keyword(case_, reading.model, console);
-    if (const auto option = of_members_alone(reading.model))
+    if (const auto option = of_members_alone())
         throw UsageError(
             tr("{option} is not built yet for plane models; they are solved with --analysis, --case, --at, "
                "--cut, --cycles, --full, --trace, --describe, --unit, --time, --json, --csv and --solver",
@@ -424,6 +422,7 @@ ExitStatus Solve::solve_plane(femoop::plane::PlaneReading& reading, const femoop
                          .csv_folder = csv_folder_,
                          .is_described = is_described_,
                          .is_timed = is_timed_,
+                         .is_refined = is_refined_,
                          .seconds_to_read = seconds_to_read},
                         options, console);
 }

@@ -185,6 +185,8 @@ PlaneAnalysis::Solved PlaneAnalysis::solved(const std::shared_ptr<const PlaneStr
     require_finite(structure->model(), F);
     const ReducedSystem::Displacements u = system_->solve(F, {});
     require_finite(structure->model(), u.all);
+    done.statistics.backward_error = system_->reduced().backward_error();
+    done.statistics.refinements = system_->reduced().refinements();
     done.cases = system_->solutions(loads, F, u);
     done.statistics.solve = watch.lap();
     return done;

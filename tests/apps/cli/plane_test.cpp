@@ -263,7 +263,87 @@ TEST_CASE("What is of members is refused of a plane model, and what is of plane 
               "are for plane models"));
     CHECK(!folder.has("x.svg"));
     CHECK(has(cli_test::cremona({"solve", bending, "--stations", "5"}).err, "--stations is not built yet for plane"));
-    CHECK(has(cli_test::cremona({"solve", bending, "--case", "envelope"}).err, "--case envelope is not built yet"));
+}
+
+TEST_CASE("An envelope of a plane model has the largest and smallest of its cases, each with the case that governs")
+{
+    using nlohmann::json;
+    const auto solved = [](std::vector<std::string> options) {
+        options.insert(options.begin(), {"solve", "examples/dam.json", "--json"});
+        const Run run = cli_test::cremona(options);
+        REQUIRE(run.status == 0);
+        return json::parse(run.out);
+    };
+    const std::vector<std::string> places{"--at", "10,20", "--cut", "0,10,60,10"};
+    std::vector<std::string> of_envelope = places;
+    of_envelope.insert(of_envelope.end(), {"--case", "envelope"});
+    const json all = solved(places)["cases"], envelope = solved(of_envelope)["envelope"];
+    REQUIRE(all.size() >= 2);
+    REQUIRE(envelope["cases"].size() == all.size());
+    int n_seen = 0;
+    const auto check = [&](const json& range, const json::json_pointer& path) {
+        CAPTURE(path.to_string());
+        double largest = -1e300, smallest = 1e300;
+        for (const auto& [id, of_case] : all.items()) {
+            largest = std::max(largest, of_case.at(path).get<double>());
+            smallest = std::min(smallest, of_case.at(path).get<double>());
+        }
+        CHECK(range["max"]["value"] == largest);
+        CHECK(range["min"]["value"] == smallest);
+        CHECK(all.at(range["max"]["case"].get<std::string>()).at(path) == largest);
+        CHECK(all.at(range["min"]["case"].get<std::string>()).at(path) == smallest);
+        ++n_seen;
+    };
+    const auto pointer = [](std::initializer_list<std::string> keys) {
+        json::json_pointer path;
+        for (const std::string& key : keys) path /= key;
+        return path;
+    };
+    for (const auto& [id, point] : envelope["points"].items()) {
+        for (const char* const u : {"ux", "uy"}) check(point["u"][u], pointer({"points", id, "u", u}));
+        for (const auto& [region, stress] : point["stress"].items())
+            for (const auto& [component, range] : stress.items())
+                check(range, pointer({"points", id, "stress", region, component}));
+    }
+    for (const auto& [id, curve] : envelope["curves"].items())
+        for (const char* const force : {"fx", "fy", "mz"})
+            check(curve["reaction"][force], pointer({"curves", id, "reaction", force}));
+    for (const char* const u : {"ux", "uy"})
+        check(envelope["probes"][0]["u"][u], json::json_pointer("/probes/0/u") / u);
+    for (const char* const force : {"N", "V", "M"})
+        check(envelope["cuts"][0][force], json::json_pointer("/cuts/0") / force);
+    CHECK(n_seen > 20);
+    CHECK(envelope["cuts"][0]["cut"] == json{{0, 10}, {60, 10}});
+    const json region = envelope["regions"]["dam"]["extremes"]["mises"]["max"];
+    for (const auto& [id, of_case] : all.items())
+        CHECK(of_case["regions"]["dam"]["extremes"]["mises"]["max"]["value"] <= region["value"]);
+    CHECK(all[region["case"].get<std::string>()]["regions"]["dam"]["extremes"]["mises"]["max"]["at"] == region["at"]);
+}
+
+TEST_CASE("An envelope of a plane model is printed in tables and written as a table for a spreadsheet")
+{
+    const Folder folder;
+    const Run run = cli_test::cremona(
+        {"solve", "examples/dam.json", "--case", "envelope", "--csv", folder.path("out")});
+    CHECK(run.status == 0);
+    for (const char* const part : {"Envelope of weight, water", "largest", "smallest", "ux [m]", "curve", "mises"})
+        CHECK(has(run.out, part));
+    CHECK(has(run.err + run.out, "envelope.csv"));
+    CHECK(folder.has("out/envelope.csv"));
+    CHECK(has(cli_test::cremona({"solve", "examples/dam.json", "--case", "envelope", "--describe"}).err,
+              "--describe and --case envelope print different things"));
+}
+
+TEST_CASE("Displacements of a plane model are corrected by their residuals, and --time tells how good they are")
+{
+    const Run plain = cli_test::cremona({"solve", bending, "--json"}),
+              refined = cli_test::cremona({"solve", bending, "--json", "--refine", "--time"});
+    REQUIRE(refined.status == 0);
+    CHECK(has(refined.err, "backward error"));
+    const auto a = nlohmann::json::parse(plain.out), b = nlohmann::json::parse(refined.out);
+    CHECK(a["cases"]["M"]["energy"].get<double>() == doctest::Approx(b["cases"]["M"]["energy"].get<double>()));
+    CHECK(has(cli_test::cremona({"solve", bending, "--refine", "--trace", "1"}).err,
+              "--trace and --refine print different things"));
 }
 
 TEST_CASE("What a plane model prints in place of its results is refused beside what would say nothing there")
