@@ -21,6 +21,12 @@ struct MeshDomain {
     std::vector<FlatPoint> nodes;             ///< in loops, in segments, and by themselves
     std::vector<std::vector<CellNode>> loops; ///< the first counter-clockwise around the others, those clockwise
     std::vector<CellEdge> segments;           ///< inside, edges of cells too
+    /// Where elements have edges that bend, the place in the middle of one. Quadrilaterals are judged with them.
+    struct Bend {
+        CellEdge edge{};
+        FlatPoint middle;
+    };
+    std::vector<Bend> bends{};
 
     double area() const;                 ///< as the chords of the loops have it
     std::vector<CellEdge> edges() const; ///< of loops in their direction, then segments

@@ -19,9 +19,8 @@ constexpr int n_sweeps = 3; // of smoothing, in a round
 
 std::uint64_t edge_key(CellNode from, CellNode to) { return (std::uint64_t{from} << 32U) | to; }
 
-double sine(const FlatPoint& before, const FlatPoint& at, const FlatPoint& behind)
+double sine(const FlatVector& u, const FlatVector& v)
 {
-    const FlatVector u = behind - at, v = before - at;
     const double lengths = length(u) * length(v);
     return lengths > 0.0 ? cross(u, v) / lengths : 0.0;
 }
@@ -40,7 +39,7 @@ double QuadMesher::quality(std::span<const FlatPoint> corners)
     const std::size_t n = corners.size();
     double least = 1.0;
     for (std::size_t i = 0; i < n; ++i)
-        least = std::min(least, sine(corners[(i + n - 1) % n], corners[i], corners[(i + 1) % n]));
+        least = std::min(least, sine(corners[(i + 1) % n] - corners[i], corners[(i + n - 1) % n] - corners[i]));
     return n == 3 ? least * 2.0 / std::numbers::sqrt3 : least;
 }
 
@@ -48,6 +47,8 @@ QuadMesher::QuadMesher(const MeshDomain& domain, MesherOptions options) : domain
 {
     for (const auto& [a, b] : domain.segments) fixed_.push_back(edge_key(std::min(a, b), std::max(a, b)));
     std::sort(fixed_.begin(), fixed_.end());
+    for (const auto& [edge, middle] : domain.bends)
+        bends_.emplace(edge_key(std::min(edge[0], edge[1]), std::max(edge[0], edge[1])), middle);
 }
 
 QuadMesher::Step QuadMesher::next()
@@ -177,11 +178,26 @@ QuadMesher::Nodes QuadMesher::outline(CellIndex a, CellIndex b) const
     return {};
 }
 
+FlatVector QuadMesher::leaving(CellNode from, CellNode to) const
+{
+    const FlatVector chord = nodes_[to] - nodes_[from];
+    if (from >= domain_.nodes.size() || to >= domain_.nodes.size()) return chord;
+    const auto bend = bends_.find(edge_key(std::min(from, to), std::max(from, to)));
+    return bend == bends_.end() ? chord : 4.0 * (bend->second - nodes_[from]) - chord;
+}
+
 double QuadMesher::quality(const Nodes& cell) const
 {
-    std::array<FlatPoint, 4> corners;
-    for (std::size_t i = 0; i < cell.size(); ++i) corners[i] = nodes_[cell[i]];
-    return quality(std::span(corners.data(), cell.size()));
+    const std::size_t n = cell.size();
+    if (bends_.empty()) {
+        std::array<FlatPoint, 4> corners;
+        for (std::size_t i = 0; i < n; ++i) corners[i] = nodes_[cell[i]];
+        return quality(std::span(corners.data(), n));
+    }
+    double least = 1.0;
+    for (std::size_t i = 0; i < n; ++i)
+        least = std::min(least, sine(leaving(cell[i], cell[(i + 1) % n]), leaving(cell[i], cell[(i + n - 1) % n])));
+    return n == 3 ? least * 2.0 / std::numbers::sqrt3 : least;
 }
 
 double QuadMesher::worst(const std::vector<Nodes>& cells) const

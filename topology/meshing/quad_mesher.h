@@ -75,6 +75,7 @@ private:
     std::vector<CellIndex> neighbours(CellIndex cell) const; ///< across edges that are not fixed
     Nodes outline(CellIndex a, CellIndex b) const;           ///< of two that share one edge
     double quality(const Nodes& cell) const;
+    FlatVector leaving(CellNode from, CellNode to) const; ///< from a node along an edge, as this bends
     double worst(const std::vector<Nodes>& cells) const;
     std::vector<std::vector<CellIndex>> cells_of_nodes() const;
     bool is_fixed_edge(CellNode a, CellNode b) const;
@@ -89,7 +90,8 @@ private:
     std::vector<FlatPoint> triangulated_; ///< nodes of the Delaunay mesh
     std::vector<Nodes> paired_;           ///< cells as all pairs were made
     std::unordered_map<std::uint64_t, CellIndex> edges_;
-    std::vector<std::uint64_t> fixed_; ///< segments, ascending
+    std::vector<std::uint64_t> fixed_;                   ///< segments, ascending
+    std::unordered_map<std::uint64_t, FlatPoint> bends_; ///< middles of edges that bend
     /// Edges between triangles that may be paired, the best first, and how many partners each triangle still has.
     struct Pairing {
         CellIndex a = none, b = none;

@@ -377,6 +377,20 @@ std::vector<Cell> RegionMesher::cut_cells(const std::vector<Cell>& cells, const 
     return is_cut ? topology::triangles(cells, settings.diagonal, nodes_) : cells;
 }
 
+/// Where elements have middle nodes that are not half way between the corners beside them.
+template <class Number>
+void RegionMesher::add_bends(const Chain& chain, const Number& number, topology::MeshDomain& domain) const
+{
+    for (std::size_t i = 0; i + 1 < chain.size(); ++i) {
+        const auto found = middles_.find(key_of(chain[i], chain[i + 1]));
+        if (found == middles_.end()) continue;
+        const FlatPoint &a = nodes_[chain[i]], &b = nodes_[chain[i + 1]], &place = nodes_[found->second];
+        constexpr double straight = 1e-9;
+        if (distance(place, middle(a, b)) <= straight * distance(a, b)) continue;
+        domain.bends.push_back({{number(chain[i]), number(chain[i + 1])}, place});
+    }
+}
+
 /// Numbers the outline's nodes anew. \param of_domain  gets the number of each in the mesh of all regions
 topology::MeshDomain RegionMesher::domain_of(const FaceOutline& outline, Chain& of_domain) const
 {
@@ -397,6 +411,8 @@ topology::MeshDomain RegionMesher::domain_of(const FaceOutline& outline, Chain& 
             for (std::size_t i = 0; i + 1 < chain.size(); ++i) domain.loops.back().push_back(number(chain[i]));
         }
     }
+    for (const OutlineLoop& loop : outline.loops)
+        for (const HalfEdgeId h : loop) add_bends(chain_along(h), number, domain);
     for (const EdgeId e : outline.inner_edges) {
         const Chain& chain = chains_[e.index];
         for (std::size_t i = 0; i + 1 < chain.size(); ++i)

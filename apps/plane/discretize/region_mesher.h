@@ -70,6 +70,8 @@ private:
     std::vector<topology::Cell> cut_cells(const std::vector<topology::Cell>& cells, const MeshSettings& settings);
     void mesh_freely(const FaceOutline& outline, const MeshSettings& settings, const std::string& method);
     std::string method_of(std::size_t outline) const;
+    template <class Number>
+    void add_bends(const Chain& chain, const Number& number, topology::MeshDomain& domain) const;
     topology::MeshDomain domain_of(const FaceOutline& outline, Chain& of_domain) const;
     std::vector<double> sizes_of_points(const FaceOutline& outline, std::size_t n_nodes) const;
     void report_angle(const topology::CellMesh& mesh, const MeshSettings& settings, femoop::plane::RegionId region);

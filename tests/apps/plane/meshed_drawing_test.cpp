@@ -3,6 +3,7 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <filesystem>
 #include <numbers>
@@ -247,7 +248,7 @@ TEST_CASE("A region with four corners that no map fits is meshed freely, unless 
 
 TEST_CASE("Joints where curves touch are no corners of a map: a slot is meshed freely")
 {
-    for (const std::string element : {"T3", "T6", "Q4"}) {
+    for (const std::string element : {"T3", "T6", "Q4", "Q8", "Q9"}) {
         CAPTURE(element);
         const Meshed slot(R"({"cremona": 1, "analysis": "plane_stress", "units": {"length": "m", "force": "N"},
             "materials": [{"id": "m", "E": 300, "nu": 0.2}], "mesh": {"element": ")" +
@@ -262,6 +263,32 @@ TEST_CASE("Joints where curves touch are no corners of a map: a slot is meshed f
         CHECK(slot.area() == Approx(2.0 + 0.25 * std::numbers::pi).epsilon(element[1] > '4' ? 1e-4 : 0.01));
         CHECK(mesh_quality(slot.model()).min_jacobian > 0.2);
     }
+}
+
+TEST_CASE("Quadrilaterals with middle nodes fill round outlines of few parts, each the right way round")
+{
+    const std::array<std::string, 4> outlines{
+        R"({"id": "o", "kind": "circle", "center": [0, 0], "radius": 1)",
+        R"({"id": "o", "kind": "ellipse", "center": [0, 0], "axes": [2, 0.8])",
+        R"({"id": "a", "kind": "line", "points": [[-1, 0], [1, 0]]},
+           {"id": "b", "kind": "arc", "center": [0, 0], "points": [[1, 0], [-1, 0]])",
+        R"({"id": "a", "kind": "line", "points": [[0, 1], [0, 0.3], [0.3, 0], [1, 0]]},
+           {"id": "b", "kind": "arc", "center": [0, 0], "points": [[1, 0], [0, 1]])"};
+    for (const std::string element : {"Q8", "Q9"})
+        for (const std::string size : {"0.1", "0.2", "0.4", "0.8"})
+            for (std::size_t i = 0; i < outlines.size(); ++i) {
+                CAPTURE(element);
+                CAPTURE(size);
+                CAPTURE(i);
+                const std::string at = i == 3 ? R"("at": [0.6, 0.6], )" : "";
+                const Meshed round(R"({"cremona": 1, "analysis": "plane_stress",
+                    "units": {"length": "m", "force": "N"}, "materials": [{"id": "m", "E": 300, "nu": 0.2}],
+                    "mesh": {"method": "quads", "element": ")" +
+                                   element + R"(", "size": )" + size + R"(}, "points": [], "curves": [)" + outlines[i] +
+                                   R"(}], "regions": [{"id": "r", )" + at + R"("material": "m", "thickness": 1}]})");
+                REQUIRE(round.mesh.is_sound());
+                CHECK(mesh_quality(round.model()).min_jacobian > 0.05);
+            }
 }
 
 TEST_CASE("A map whose curved edges meet in no angle is no map, where chords would have one")
