@@ -26,8 +26,8 @@ TEST_CASE("A started program reads the document as a file from its standard inpu
 {
     const Folder folder;
     folder.write("cremona-cross", "#!/bin/sh\ncat /dev/stdin >'" + folder.path("got") + "'\necho \"$*\" >'" +
-                              folder.path("part") + "'\nmv '" + folder.path("part") + "' '" + folder.path("order") +
-                              "'\n");
+                                      folder.path("part") + "'\nmv '" + folder.path("part") + "' '" +
+                                      folder.path("order") + "'\n");
     std::filesystem::permissions(folder.path("cremona-cross"), std::filesystem::perms::owner_all);
     const ui::ExportToApp exported{.program = "cross", .document = "{\"cremona\": 1}\n", .options = {"--lang", "pt"}};
     CHECK(!ui::start_program(exported, folder.path()));
