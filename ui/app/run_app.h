@@ -119,8 +119,10 @@ int run_app(const AppOptions& options, std::string_view program, Session& sessio
 }
 
 /// The same of an app whose options name a file at most. `folder`: where it keeps its drafts and how it was left
+/// \param prepare  what else an app is told in a window
 template <class Application, class AppStage, class Session>
-int run_with(AppOptions options, std::string_view program, const std::optional<DraftFolder>& folder)
+int run_with(AppOptions options, std::string_view program, const std::optional<DraftFolder>& folder,
+             const std::function<void(Application&)>& prepare = {})
 {
     complete(options, folder);
     Session session;
@@ -132,7 +134,7 @@ int run_with(AppOptions options, std::string_view program, const std::optional<D
     }
     if (!options.files.empty()) open_first(session, options.files.front());
     return run_app<Application, AppStage>(options, program, session,
-                                          remembering_app_with<Application>(session, options, folder));
+                                          remembering_app_with<Application>(session, options, folder, prepare));
 }
 
 } // namespace ui

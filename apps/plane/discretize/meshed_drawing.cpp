@@ -23,6 +23,7 @@ MeshedDrawing::MeshedDrawing(const Drawing& drawing, const std::function<bool()>
     if (!femoop::errors_among(faults_).empty()) return;
     RegionMesher mesher(drawing, outlines, settings, divisions, is_cancelled);
     mesher.run();
+    if (is_cancelled && is_cancelled()) return; // a part of a mesh is none
     faults_ = mesher.errors();
     if (!faults_.empty()) return;
     faults_ = mesher.warnings();

@@ -3,22 +3,51 @@
 #include <utility>
 
 #include "femoop/model/fault/errors_among.h"
+#include "femoop/solver/progress.h"
 
 namespace plane {
 
 Analysed::Analysed(std::shared_ptr<const Solution> solution, const std::function<bool()>& is_cancelled,
-                   const std::shared_ptr<const topology::SizeField>& sizes)
+                   const std::shared_ptr<const topology::SizeField>& sizes, AnalysisWatch* watch)
     : solution_(std::move(solution))
 {
-    mesh_.emplace(
-        *solution_->drawing(), [&] { return was_cancelled_ = was_cancelled_ || is_cancelled(); }, sizes);
-    if (!mesh_->is_sound() || was_cancelled_) {
-        faults_ = femoop::errors_among(mesh_->faults());
-        mesh_.reset();
-        return;
+    mesh_and_solve(is_cancelled, sizes, watch);
+}
+
+void Analysed::mesh_and_solve(const std::function<bool()>& is_cancelled,
+                              const std::shared_ptr<const topology::SizeField>& sizes, AnalysisWatch* watch)
+{
+    const auto is_given_up = [&] { return was_cancelled_ = was_cancelled_ || is_cancelled(); };
+    mesh_.emplace(*solution_->drawing(), is_given_up, sizes);
+    if (!mesh_->is_sound() || was_cancelled_) return leave_mesh(femoop::errors_among(mesh_->faults()));
+    const std::size_t n_unknowns = 2 * mesh_->model().points.size();
+    if (watch != nullptr) {
+        watch->n_unknowns = n_unknowns;
+        if (n_unknowns > watch->most_unknowns) {
+            n_too_many_ = n_unknowns;
+            return leave_mesh({});
+        }
     }
-    femoop::plane::PlaneAnalysis analysis;
-    solve(analysis);
+    femoop::AnalysisOptions options;
+    options.solver.progress = [&](double share) {
+        if (watch != nullptr) watch->share = share;
+        return !is_given_up();
+    };
+    femoop::plane::PlaneAnalysis analysis(options);
+    try {
+        solve(analysis);
+    } catch (const femoop::Cancelled&) {
+    }
+    if (was_cancelled_) {
+        refuse({});
+        leave_mesh({});
+    }
+}
+
+void Analysed::leave_mesh(std::vector<femoop::Fault> faults)
+{
+    faults_ = std::move(faults);
+    mesh_.reset();
 }
 
 Analysed::Analysed(std::shared_ptr<const Solution> solution, Following& following)

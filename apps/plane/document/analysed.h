@@ -1,6 +1,9 @@
 #pragma once
 
+#include <atomic>
+#include <cstddef>
 #include <functional>
+#include <limits>
 #include <memory>
 #include <optional>
 #include <utility>
@@ -27,14 +30,25 @@ struct Following {
     femoop::plane::PlaneAnalysis analysis{};
 };
 
+/// What an analysis tells while it goes on, and hears, from thread to thread.
+struct AnalysisWatch {
+    std::size_t most_unknowns = std::numeric_limits<std::size_t>::max(); ///< more are not solved for
+    std::atomic<bool> is_given_up = false;
+    std::atomic<std::size_t> n_unknowns = 0; ///< 0 until there is a mesh
+    std::atomic<double> share = 0.0;         ///< of the work that solving is
+};
+
 /// The mesh of a sound drawing, and what its loads do to it: a pure function of the drawing, found where it is asked
 /// for.
 class Analysed {
 public:
-    /// \param is_cancelled  asked now and then while the mesh is made
-    /// \param sizes  in place of the drawing's own; null: those  \pre solution->is_sound()
+    /// \param is_cancelled  asked now and then while the mesh is made and solved
+    /// \param sizes  in place of the drawing's own; null: those  \param watch  null: nobody
+    /// \pre solution->is_sound()
     Analysed(std::shared_ptr<const Solution> solution, const std::function<bool()>& is_cancelled,
-             const std::shared_ptr<const topology::SizeField>& sizes = {});
+             const std::shared_ptr<const topology::SizeField>& sizes = {}, AnalysisWatch* watch = nullptr);
+    /// Given up before there was anything.
+    static Analysed given_up(std::shared_ptr<const Solution> solution) { return Analysed(std::move(solution)); }
     /// With the mesh of another drawing that goes along as far as this one; without a mesh where it cannot.
     Analysed(std::shared_ptr<const Solution> solution, Following& following);
 
@@ -52,8 +66,15 @@ public:
     /// A load, heat or a settlement does something to it. \pre the case has a result
     bool is_loaded(std::size_t load_case) const { return is_loaded_[load_case]; }
     bool was_cancelled() const { return was_cancelled_; }
+    /// Of a mesh that has more than are solved for, and was left; nothing where it has not.
+    std::optional<std::size_t> n_unknowns_too_many() const { return n_too_many_; }
 
 private:
+    explicit Analysed(std::shared_ptr<const Solution> solution) : solution_(std::move(solution)), was_cancelled_(true)
+    {}
+    void mesh_and_solve(const std::function<bool()>& is_cancelled,
+                        const std::shared_ptr<const topology::SizeField>& sizes, AnalysisWatch* watch);
+    void leave_mesh(std::vector<femoop::Fault> faults);
     void solve(femoop::plane::PlaneAnalysis& analysis);
     void refuse(std::vector<femoop::Fault> faults);
 
@@ -64,6 +85,7 @@ private:
     std::vector<bool> is_loaded_; ///< of each case
     std::vector<femoop::Mechanism> mechanisms_;
     std::vector<femoop::Fault> faults_;
+    std::optional<std::size_t> n_too_many_;
     bool was_cancelled_ = false, is_following_ = false;
 };
 

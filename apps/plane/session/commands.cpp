@@ -151,6 +151,20 @@ void add_refinement(CommandTable& table)
         {"results.stop_refining", translatable("Stop refining")},
         [](Workspace& workspace) { workspace.session.stop_refining(); }, why_not_refining);
     menu.step(
+        {"results.give_up", translatable("Give the analysis up")},
+        [](Workspace& workspace) { workspace.session.give_up_analysis(); },
+        [](const Workspace& workspace) -> ui::Reason {
+            if (workspace.session.run() != nullptr) return std::nullopt;
+            return translatable("no analysis is under way");
+        });
+    menu.step(
+        {"results.go_on", translatable("Analyse all the same")},
+        [](Workspace& workspace) { workspace.session.analyse_all_the_same(); },
+        [](const Workspace& workspace) -> ui::Reason {
+            if (workspace.session.was_left()) return std::nullopt;
+            return translatable("no analysis was given up");
+        });
+    menu.step(
         {"results.keep_sizes", translatable("Keep the sizes of the refined mesh at the points")},
         [](Workspace& workspace) {
             const auto sizes = workspace.session.document().sizes();

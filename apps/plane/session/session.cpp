@@ -49,6 +49,9 @@ bool are_drawn_alike(const PlaneModel& a, const PlaneModel& b)
     return true;
 }
 
+/// About how long meshing, solving and recovering take with this many unknowns, rounded up.
+std::size_t seconds_to_solve(std::size_t n_unknowns) { return 1 + n_unknowns / 50'000; }
+
 bool is_error(const Fault& fault) { return severity(fault.kind) == femoop::Severity::Error; }
 
 /// The rectangle about the drawing; of one without a width and a height that of an empty sheet.
@@ -405,19 +408,60 @@ void Session::find_mesh_and_results()
 {
     const bool is_dragging = history_.is_dragging();
     if (!is_dragging) stop_following();
-    if (!needs_mesh(look) || !solution_->is_sound() || drawing() == nullptr) ahead_ = {};
-    else if (!is_dragging || follows_slower_than(patience.behind_a_hand) || !follow_with_mesh()) find_anew();
+    if (!needs_mesh(look) || !solution_->is_sound() || drawing() == nullptr) {
+        ahead_ = {};
+        if (run_) drop_run();
+    } else if (!is_dragging || follows_slower_than(patience.behind_a_hand) || !follow_with_mesh()) find_anew();
 }
 
 /// While a hand drags, only where they came fast enough to follow it.
 void Session::find_anew()
 {
     ahead_ = {};
+    if (run_ && run() == nullptr) drop_run();
+    std::erase_if(ending_, [](const auto& run) { return run->is_done_within(0.0); });
     if (analysed() != nullptr || (history_.is_dragging() && last_seconds_ > patience.of_a_hand)) return;
-    const auto seconds = [start = Clock::now()] { return seconds_since(start); };
-    analysed_ = std::make_shared<const Analysed>(
-        solution_, [&] { return seconds() > patience.at_most; }, document().sizes());
-    last_seconds_ = seconds();
+    const bool is_begun = run_ != nullptr;
+    if (!is_begun) {
+        AnalysisRun::Limits limits;
+        const bool is_waited_for = std::isinf(patience.in_a_frame) || ui::in_background() == std::launch::deferred;
+        if (is_waited_for) limits.seconds = patience.at_most;
+        if (insisted_ != solution_) limits.unknowns = patience.most_unknowns;
+        run_ = std::make_shared<AnalysisRun>(solution_, document().sizes(), limits);
+    }
+    if (!run_->is_done_within(is_begun ? 0.0 : patience.in_a_frame)) {
+        last_seconds_ = std::max(last_seconds_, patience.in_a_frame);
+        return;
+    }
+    const AnalysisRun::Result found = std::exchange(run_, nullptr)->result();
+    analysed_ = found.analysed;
+    last_seconds_ = found.seconds;
+}
+
+/// Its thread ends by itself, while nobody waits.
+void Session::drop_run()
+{
+    run_->give_up();
+    ending_.push_back(std::exchange(run_, nullptr));
+}
+
+void Session::give_up_analysis()
+{
+    if (run() == nullptr) return;
+    drop_run();
+    analysed_ = std::make_shared<const Analysed>(Analysed::given_up(solution_));
+}
+
+bool Session::was_left() const
+{
+    const Analysed* const found = analysed();
+    return found != nullptr && (found->was_cancelled() || found->n_unknowns_too_many());
+}
+
+void Session::analyse_all_the_same()
+{
+    insisted_ = solution_;
+    analysed_.reset();
 }
 
 void Session::stop_following()
@@ -487,7 +531,11 @@ std::optional<Message> Session::why_no_results() const
     const Analysed* const found = analysed();
     if (found == nullptr) return std::nullopt;
     if (found->was_cancelled())
-        return translatable("the mesh took too long and was given up; give a larger element size");
+        return translatable("meshing and solving took too long and were given up; give a larger element size");
+    if (const auto n = found->n_unknowns_too_many())
+        return Message(translatable("the mesh has {n} unknowns, which take about {seconds} s, and its picture follows "
+                                    "slowly; give a larger element size, or go on"),
+                       {{"n", std::to_string(*n)}, {"seconds", std::to_string(seconds_to_solve(*n))}});
     if (look.modes && found->mesh() != nullptr) {
         if (!vibration_ || vibration_->of().get() != found || vibration_->modes() != nullptr) return std::nullopt;
         return said(vibration_->faults());

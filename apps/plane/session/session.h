@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <filesystem>
 #include <future>
+#include <limits>
 #include <memory>
 #include <optional>
 #include <string>
@@ -10,6 +11,7 @@
 #include <vector>
 
 #include "apps/plane/document/analysed.h"
+#include "apps/plane/document/analysis_run.h"
 #include "apps/plane/document/change.h"
 #include "apps/plane/document/outlines.h"
 #include "apps/plane/document/part.h"
@@ -27,7 +29,11 @@ namespace plane {
 struct Patience {
     double of_a_hand = 0.05;    ///< what takes longer is not waited for while one drags
     double behind_a_hand = 0.5; ///< what takes longer does not follow one
-    double at_most = 20.0;      ///< then it is given up
+    double at_most = 20.0;      ///< then it is given up, where nobody could do so
+    /// Results are waited for in a frame; from then on frames are drawn while they are found, and say so.
+    double in_a_frame = std::numeric_limits<double>::infinity();
+    std::size_t most_unknowns = std::numeric_limits<std::size_t>::max(); ///< that are solved for without a question
+    static Patience of_a_window() { return {.in_a_frame = 0.3, .most_unknowns = 400'000}; }
 };
 
 /// What is open and how it is looked at: the app without its window. The document changes through `change` alone; its
@@ -74,6 +80,13 @@ public:
     const Analysed* analysed() const;
     /// Why what is shown has no mesh or no results; nothing where it has, or none is wanted.
     std::optional<ui::Message> why_no_results() const;
+
+    /// The analysis of the drawing that is under way while frames are drawn; null: none.
+    const AnalysisRun* run() const { return run_ && run_->solution() == solution_ ? run_.get() : nullptr; }
+    void give_up_analysis(); ///< that one
+    /// Whether it was given up, or not begun because it has too many unknowns.
+    bool was_left() const;
+    void analyse_all_the_same(); ///< \pre it was left
 
     /// Of the mesh as it is now; null where modes are not shown, or there are none.
     const femoop::plane::NaturalModes* modes() const;
@@ -127,7 +140,10 @@ public:
     void leave_gap();
 
     void tick(double seconds);
-    bool is_moving() const { return notice.has_value() || is_swinging() || watch.is_playing() || is_refining(); }
+    bool is_moving() const
+    {
+        return notice.has_value() || is_swinging() || watch.is_playing() || is_refining() || run();
+    }
     /// Share of the displacements that is drawn, -1 to 1; 1 where nothing swings.
     double phase() const;
 
@@ -165,6 +181,7 @@ private:
     void restart(Document document);
     void find_mesh_and_results();
     void find_anew();
+    void drop_run();
     /// Does the mesh of before go along with the hand?
     bool follow_with_mesh();
     bool follows_slower_than(double seconds) const { return follow_seconds_ && *follow_seconds_ > seconds; }
@@ -184,6 +201,9 @@ private:
         double seconds = 0.0; ///< that it took
     };
     std::shared_future<Ahead> ahead_;
+    std::shared_ptr<AnalysisRun> run_;                 ///< of the drawing as it is, or as it was
+    std::vector<std::shared_ptr<AnalysisRun>> ending_; ///< given up
+    std::shared_ptr<const Solution> insisted_;         ///< is solved however many unknowns it has
     std::shared_ptr<const Vibration> vibration_;
     double swing_ = 0.0;                   ///< since it began, at the largest displacement [s]
     double last_seconds_ = 0.0;            ///< that an analysis took

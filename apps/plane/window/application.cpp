@@ -98,8 +98,9 @@ bool Application::handle_typing(ui::Key key)
 bool Application::close_topmost()
 {
     if (DocumentApp::close_topmost() || unit_window_.close()) return true;
-    if (!session().is_refining()) return canvas_.cancel(workspace());
-    workspace().session.stop_refining();
+    if (session().is_refining()) workspace().session.stop_refining();
+    else if (session().run() != nullptr) workspace().session.give_up_analysis();
+    else return canvas_.cancel(workspace());
     return true;
 }
 

@@ -47,6 +47,17 @@ ui::FootMessage message_of(const Session& session, const Gap& gap)
             {0}};
 }
 
+ui::FootMessage message_of(const Session& session, const AnalysisRun& run)
+{
+    const ui::Catalogue& tr = session.tr();
+    const auto percent = std::to_string(static_cast<int>(100.0 * run.share()));
+    const std::string told = run.n_unknowns() == 0
+                                 ? tr("The drawing is being meshed; Esc gives it up.")
+                                 : tr("{n} unknowns are being solved for, {percent} % done; Esc gives it up.",
+                                      {{"n", std::to_string(run.n_unknowns())}, {"percent", percent}});
+    return {{told}, {tr("Give it up") + "###give up"}};
+}
+
 /// What the hand is to do next that places the image behind the drawing.
 std::string_view step_of(const AlignTool& tool)
 {
@@ -69,20 +80,30 @@ std::optional<ui::FootMessage> foot_of(const Workspace& workspace)
     if (workspace.hand.has_begun() || session.history().is_dragging()) return std::nullopt;
     if (const auto& dispute = session.solution().dispute()) return message_of(session, *dispute);
     if (const auto gap = told_gap(workspace)) return message_of(session, *gap);
-    if (const auto reason = session.why_no_results())
-        return ui::FootMessage{{session.tr()("No results: {reason}", {{"reason", session.tr()(*reason)}})},
-                               {session.tr()("Problems") + "###problems"}};
+    if (session.run() != nullptr) return message_of(session, *session.run());
+    if (const auto reason = session.why_no_results()) {
+        const ui::Catalogue& tr = session.tr();
+        ui::FootMessage told{{tr("No results: {reason}", {{"reason", tr(*reason)}})}, {tr("Problems") + "###problems"}};
+        if (session.was_left()) told.buttons = {tr("Go on all the same") + "###go on"};
+        return told;
+    }
     return std::nullopt;
 }
 
 void answer_foot(Workspace& workspace, const CommandTable& commands, std::size_t pressed)
 {
-    if (!workspace.session.solution().dispute() && !told_gap(workspace)) {
+    Session& session = workspace.session;
+    const bool is_of_drawing = session.solution().dispute() || told_gap(workspace);
+    if (!is_of_drawing && (session.run() != nullptr || session.was_left())) {
+        run(*commands.find(session.run() != nullptr ? "results.give_up" : "results.go_on"), workspace);
+        return;
+    }
+    if (!is_of_drawing) {
         workspace.topic = Topic::Problems;
         workspace.has_panels = true;
         return;
     }
-    const bool is_dispute = workspace.session.solution().dispute().has_value();
+    const bool is_dispute = session.solution().dispute().has_value();
     const bool is_second = pressed == 1;
     const std::string_view id = is_dispute ? (is_second ? "region.keep_second" : "region.keep_first")
                                            : (is_second ? "draw.leave_gap" : "draw.close_gap");

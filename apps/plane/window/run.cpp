@@ -25,7 +25,11 @@ static bool ends_headless(const Session& session) { return !session.path() && !s
 
 int run(const ui::AppOptions& options)
 {
-    return ui::run_with<Application, OffscreenStage, Session>(options, "plane", ui::draft_folder("plane", ".json"));
+    const auto prepare = [](Application& application) {
+        application.workspace().session.patience = Patience::of_a_window();
+    };
+    return ui::run_with<Application, OffscreenStage, Session>(options, "plane", ui::draft_folder("plane", ".json"),
+                                                              prepare);
 }
 
 } // namespace plane

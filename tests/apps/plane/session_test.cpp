@@ -205,6 +205,52 @@ TEST_CASE("What took too long to follow a hand waits until it lets go")
     CHECK_FALSE(session.analysed()->is_following());
 }
 
+TEST_CASE("What is not found within a frame is found while others are drawn, until it is given up")
+{
+    Workspace workspace = quarter_plate();
+    Session& session = workspace.session;
+    session.look.mesh = true;
+    session.patience.in_a_frame = 0.0;
+    session.change({"Fine", [](Document& document) { document.model.mesh.size = femoop::Quantity(0.5); }});
+    session.analyse_what_is_shown();
+    if (session.run() == nullptr) return; // one core alone: it was waited for
+    CHECK(session.analysed() == nullptr);
+    CHECK(session.is_moving());
+    session.give_up_analysis();
+    CHECK(session.run() == nullptr);
+    REQUIRE(session.why_no_results());
+    CHECK(session.tr()(*session.why_no_results()) ==
+          "meshing and solving took too long and were given up; give a larger element size");
+    session.analyse_what_is_shown();
+    CHECK(session.run() == nullptr);
+    session.analyse_all_the_same();
+    session.patience.in_a_frame = Patience().in_a_frame;
+    session.analyse_what_is_shown();
+    REQUIRE(session.analysed() != nullptr);
+    CHECK(session.analysed()->mesh() != nullptr);
+    CHECK_FALSE(session.is_moving());
+}
+
+TEST_CASE("More unknowns than are solved for within seconds are told, and solved for where one insists")
+{
+    Workspace workspace = quarter_plate();
+    Session& session = workspace.session;
+    session.look.mesh = true;
+    session.patience.most_unknowns = 100;
+    session.analyse_what_is_shown();
+    REQUIRE(session.analysed() != nullptr);
+    CHECK(session.analysed()->mesh() == nullptr);
+    REQUIRE(session.was_left());
+    const std::size_t n = *session.analysed()->n_unknowns_too_many();
+    CHECK(session.tr()(*session.why_no_results()) ==
+          "the mesh has " + std::to_string(n) +
+              " unknowns, which take about 1 s, and its picture follows slowly; give a larger element size, or go on");
+    session.analyse_all_the_same();
+    session.analyse_what_is_shown();
+    REQUIRE(session.analysed()->mesh() != nullptr);
+    CHECK(2 * session.analysed()->mesh()->points.size() == n);
+}
+
 TEST_CASE("The drawing in words tells of each case what acts on what, with its values")
 {
     Session session(gallery_document(1)); // the dam
