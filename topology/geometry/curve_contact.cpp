@@ -267,10 +267,11 @@ private:
     }
 
     /// The parameter of b that is nearest to a place of a, near a guess.
-    double across(double t, double guess) const
+    double across(double t, double guess) const { return b_.nearest(a_.at(t), around(guess)); }
+    static Span around(double guess)
     {
-        constexpr double around = 0.02;
-        return b_.nearest(a_.at(t), {std::max(0.0, guess - around), std::min(1.0, guess + around)});
+        constexpr double reach = 0.02;
+        return {std::max(0.0, guess - reach), std::min(1.0, guess + reach)};
     }
     double gap_at(double t, double guess) const { return distance(a_.at(t), b_.at(across(t, guess))); }
     bool stay_close(const Meeting& first, const Meeting& second) const
@@ -296,6 +297,24 @@ private:
         return 0;
     }
 
+    /// An end of one of the curves that lies on the other, in place of a meeting from which they stay close up to it.
+    Meeting drawn_to_end(const Meeting& meeting) const
+    {
+        std::vector<Meeting> ends;
+        for (const double end : {0.0, 1.0}) {
+            ends.push_back({end, across(end, meeting.u), 0.0});
+            const double t = a_.nearest(b_.at(end), around(meeting.t));
+            ends.push_back({t, end, 0.0});
+        }
+        for (const Meeting& end : ends) {
+            if (distance(a_.at(end.t), b_.at(end.u)) > snap_) continue;
+            const bool are_straight = distance(a_.at(meeting.t), a_.at(end.t)) <=
+                                      4.0 * snap_; // close between two closes
+            if (are_straight || stay_close(meeting, end)) return end;
+        }
+        return meeting;
+    }
+
     void add_contact(std::span<const Meeting> together)
     {
         const auto crossing = std::ranges::find_if(together, &Meeting::is_crossing);
@@ -304,7 +323,7 @@ private:
         const int before = is_alone ? -1 : side_beyond(together.front(), -1.0);
         const int after = is_alone ? 1 : side_beyond(together.back(), 1.0);
         const bool changes_sides = before * after < 0;
-        const Meeting chosen = changes_sides && crossing != together.end() ? *crossing : least;
+        const Meeting chosen = drawn_to_end(changes_sides && crossing != together.end() ? *crossing : least);
         places_.push_back({chosen.t, chosen.u, middle(a_.at(chosen.t), b_.at(chosen.u))});
     }
 

@@ -253,6 +253,23 @@ TEST_SUITE("planar subdivision")
         check_sound(plane);
     }
 
+    TEST_CASE("A cubic that slows down to nothing at its end meets what it ends on there alone, whatever snap is")
+    {
+        const FlatPoint end{0.0, 2.0};
+        const Curve slowing = CubicBezier{{{{2.0, 2.0}, {2.0, 7.0}, end, end}}};
+        const FlatPoint center{4.5, 2.0 + 4.0 / 3.0}; // of an arc through the end, which is its point at 0.5
+        const double r = distance(center, end), from = std::atan2(end.y - center.y, end.x - center.x) - 1.0;
+        const Curve arc = EllipticArc{center, {r, 0.0}, {0.0, r}, from, 2.0};
+        for (double snap = 1e-9; snap < 1e-7; snap *= 1.07) {
+            CAPTURE(snap);
+            PlanarSubdivision plane(snap);
+            REQUIRE(!plane.insert(slowing, {FlatPoint{2.0, 2.0}, end}));
+            REQUIRE(!plane.insert(arc, {arc.at(0.0), arc.at(1.0)}));
+            CHECK(plane.counts().vertices == 4);
+            CHECK(plane.counts().edges == 3);
+        }
+    }
+
     TEST_CASE("A vertex nearer to an edge than snap lies on it, one farther away does not")
     {
         for (const double off : {0.4e-6, 3.0e-6}) {
