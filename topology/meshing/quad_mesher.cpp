@@ -14,8 +14,7 @@ constexpr double worth_a_change = 0.01;
 constexpr double good_enough = 0.5;       // quality that is not mended: sine of 30 degrees
 constexpr double least_of_cell = 0.05;    // quality below which a quadrilateral is cut into two triangles
 constexpr std::size_t n_whole_rounds = 4; // in which all is smoothed; then what lies around poor cells alone
-constexpr std::size_t most_rounds = 30;
-constexpr int n_sweeps = 3; // of smoothing, in a round
+constexpr int n_sweeps = 3;               // of smoothing, in a round
 
 std::uint64_t edge_key(CellNode from, CellNode to) { return (std::uint64_t{from} << 32U) | to; }
 
@@ -51,6 +50,12 @@ QuadMesher::QuadMesher(const MeshDomain& domain, MesherOptions options) : domain
         bends_.emplace(edge_key(std::min(edge[0], edge[1]), std::max(edge[0], edge[1])), middle);
 }
 
+QuadMesher::QuadMesher(const MeshDomain& domain, MesherOptions options, bool is_halved)
+    : QuadMesher(domain, std::move(options))
+{
+    is_halved_ = is_halved;
+}
+
 QuadMesher::Step QuadMesher::next()
 {
     made_.clear();
@@ -71,6 +76,7 @@ QuadMesher::Step QuadMesher::step()
     if (!std::exchange(is_cut_, true)) {
         cut_worst();
         if (worst(cells_) <= 0.0) fall_back();
+        refill();
     }
     return Step::Done;
 }
@@ -660,6 +666,11 @@ void QuadMesher::fall_back()
 {
     nodes_ = std::move(triangulated_);
     cells_ = std::move(paired_);
+    edges_.clear();
+    for (CellIndex cell = 0; cell < cells_.size(); ++cell) {
+        const Nodes nodes = cells_[cell];
+        put(cell, nodes);
+    }
 }
 
 /// What could not be mended becomes two triangles.

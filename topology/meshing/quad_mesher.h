@@ -18,8 +18,9 @@ namespace topology {
 /// two are turned, three take the place of two, a flat one is closed, nodes of two cells alone are taken out, and all are
 /// smoothed.
 ///
-/// Accuracy  a quadrilateral that cannot be mended stays as two triangles; where that leaves a cell turned inside out, the
-///           pairs alone are the mesh
+/// Accuracy  where a quadrilateral cannot be mended, half as fine a mesh is cut into quadrilaterals at the middles of its
+///           edges; where that makes flat ones it stays as two triangles; where a cell is turned inside out, the pairs
+///           alone are the mesh
 /// Source    pairing: [KarpSipser1981]; turning edges and taking nodes out: [Kinney1997]
 class QuadMesher : public Mesher {
 public:
@@ -36,6 +37,9 @@ public:
 private:
     using Nodes = std::vector<CellNode>;
     using CellIndex = std::uint32_t;
+    static constexpr std::size_t most_rounds = 30;
+    static constexpr double least_of_filled = 0.05; ///< quality of cells without which triangles stay
+    QuadMesher(const MeshDomain& domain, MesherOptions options, bool is_halved);
     static constexpr CellIndex none = 0xffffffff;
 
     void triangulate();
@@ -67,6 +71,13 @@ private:
     double worst_of(const std::vector<CellIndex>& cells) const;
     void cut_worst();
     void fall_back();
+    struct Halved;
+    void refill();
+    bool fill_halved(std::size_t first);
+    bool cut_at_middles(const Nodes& corners, const Halved& half, std::unordered_map<std::uint64_t, CellNode>& middles);
+    void mend_filled();
+    CellNode add_place(const FlatPoint& at);
+    std::size_t n_triangles() const;
 
     CellIndex add(const Nodes& nodes);
     void put(CellIndex cell, const Nodes& nodes);
@@ -110,6 +121,7 @@ private:
     std::uint32_t search_ = 0;
     std::vector<CellIndex> made_; ///< in the last step
     bool is_triangulated_ = false, is_cut_ = false;
+    bool is_halved_ = false; ///< its cells are to be cut into quadrilaterals
 };
 
 } // namespace topology
