@@ -10,6 +10,7 @@
 #include "apps/plane/backdrop/view_file.h"
 #include "apps/plane/view/cut_panel.h"
 #include "apps/plane/view/plate_words.h"
+#include "apps/plane/view/singular_notice.h"
 #include "femoop/plane/analysis/natural_modes.h"
 #include "femoop/plane/analysis/plane_analysis.h"
 #include "ui/files/view_file.h"
@@ -164,6 +165,9 @@ ExitStatus PlaneRender::draw(fp::PlaneReading& reading, const std::string& name,
         shown.results = &results;
         return write(shown, order, options, console);
     } catch (const femoop::ModelError& error) {
+        if (shown.drawing != nullptr && !is_described_ && ::plane::shows_stresses(options))
+            if (const auto notice = ::plane::singular_notice(*shown.drawing, options))
+                console.message(tr("{file}: notice: {sentence}", {{"file", name}, {"sentence", *notice}}));
         return report_unsolved(error, name, console);
     }
 }

@@ -18,6 +18,7 @@
 #include "apps/plane/discretize/error_cycle.h"
 #include "apps/plane/view/plate_picture.h"
 #include "apps/plane/view/plate_words.h"
+#include "apps/plane/view/singular_notice.h"
 #include "femoop/analysis/stopwatch.h"
 #include "femoop/io/plane/element_trace_output.h"
 #include "femoop/io/plane/modes_output.h"
@@ -99,6 +100,19 @@ std::string description(const PlaneSolve::Question& question, const PlaneInput& 
                                     .mesh = input.mesh() != nullptr ? &input.model() : nullptr,
                                     .results = &results},
                                    options, selection.cases);
+}
+
+/// What no mesh finds the value of.
+void tell_singular_corners(const discretize::Drawing& drawing, const PlaneSolve::Question& question,
+                           const Console& console)
+{
+    ::plane::PlateOptions options;
+    options.tr = console.tr();
+    options.numbers.mark = ui::decimal_mark(console.tr().language());
+    options.unit_choices = question.units.choices(console.tr());
+    const auto notice = ::plane::singular_notice(drawing, options);
+    if (notice)
+        console.message(console.tr()("{file}: notice: {sentence}", {{"file", question.file}, {"sentence", *notice}}));
 }
 
 } // namespace
@@ -255,6 +269,8 @@ ExitStatus PlaneSolve::print_results(const Question& question, const PlaneInput&
         if (question.is_timed) phases.recover = seconds_to_smooth(results, asked_for.cases);
         femoop::Stopwatch watch;
         console.print(output(question, input, results, asked_for, console.tr()));
+        if (input.drawing() != nullptr && !question.is_described && !asked_for.cases.empty())
+            tell_singular_corners(*input.drawing(), question, console);
         if (question.csv_folder)
             write_tables(*question.csv_folder,
                          asks_for_envelope(question) && !asked_for.cases.empty()

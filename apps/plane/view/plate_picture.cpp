@@ -17,6 +17,7 @@
 #include "apps/plane/view/probe_marks.h"
 #include "apps/plane/view/probe_panel.h"
 #include "apps/plane/view/reaction_marks.h"
+#include "apps/plane/view/singular_notice.h"
 #include "apps/plane/view/support_marks.h"
 #include "femoop/plane/mesh/mesh_geometry.h"
 
@@ -199,6 +200,10 @@ private:
     }
 
     /// What is drawn of a body.
+        const bool has_stresses = !fields.empty() && shows_stresses(options);
+        if (const auto note = has_stresses && input_.drawing != nullptr ? singular_note(*input_.drawing, options)
+                                                                        : std::nullopt)
+            fields.front().notes.push_back(*note);
     struct Body {
         const PlateInput& input;
         const femoop::plane::PlaneModel* mesh;

@@ -18,6 +18,7 @@
 #include "apps/plane/view/probe_marks.h"
 #include "apps/plane/view/probe_values.h"
 #include "apps/plane/view/reaction_marks.h"
+#include "apps/plane/view/singular_notice.h"
 #include "femoop/plane/mesh/mesh_geometry.h"
 #include "femoop/plane/mesh/mesh_quality.h"
 
@@ -354,6 +355,8 @@ private:
         for (std::size_t i = 0; i < options_.cuts.size(); ++i) write_cut(i + 1, options_.cuts[i]);
     }
 
+        if (input_.drawing != nullptr && shows_stresses(options_))
+            if (const auto notice = singular_notice(*input_.drawing, options_)) line(*notice);
     const PlateInput& input_;
     const PlateOptions& options_;
     const ui::Catalogue& tr_;

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "apps/plane/discretize/drawing.h"
+#include "apps/plane/discretize/singular_corners.h"
 #include "femoop/io/any_model.h"
 #include "femoop/io/plane/plane_file.h"
 #include "femoop/io/plane/plane_verify.h"
@@ -222,6 +223,31 @@ TEST_CASE("Every fault of a drawing has a file that shows it")
         CAPTURE(pattern(static_cast<FaultKind>(kind)));
         CHECK(shown.contains(static_cast<FaultKind>(kind)));
     }
+}
+
+TEST_CASE("Stresses have no bound at re-entrant corners, at which regions add up, and have one at fillets and arcs")
+{
+    const auto corners = [](const std::string& curves, const std::string& regions) {
+        const PlaneModel model = read_plane_model(
+            DrawingText{.points = "[]", .curves = curves, .regions = regions}.text());
+        return discretize::singular_corners(Drawing(model));
+    };
+    const std::string whole = R"([{"id": "plate", "material": "m", "thickness": 2}])";
+    const std::string outline = R"([{"id": "o", "kind": "line", "closed": true,
+        "points": [[0, 0], [7, 0], [7, 3], [2, 3], [2, 5], [0, 5]]})";
+    const auto sharp = corners(outline + "]", whole);
+    REQUIRE(sharp.size() == 1);
+    CHECK(sharp[0].at == topology::FlatPoint{2.0, 3.0});
+    CHECK(sharp[0].angle == Approx(270.0));
+    const auto of_two = corners(outline + R"(, {"id": "b", "kind": "line", "points": [[2, 3], [2, 0]]}])",
+                                R"([{"id": "left", "at": [1, 1], "material": "m", "thickness": 2},
+                                    {"id": "right", "at": [5, 1], "material": "m", "thickness": 2}])");
+    REQUIRE(of_two.size() == 1);
+    CHECK(of_two[0].angle == Approx(270.0));
+    const std::string filleted = R"([{"id": "o", "kind": "line",
+        "points": [[2.5, 3], [7, 3], [7, 0], [0, 0], [0, 5], [2, 5], [2, 3.5]]},
+        {"id": "f", "kind": "arc", "center": [2.5, 3.5], "points": [[2, 3.5], [2.5, 3]]}])";
+    CHECK(corners(filleted, whole).empty());
 }
 
 TEST_CASE("A point is a vertex unless it is merely a centre or a control point")
