@@ -119,6 +119,24 @@ void close_polylines(PlaneModel& model)
     }
 }
 
+/// Straight parts from the point to itself go, and a line that has no other part. \returns which curves those are
+std::vector<bool> drop_collapsed_parts(PlaneModel& model, NodeId point)
+{
+    std::vector<bool> gone(model.curves.size());
+    for (std::size_t i = 0; i < model.curves.size(); ++i) {
+        auto& shape = model.curves[i].shape;
+        if (!shape || shape->kind != femoop::plane::DrawnKind::Line) continue;
+        auto& places = shape->places;
+        const auto is_it = [&](const auto& place) { return place.point == point; };
+        const auto rest = std::unique(places.begin(), places.end(),
+                                      [&](const auto& a, const auto& b) { return is_it(a) && is_it(b); });
+        places.erase(rest, places.end());
+        if (shape->is_closed && places.size() > 1 && is_it(places.front()) && is_it(places.back())) places.pop_back();
+        gone[i] = places.size() < 2;
+    }
+    return gone;
+}
+
 } // namespace
 
 std::optional<Gap> narrowest_gap(const Drawing& drawing)
@@ -151,6 +169,7 @@ void join_points(Document& document, NodeId gone, NodeId by)
     replace_point(model, gone, by);
     close_polylines(model);
     Erased erased;
+    erased.curves = drop_collapsed_parts(model, by);
     erased.points.resize(model.points.size());
     erased.points[gone.index] = true;
     erase_entries(model, erased);

@@ -241,10 +241,12 @@ void Canvas::drag(Workspace& workspace)
     if (!grip_) return;
     const Aim meant = aim_at(workspace); // without the point that is dragged
     workspace.hand.point_at(meant);
-    workspace.session.change(
+    const bool is_to_join = meant.snap.point && meant.snap.point != grip_; // two points at one place until it lets go
+    const auto reason = workspace.session.change(
         {{translatable("Move point {id}"), {{"id", workspace.session.model()[*grip_].id}}},
          [grip = *grip_, to = meant.snap.place](Document& document) { move_point(document, grip, to); },
          Step::Drag});
+    if (reason && !is_to_join) workspace.session.notify(*reason);
 }
 
 void Canvas::release(Workspace& workspace, const Aim& aim)
@@ -257,11 +259,16 @@ void Canvas::release(Workspace& workspace, const Aim& aim)
     if (hand.cut_start() && was_dragged) return read_at(workspace, aim.snap.place);
     if (const auto grip = std::exchange(grip_, std::nullopt)) {
         const auto other = aim.snap.point;
-        if (other && other != grip) // one on the other: they are one from now on
-            workspace.session.change(
+        if (other && other != grip) { // one on the other: they are one from now on
+            const std::string joined = workspace.session.model()[*grip].id,
+                              stays = workspace.session.model()[*other].id;
+            const auto reason = workspace.session.change(
                 {{translatable("Join points")},
                  [grip = *grip, by = *other](Document& document) { join_points(document, grip, by); },
                  Step::Drag});
+            workspace.session.notify(reason.value_or(ui::Message(translatable("points {gone} and {stays} are one now"),
+                                                                 {{"gone", joined}, {"stays", stays}})));
+        }
         workspace.session.settle();
         return;
     }
