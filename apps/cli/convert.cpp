@@ -14,10 +14,14 @@
 #include "apps/cli/output_file.h"
 #include "apps/cli/picture.h"
 #include "apps/cli/plane_input.h"
+#include "apps/cli/plane_render.h"
 #include "apps/cli/solid_file.h"
 #include "apps/plane/outline/outline.h"
+#include "femoop/io/any_model.h"
 #include "femoop/io/results/results_csv.h"
 #include "femoop/model/quantity/in_units.h"
+#include "femoop/plane/model/plane_in_units.h"
+#include "ui/text/language_manner.h"
 
 namespace cli {
 
@@ -32,7 +36,7 @@ public:
 
 private:
     ExitStatus to_json(const femoop::Model& model, Console& console) const;
-    ExitStatus to_json(femoop::plane::PlaneReading& reading, const std::string& kind, Console& console) const;
+    ExitStatus plane(femoop::plane::PlaneReading& reading, const std::string& kind, Console& console) const;
     ExitStatus to_csv(const femoop::Model& model, Console& console) const;
     ExitStatus solids(Console& console) const;
     ExitStatus outline(Console& console) const;
@@ -115,9 +119,10 @@ femoop::Units units_named(const std::string& text, const ui::Catalogue& tr)
 
 /// Numbers may leave the range in which they are read when they are counted in other units; what is wrong with them is
 /// told, by their new place.
-bool is_sound_in_new_units(const std::string& text, const Console& console)
+template <class Reading> bool is_sound_in_new_units(const std::string& text, const Console& console)
 {
-    const femoop::ModelReading reading = femoop::examine_model(text);
+    const femoop::AnyReading any = femoop::examine_any(text);
+    const auto& reading = std::get<Reading>(any);
     if (reading.is_sound()) return true;
     console.message(console.tr()("--units: in these units the file could not be read again; choose others"));
     console.report("--units", reading.faults);
@@ -142,21 +147,36 @@ ExitStatus Convert::to_json(const femoop::Model& model, Console& console) const
             console.tr()("--units: the block \"{block}\" holds numbers that are not converted; take it out first",
                          {{"block", model.extra.front().key}}));
     const std::string text = femoop::write_model(units == model.units ? model : femoop::in_units(model, units));
-    if (!is_sound_in_new_units(text, console)) return ExitStatus::BadInput;
+    if (!is_sound_in_new_units<femoop::ModelReading>(text, console)) return ExitStatus::BadInput;
     deliver(text, console);
     return ExitStatus::Done;
 }
 
-/// A plane model is tidied; its other forms are not built yet.
-ExitStatus Convert::to_json(femoop::plane::PlaneReading& reading, const std::string& kind, Console& console) const
+/// A plane model is tidied, counted in other units, or drawn as `render` draws it by default.
+ExitStatus Convert::plane(femoop::plane::PlaneReading& reading, const std::string& kind, Console& console) const
 {
     const ui::Catalogue& tr = console.tr();
+    if (combinations_ || bend_.is_asked())
+        throw UsageError(tr("--combinations and --bend are for structures of members; this is a plane model"));
+    if (units_ && kind != ".json") throw UsageError(tr("--units: only a .json file is written in other units"));
+    if (kind == ".csv")
+        throw UsageError(
+            tr("the results of a plane model fill several tables; cremona solve FILE --csv FOLDER writes them"));
+    if (is_picture(out_)) {
+        PlaneRender::Order order{.file = {.path = out_}, .model_file = in_ == "-" ? std::nullopt : std::optional(in_)};
+        order.look.tr = tr;
+        order.look.numbers.mark = ui::decimal_mark(tr.language());
+        return PlaneRender().draw(reading, display_name(in_, tr), order, console);
+    }
     drawing_of(reading);
     console.report(display_name(in_, tr), reading.faults);
     if (!reading.is_sound()) return ExitStatus::BadInput;
-    if (kind != ".json" || units_ || combinations_ || bend_.is_asked())
-        throw UsageError(tr("a plane model is written as .json in its own units; other forms are not built yet"));
-    deliver(femoop::plane::write_plane_model(reading.model), console);
+    const femoop::Units units = units_ ? units_named(*units_, tr) : reading.model.units;
+    const bool is_same = units == reading.model.units;
+    const std::string text = femoop::plane::write_plane_model(is_same ? reading.model
+                                                                      : femoop::plane::in_units(reading.model, units));
+    if (!is_same && !is_sound_in_new_units<femoop::plane::PlaneReading>(text, console)) return ExitStatus::BadInput;
+    deliver(text, console);
     return ExitStatus::Done;
 }
 
@@ -227,7 +247,7 @@ ExitStatus Convert::run(Console& console)
                             {{"file", out_}, {"kind", "\"" + kind + "\""}}));
     if (out_ != "-") require_writable(out_, tr);
     femoop::AnyReading reading = examine_any(in_, tr);
-    if (auto* plane = std::get_if<femoop::plane::PlaneReading>(&reading)) return to_json(*plane, kind, console);
+    if (auto* plane = std::get_if<femoop::plane::PlaneReading>(&reading)) return this->plane(*plane, kind, console);
     auto& members = std::get<femoop::ModelReading>(reading);
     console.report(display_name(in_, tr), members.faults);
     if (!members.is_sound()) return ExitStatus::BadInput;

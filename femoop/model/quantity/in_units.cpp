@@ -92,19 +92,7 @@ public:
     }
 
 private:
-    void number(Quantity& quantity, Dimension dimension) const
-    {
-        if (dimension.length == 0 && dimension.force == 0) return;
-        const bool is_typed = quantity.has_text();
-        // As a person converts: the digits that are written, not their binary neighbours, so that 0.0002 m^4 is 2e8
-        // mm^4.
-        const std::string text = is_typed ? std::string(quantity.text())
-                                          : quantity_text(quantity.value(), dimension, from_);
-        const auto read = parse_quantity(text, dimension, to_);
-        const double* parsed = std::get_if<double>(&read);
-        const double value = parsed ? *parsed : converted(quantity.value(), dimension, from_, to_);
-        quantity = is_typed ? Quantity(value, text) : Quantity(value);
-    }
+    void number(Quantity& quantity, Dimension dimension) const { quantity = in_units(quantity, dimension, from_, to_); }
     void number(std::optional<Quantity>& quantity, Dimension dimension) const
     {
         if (quantity) number(*quantity, dimension);
@@ -152,6 +140,18 @@ private:
 };
 
 } // namespace
+
+Quantity in_units(const Quantity& quantity, Dimension dimension, const Units& from, const Units& to)
+{
+    if (dimension.length == 0 && dimension.force == 0) return quantity;
+    const bool is_typed = quantity.has_text();
+    // As a person converts: the digits that are written, not their binary neighbours, so that 0.0002 m^4 is 2e8 mm^4.
+    const std::string text = is_typed ? std::string(quantity.text()) : quantity_text(quantity.value(), dimension, from);
+    const auto read = parse_quantity(text, dimension, to);
+    const double* parsed = std::get_if<double>(&read);
+    const double value = parsed ? *parsed : converted(quantity.value(), dimension, from, to);
+    return is_typed ? Quantity(value, text) : Quantity(value);
+}
 
 Model in_units(const Model& model, const Units& units)
 {

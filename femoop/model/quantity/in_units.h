@@ -1,6 +1,7 @@
 #pragma once
 
 #include "femoop/model/model.h"
+#include "femoop/model/quantity/dimension.h"
 
 namespace femoop {
 
@@ -10,5 +11,8 @@ namespace femoop {
 /// length or a force stay bit for bit \pre `model.extra` is empty: what is in those blocks only their own analyses
 /// understand
 Model in_units(const Model& model, const Units& units);
+
+/// The same of one number of a file.
+Quantity in_units(const Quantity& quantity, Dimension dimension, const Units& from, const Units& to);
 
 } // namespace femoop

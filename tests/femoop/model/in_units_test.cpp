@@ -4,7 +4,9 @@
 #include <string>
 
 #include "femoop/io/model_file.h"
+#include "femoop/io/plane/plane_file.h"
 #include "femoop/model/quantity/in_units.h"
+#include "femoop/plane/model/plane_in_units.h"
 
 using namespace femoop;
 
@@ -38,6 +40,35 @@ Model every_dimension()
 }
 
 } // namespace
+
+TEST_CASE("Fields of a plane model are counted by the powers of their places")
+{
+    const plane::PlaneModel model = plane::read_plane_model(R"({"cremona": 1, "analysis": "plane_stress",
+      "units": {"length": "m", "force": "kN"}, "snap": 0.001, "mesh": {"size": 0.5},
+      "materials": [{"id": "s", "E": 205000000, "nu": 0.3}], "points": [{"id": "A", "at": [3, 4.5], "size": 0.2}],
+      "curves": [{"id": "c", "kind": "circle", "center": [7, 5], "radius": 2, "support": {"springs": {"ux": 800}}}],
+      "regions": [{"id": "R", "material": "s", "thickness": 0.25}],
+      "load_cases": [{"id": "P", "curves": [{"curve": "c", "kind": "traction", "qx": {"polynomial": [[6, 1, 1]]}}],
+        "regions": [{"kind": "body", "by": -25},
+                    {"kind": "temperature", "rise": {"along": "x", "table": [[1, 10], [2, 30]]}}]}]})");
+    const plane::PlaneModel other = plane::in_units(model, {LengthUnit::mm, ForceUnit::N});
+    CHECK(other.snap->value() == 1.0);
+    CHECK(other.mesh.size->value() == 500.0);
+    CHECK(other.points[0].at[1].value() == 4500.0);
+    CHECK(other.points[0].size->value() == 200.0);
+    CHECK(other.curves[0].shape->radius->value() == 2000.0);
+    CHECK(other.curves[0].support->springs[0].stiffness.value() == 8.0e-4); // kN/m^3 -> N/mm^3: 1e3 / 1e9
+    CHECK(other.regions[0].thickness->value() == 250.0);
+    const plane::PlaneLoadCase& loads = other.load_cases[0];
+    const auto& terms = std::get<plane::Field::Polynomial>(loads.curves[0].qx->form);
+    CHECK(terms[0].factor.value() == 6.0e-9); // kN/m^4 -> N/mm^4: 1e3 / 1e12
+    const auto& body = std::get<plane::BodyForce>(loads.regions[0].load);
+    CHECK(std::get<Quantity>(body.by->form).value() == -2.5e-5); // kN/m^3 -> N/mm^3
+    const auto& heat = std::get<plane::TemperatureRise>(loads.regions[1].load);
+    const auto& table = std::get<plane::Field::Table>(heat.rise->form);
+    CHECK(table.rows[1].first.value() == 2000.0);
+    CHECK(table.rows[1].second.value() == 30.0);
+}
 
 TEST_CASE("From m and kN to mm and N a stress is divided by 1000 and a second moment multiplied by 1e12")
 {
