@@ -1,13 +1,19 @@
 #include "apps/cli/plane_input.h"
 
 #include "apps/cli/solid_file.h"
+#include "apps/plane/discretize/further_faults.h"
 #include "topology/text/line_error.h"
 
 namespace cli {
 
 std::unique_ptr<const discretize::Drawing> drawing_of(femoop::plane::PlaneReading& reading)
 {
-    if (!reading.model.is_drawn || !reading.is_sound()) return nullptr;
+    if (!reading.model.is_drawn) return nullptr;
+    if (!reading.is_sound()) {
+        const std::vector<femoop::Fault> further = discretize::further_faults(reading.model, reading.faults);
+        reading.faults.insert(reading.faults.end(), further.begin(), further.end());
+        return nullptr;
+    }
     auto drawing = std::make_unique<const discretize::Drawing>(reading.model);
     reading.faults.insert(reading.faults.end(), drawing->faults().begin(), drawing->faults().end());
     return drawing;
