@@ -296,6 +296,8 @@ void draw_cut_panel(ui::Painter& painter, const CutPicture& picture, std::size_t
 
 double cut_panel_height(const ui::Theme& theme) { return panel_height * theme.symbol_scale(); }
 
+double cut_panel_width(const ui::Theme& theme) { return narrowest_panel * theme.symbol_scale(); }
+
 std::size_t most_cuts(const ui::Theme& theme, double width)
 {
     return static_cast<std::size_t>(std::max(1.0, std::floor(width / (narrowest_panel * theme.symbol_scale()))));

@@ -34,6 +34,7 @@ void draw_cut_panel(ui::Painter& painter, const CutPicture& picture, std::size_t
 
 /// How narrow and how high a panel may be, and how many stand beside each other on a sheet as wide.
 double cut_panel_height(const ui::Theme& theme);
+double cut_panel_width(const ui::Theme& theme); ///< that its type wants
 std::size_t most_cuts(const ui::Theme& theme, double width);
 
 } // namespace plane

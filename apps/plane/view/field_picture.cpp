@@ -258,8 +258,12 @@ void draw_legend(ui::Painter& painter, const FieldPicture& picture, const ui::Di
     double y = box.min.y + 10.0;
     painter.text({left, y}, legend_title(picture), title);
     y += 1.5 * title.size;
+    // where it is low, its colours are worth more than its notes
+    const bool has_colors = picture.style == FieldStyle::Bands;
+    const double of_colors = has_colors ? std::min(4.0, 1.2 * static_cast<double>(picture.colors.size())) * small : 0.0;
     for (const std::string& line : picture.notes)
         for (const std::string& part : ui::wrapped_lines(painter.fonts(), line, note, box.max.x - left - 2.0)) {
+            if (y + 1.35 * small + 2.0 * small + of_colors > box.max.y) continue;
             painter.text({left, y}, part, note);
             y += 1.35 * small;
         }
@@ -267,6 +271,7 @@ void draw_legend(ui::Painter& painter, const FieldPicture& picture, const ui::Di
     if (picture.style == FieldStyle::Contours) return;
     const auto n = static_cast<double>(picture.colors.size());
     const double height = std::min(1.9 * small, (box.max.y - small - y) / n);
+    if (height <= 0.0) return;
     ui::TextStyle value = theme.text(Role::Label, ui::Anchor::Left);
     value.size = small;
     // as many values as stand clear of one another

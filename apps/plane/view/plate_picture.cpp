@@ -75,21 +75,19 @@ public:
         if (result_ != nullptr)
             for (const femoop::plane::Cut& cut : options.cuts)
                 cuts_.push_back(cut_picture(*input.results, *result_, cut));
+        decide_on_panels(sheet);
         if (shows(PlateShow::Legend)) head_ = {.title = input.model.title, .line = head_line()};
         const double top = head_.title.empty() && head_.line.empty()
                                ? 0.0
                                : drawing::head_height(head_, theme_, fonts, sheet.width);
         room_ = {{0.0, std::min(top, 0.4 * sheet.height)}, {sheet.width, sheet.height}};
-        if (circled_probe(options)) room_.max.x -= probe_panel_width(theme_, sheet.width);
+        if (has_probe_panel_) room_.max.x -= probe_width_;
         right_ = room_.max.x;
         if (input.player != nullptr) room_.max.y -= step_foot_height(theme_);
-        if (has_panels_below()) room_.max.y -= std::min(cut_panel_height(theme_), 0.5 * sheet.height);
-        if (!fields_.empty() && shows(PlateShow::Legend)) {
-            double width = 0.0;
-            for (const FieldPicture& field : fields_)
-                width = std::max(width, legend_width(field, units_, theme_, fonts));
-            room_.max.x -= std::min(width, 0.4 * sheet.width);
-        }
+        if (has_panels_below_)
+            room_.max.y -= std::min(cut_panel_height(theme_),
+                                    std::max(0.0, most_of_sheet * sheet.height - room_.min.y));
+        room_.max.x -= width_of_legends(sheet);
         if (is_beside()) leave_left_half();
     }
 
@@ -127,7 +125,7 @@ public:
         if (!head_.line.empty()) drawing::draw_head(painter, head_, theme_);
         if (input_.player != nullptr)
             draw_step_foot(painter, step_sentence(*input_.player, options_.tr), theme_, room_);
-        draw_panels_below(painter);
+        if (has_panels_below_) draw_panels_below(painter);
         draw_circle_panel(painter);
         if (fields_.empty() || !shows(PlateShow::Legend)) return;
         const double share = room_.height() / static_cast<double>(fields_.size());
@@ -141,6 +139,35 @@ public:
 
 private:
     enum class Pass : std::uint8_t { Measured, Drawn };
+
+    /// The share of a sheet's width or height that what stands beside the body may take.
+    static constexpr double most_of_sheet = 0.54, at_most_of_sheet = 0.58;
+
+    double width_of_legends(ui::Size sheet) const
+    {
+        if (fields_.empty() || !shows(PlateShow::Legend)) return 0.0;
+        double width = 0.0;
+        for (const FieldPicture& field : fields_) width = std::max(width, legend_width(field, units_, theme_, fonts_));
+        return std::min(width, 0.4 * sheet.width);
+    }
+
+    /// Panels that would leave too little of the body, or none of their own type, are left out.
+    void decide_on_panels(ui::Size sheet)
+    {
+        const double head = shows(PlateShow::Legend)
+                                ? drawing::head_height({.title = input_.model.title, .line = head_line()}, theme_,
+                                                       fonts_, sheet.width)
+                                : 0.0;
+        const double legends = width_of_legends(sheet), wanted = probe_panel_width(theme_, sheet.width);
+        probe_width_ = std::max(least_probe_panel, std::min(wanted, most_of_sheet * sheet.width - legends));
+        const bool is_wide = probe_width_ + legends <= at_most_of_sheet * sheet.width;
+        const bool is_high = 0.7 * cut_panel_height(theme_) + head <= most_of_sheet * sheet.height &&
+                             sheet.width >= 0.7 * cut_panel_width(theme_);
+        has_probe_panel_ = circled_probe(options_).has_value() && is_wide;
+        has_panels_below_ = wants_panels_below() && is_high;
+        lacks_room_ = (circled_probe(options_).has_value() && !is_wide) || (wants_panels_below() && !is_high);
+    }
+
     bool shows(PlateShow item) const { return options_.show.set.contains(item); }
 
     void find_result()
@@ -173,6 +200,10 @@ private:
         for (const FieldShow& show : options.show.fields)
             if (show.style == FieldStyle::Contours || !shows(PlateShow::Error))
                 fields.push_back(field_picture(show, result, options, units_));
+        const bool has_stresses = !fields.empty() && shows_stresses(options);
+        if (const auto note = has_stresses && input_.drawing != nullptr ? singular_note(*input_.drawing, options)
+                                                                        : std::nullopt)
+            fields.front().notes.push_back(*note);
         std::ranges::stable_sort(fields, {}, &FieldPicture::style); // lines over bands
         return fields;
     }
@@ -200,10 +231,6 @@ private:
     }
 
     /// What is drawn of a body.
-        const bool has_stresses = !fields.empty() && shows_stresses(options);
-        if (const auto note = has_stresses && input_.drawing != nullptr ? singular_note(*input_.drawing, options)
-                                                                        : std::nullopt)
-            fields.front().notes.push_back(*note);
     struct Body {
         const PlateInput& input;
         const femoop::plane::PlaneModel* mesh;
@@ -272,7 +299,7 @@ private:
                          mesh_title(is_kept, input_, options_), title);
     }
 
-    bool has_panels_below() const { return !cuts_.empty() || input_.cycle != nullptr || input_.is_compared(); }
+    bool wants_panels_below() const { return !cuts_.empty() || input_.cycle != nullptr || input_.is_compared(); }
 
     /// Of cuts, and at the right what is compared and the error's curve. Where not all have room, the last cuts.
     void draw_panels_below(ui::Painter& painter) const
@@ -295,7 +322,7 @@ private:
     void draw_circle_panel(ui::Painter& painter) const
     {
         const auto at = circled_probe(options_);
-        if (!at || result_ == nullptr) return;
+        if (!at || result_ == nullptr || !has_probe_panel_) return;
         const ProbePanel panel{
             .at = *at, .n = *options_.circle + 1, .state = probe_state(*input_.results, *result_, *at)};
         draw_probe_panel(painter, panel, options_, units_, state_.circle_frame,
@@ -308,6 +335,7 @@ private:
         std::string line = mode_ != nullptr ? state_and_mode(input_, options_) : state_and_case(input_.model, options_);
         if (input_.player != nullptr) append(line, mesher_note(*input_.player, options_, input_.model));
         if (input_.cycle != nullptr && input_.cycle->sizes()) append(line, tr("mesh refined by the error"));
+        if (lacks_room_) append(line, tr("a larger window has room for its panels"));
         if (magnification_ > 0.0)
             append(line, tr("displacements × {scale}", {{"scale", ui::number_text(magnification_, options_.numbers)}}));
         if (!kept_places_.empty() && !is_beside())
@@ -423,6 +451,9 @@ private:
     std::vector<FieldPicture> fields_, kept_fields_;
     double beside_ = 0.0; ///< how far the kept body is to the left; 0 where it is not
     std::vector<CutPicture> cuts_;
+    bool has_probe_panel_ = false, has_panels_below_ = false;
+    bool lacks_room_ = false; ///< for one of those
+    double probe_width_ = 0.0;
 };
 
 } // namespace

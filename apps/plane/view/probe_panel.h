@@ -14,6 +14,7 @@ struct ProbePanel {
     std::optional<ProbeState> state; ///< nothing where no material is
 };
 
+inline constexpr double least_probe_panel = 234.0; ///< [px] that its type can be read in
 /// How wide the panel is on a sheet as wide.
 double probe_panel_width(const ui::Theme& theme, double sheet_width);
 

@@ -2,6 +2,7 @@
 #include <doctest/doctest.h>
 
 #include "apps/plane/view/plate_show.h"
+#include "tests/apps/plane_view/plate_subject.h"
 
 using namespace plane;
 using femoop::plane::PlaneComponent;
@@ -33,4 +34,25 @@ TEST_CASE("Geometry needs no mesh, a mesh no results, and stresses need both")
         CHECK(plate_shown(word)->needs_results());
         CHECK(plate_shown(word)->needs_mesh());
     }
+}
+
+TEST_CASE("In a small window panels give way, so that the body keeps about half of it")
+{
+    PlateSubject plate = PlateSubject::example("hole");
+    plate.mesh();
+    for (const ui::ThemeName theme : {ui::ThemeName::Light, ui::ThemeName::Projector})
+        for (const ui::Size sheet : {ui::Size{430.0, 520.0}, ui::Size{540.0, 500.0}, ui::Size{800.0, 700.0}}) {
+            CAPTURE(sheet.width);
+            PlateOptions options;
+            options.theme = theme;
+            options.show = options.show | *plate_shown("bands:mises");
+            options.probes = {Eigen::Vector2d(120.0, 120.0)};
+            options.circle = 0;
+            options.cuts = {{.start = Eigen::Vector2d(40.0, -20.0), .end = Eigen::Vector2d(40.0, 260.0)}};
+            const ui::Fonts fonts;
+            ui::Painter painter(sheet, fonts);
+            const ui::Box room = draw(painter, plate.input(), options);
+            CHECK(room.width() >= 0.42 * sheet.width);
+            CHECK(room.height() >= 0.45 * sheet.height);
+        }
 }
