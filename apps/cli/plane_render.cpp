@@ -129,7 +129,7 @@ void PlaneRender::require_none(const ui::Catalogue& tr) const
             "of members"));
 }
 
-std::vector<std::string> PlaneRender::places() const { return at_->results(); }
+std::vector<std::string> PlaneRender::places() const { return at_ ? at_->results() : std::vector<std::string>(); }
 
 ExitStatus PlaneRender::draw(fp::PlaneReading& reading, const std::string& name, const Order& order,
                              Console& console) const
@@ -140,7 +140,8 @@ ExitStatus PlaneRender::draw(fp::PlaneReading& reading, const std::string& name,
     const bool has_questions = !places().empty() || !cuts_.empty();
     const bool has_modes = is_modal(tr);
     if (has_modes) require_modes_alone(order, tr);
-    const bool needs_mesh = options.show.needs_mesh() || has_questions || step_ || has_modes;
+    const bool needs_results = options.show.needs_results() || has_questions || order.mechanism;
+    const bool needs_mesh = options.show.needs_mesh() || needs_results || step_ || has_modes;
     const PlaneInput input(reading, needs_mesh ? PlaneInput::Depth::Mesh : PlaneInput::Depth::Drawing);
     console.report(name, reading.faults);
     if (!reading.is_sound()) return ExitStatus::BadInput;
@@ -154,22 +155,42 @@ ExitStatus PlaneRender::draw(fp::PlaneReading& reading, const std::string& name,
     if (has_modes) return draw_mode(shown, options, name, order, console);
     const std::unique_ptr<discretize::MeshPlayer> player = player_at_step(input.drawing(), tr);
     shown.player = player.get();
-    if (player || (!options.show.needs_results() && !has_questions)) return write(shown, order, options, console);
+    if (player || !needs_results) return write(shown, order, options, console);
     require_case(reading.model, tr);
     try {
         const fp::PlaneResults results = fp::analyse(input.model());
+        if (order.mechanism) throw UsageError(tr("--mechanism: the structure is no mechanism; leave the option out"));
         console.report(name, results.warnings());
         options.probes = places_in(results.locator(), places(), tr);
         options.cuts = cuts_through(results.model(), results.locator(), cuts_, tr);
         require_room(options, order, tr);
         shown.results = &results;
-        return write(shown, order, options, console);
-    } catch (const femoop::ModelError& error) {
         if (shown.drawing != nullptr && !is_described_ && ::plane::shows_stresses(options))
             if (const auto notice = ::plane::singular_notice(*shown.drawing, options))
                 console.message(tr("{file}: notice: {sentence}", {{"file", name}, {"sentence", *notice}}));
+        return write(shown, order, options, console);
+    } catch (const femoop::MechanismError& error) {
+        return draw_motion(shown, error, name, order, options, console);
+    } catch (const femoop::ModelError& error) {
         return report_unsolved(error, name, console);
     }
+}
+
+/// A body that can move has no results; it is drawn where the motion takes it.
+ExitStatus PlaneRender::draw_motion(::plane::PlateInput shown, const femoop::MechanismError& error,
+                                    const std::string& name, const Order& order, const ::plane::PlateOptions& options,
+                                    Console& console) const
+{
+    const std::size_t total = error.mechanisms().size(), which = order.mechanism.value_or(0);
+    if (which >= total && order.mechanism)
+        throw UsageError(console.tr()("--mechanism: found {found}; wanted at most {total}, the number of its motions",
+                                      {{"found", std::to_string(which + 1)}, {"total", std::to_string(total)}}));
+    const ExitStatus status = report_unsolved(error, name, console);
+    if (which >= total || !order.has_file) return status;
+    shown.motion = &error.mechanisms()[which].motion;
+    shown.results = nullptr;
+    write(shown, order, options, console);
+    return status;
 }
 
 bool PlaneRender::is_modal(const ui::Catalogue& tr) const

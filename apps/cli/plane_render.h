@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <memory>
 #include <optional>
 #include <string>
@@ -11,6 +12,7 @@
 #include "apps/cli/picture_file.h"
 #include "apps/plane/discretize/mesh_player.h"
 #include "apps/plane/view/plate_picture.h"
+#include "femoop/analysis/mechanism.h"
 #include "femoop/io/plane/plane_file.h"
 
 namespace cli {
@@ -23,7 +25,8 @@ public:
         bool has_file = true;                    ///< else it is only described
         std::optional<std::string> model_file{}; ///< beside which its view file stands; none: standard input
         std::optional<std::string> show, load_case;
-        ::plane::PlateOptions look; ///< theme, units, language, scale of displacements
+        std::optional<std::size_t> mechanism{}; ///< which motion, of a body that can move; from 0
+        ::plane::PlateOptions look;             ///< theme, units, language, scale of displacements
     };
 
     void declare(OptionParser& options,
@@ -39,6 +42,8 @@ private:
     void require_modes_alone(const Order& order, const ui::Catalogue& tr) const;
     ExitStatus draw_mode(::plane::PlateInput shown, ::plane::PlateOptions options, const std::string& name,
                          const Order& order, Console& console) const;
+    ExitStatus draw_motion(::plane::PlateInput shown, const femoop::MechanismError& error, const std::string& name,
+                           const Order& order, const ::plane::PlateOptions& options, Console& console) const;
     ExitStatus write(const ::plane::PlateInput& input, const Order& order, const ::plane::PlateOptions& options,
                      Console& console) const;
     std::vector<std::string> places() const;

@@ -68,20 +68,22 @@ std::string plate_show_list(const ui::Catalogue& tr)
 
 HelpText Render::help(const ui::Catalogue& tr) const
 {
-    return {tr("draw a model and its results to PNG, SVG or PDF"),
-            tr("Draws members, nodes and supports as textbooks do, and what --show asks for. "
-               "No display is needed. A structure that can move is drawn moving, and the status is 3."),
-            {{"cremona render examples/portal.json -o portal.svg", tr("The structure, its loads and its reactions.")},
-             {"cremona render examples/portal.json -o moments.png --show loads,M,labels --size 1920x1080",
-              tr("Bending moments on the tension side, for a slide.")},
-             {"cremona render examples/portal.json -o sag.pdf --show deformed,labels --magnify 100 --theme print",
-              tr("The deformed shape, displacements a hundred times as large, in black for paper.")},
-             {"cremona render examples/portal.json -o wind.svg --show M,labels --case W --with G",
-              tr("The moments of one load case before those of another.")},
-             {"cremona render examples/bridge.json -o truck.svg --train HS20",
-              tr("A truck where it bends the bridge most, and the bridge under it.")},
-             {"cremona render examples/pratt_truss.json -o cremona.svg --cremona",
-              tr("A truss beside its Cremona diagram.")}}};
+    return {
+        tr("draw a model and its results to PNG, SVG or PDF"),
+        tr("Draws members, nodes and supports as textbooks do, and what --show asks for. "
+           "No display is needed. A structure that can move is drawn moving, and the status is 3; a plane model is, where "
+           "its results or --mechanism are asked for."),
+        {{"cremona render examples/portal.json -o portal.svg", tr("The structure, its loads and its reactions.")},
+         {"cremona render examples/portal.json -o moments.png --show loads,M,labels --size 1920x1080",
+          tr("Bending moments on the tension side, for a slide.")},
+         {"cremona render examples/portal.json -o sag.pdf --show deformed,labels --magnify 100 --theme print",
+          tr("The deformed shape, displacements a hundred times as large, in black for paper.")},
+         {"cremona render examples/portal.json -o wind.svg --show M,labels --case W --with G",
+          tr("The moments of one load case before those of another.")},
+         {"cremona render examples/bridge.json -o truck.svg --train HS20",
+          tr("A truck where it bends the bridge most, and the bridge under it.")},
+         {"cremona render examples/pratt_truss.json -o cremona.svg --cremona",
+          tr("A truss beside its Cremona diagram.")}}};
 }
 
 void Render::declare(OptionParser& options, const ui::Catalogue& tr)
@@ -212,10 +214,10 @@ void Render::look_at_view(PictureOrder& order, const frame::Companion& companion
 ExitStatus Render::draw_plane(femoop::plane::PlaneReading& reading, Console& console) const
 {
     const ui::Catalogue& tr = console.tr();
-    if (view_ || mechanism_ || other_ || with_ || moving_.is_of_members() || truss_.is_asked())
+    if (view_ || other_ || with_ || moving_.is_of_members() || truss_.is_asked())
         throw UsageError(tr(
-            "a plane model is drawn with --show, --case, --at, --cut, --read, --range, --step, --describe, --magnify, --unit, --theme, --size "
-            "and --scale; what else was asked for is of a structure of members"));
+            "a plane model is drawn with --show, --case, --at, --cut, --read, --range, --step, --describe, --magnify, --mechanism, --unit, --theme, "
+            "--size and --scale; what else was asked for is of a structure of members"));
     const bool has_file = !out_.empty() || !plane_.is_described();
     if (has_file && out_.empty()) throw UsageError(tr("no output is given; add -o OUT.png, .svg or .pdf"));
     PlaneRender::Order order{.file = picture_file(has_file ? out_ : "words.png", size_, scale_, tr),
@@ -228,6 +230,8 @@ ExitStatus Render::draw_plane(femoop::plane::PlaneReading& reading, Console& con
     order.look.numbers.mark = ui::decimal_mark(tr.language());
     order.look.unit_choices = units_.choices(tr);
     if (magnification_) order.look.deformation_scale = positive_number("--magnify", *magnification_, tr);
+    if (mechanism_)
+        order.mechanism = static_cast<std::size_t>(whole_number("--mechanism", *mechanism_, {1, 1000}, tr) - 1);
     return plane_.draw(reading, display_name(file_, tr), order, console);
 }
 

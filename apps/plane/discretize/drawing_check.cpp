@@ -208,15 +208,17 @@ private:
                 add(FaultKind::CurveDangles, {entry_of("curves", model_.curves, i)});
     }
 
+    /// A place is told once, where curves touch and leave a corner on either side too.
     void warn_of_corners()
     {
         const topology::Solid& solid = plane_.solid();
+        std::set<topology::VertexId> told;
         for (const topology::FaceId f : material_)
             for (const topology::LoopId l : solid.loops(f))
                 for (const HalfEdgeId h : solid.chain(l)) {
                     if (!solid.edge(h)) continue;
                     const double angle = plane_.corner_angle(h) * 180.0 / std::numbers::pi;
-                    if (angle < sharp_angle)
+                    if (angle < sharp_angle && told.insert(solid.start(h)).second)
                         add(FaultKind::SharpCorner, {place_text(model_, plane_.at(solid.start(h))), rounded(angle)});
                 }
     }

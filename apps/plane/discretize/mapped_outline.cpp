@@ -31,7 +31,7 @@ public:
         const Corners corners = named(missing);
         const std::size_t n_wanted = settings_.n_corners();
         const bool are_all = vertices_.size() == n_wanted && (settings_.is_map() || turns_at_all());
-        if (corners.size() < n_wanted && are_all) return sides(all_vertices());
+        if (corners.size() < n_wanted && are_all && !are_corners_its_own()) return sides(all_vertices());
         if (settings_.corners.empty())
             return refusal(FaultKind::MappedVertices,
                            {method(), std::to_string(n_wanted), std::to_string(vertices_.size())});
@@ -47,6 +47,15 @@ private:
     {
         details.insert(details.begin(), entry_of("regions", drawing_.model().regions, outline_.region.index));
         return {.sides = {}, .fault = femoop::Fault{kind, std::move(details)}};
+    }
+
+    /// Named for this region: by itself, or by a file that has no other.
+    bool are_corners_its_own() const
+    {
+        const auto& regions = drawing_.model().regions;
+        const auto n_filled = std::count_if(regions.begin(), regions.end(),
+                                            [](const auto& one) { return !one.is_hole; });
+        return !settings_.corners.empty() && (n_filled == 1 || !drawing_.model()[outline_.region].mesh.corners.empty());
     }
 
     bool meets_itself() const

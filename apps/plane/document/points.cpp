@@ -20,7 +20,7 @@ public:
     {
         if (is_moved_[point.index]) return;
         is_moved_[point.index] = true;
-        model_.points[point.index].at = {femoop::Quantity(to.x), femoop::Quantity(to.y)};
+        model_.points[point.index].at = {femoop::Quantity(to.x + 0.0), femoop::Quantity(to.y + 0.0)}; // + 0.0: no -0
         for (auto& curve : model_.curves)
             if (curve.shape && curve.shape->kind == DrawnKind::Arc && curve.shape->center &&
                 curve.shape->places.size() == 2)

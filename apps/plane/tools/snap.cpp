@@ -36,7 +36,8 @@ private:
     double distance_ = 0.0;
 };
 
-double rounded(double x, double step) { return step > 0.0 ? step * std::round(x / step) : x; }
+/// Never -0, which a file would keep.
+double rounded(double x, double step) { return (step > 0.0 ? step * std::round(x / step) : x) + 0.0; }
 FlatPoint rounded(const FlatPoint& p, double step) { return {rounded(p.x, step), rounded(p.y, step)}; }
 
 bool is_drawn_by(const PlaneModel& model, CurveId curve, NodeId point)

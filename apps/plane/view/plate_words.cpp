@@ -179,16 +179,33 @@ private:
         const auto with_unit = [&](double v) { return value(v, measure_of(load.kind)); };
         const auto bare = [&](double v) { return ui::with_minus_signs(units_.number(v, measure_of(load.kind))); };
         for (const fp::CurveId curve : load.curves) {
-            std::vector<double> sizes;
+            std::vector<double> sizes, across, up;
             const std::vector<CurvePath> paths = paths_of(outline, curve);
             for (const CurvePath& path : paths) {
                 const PathLoad along{load, path, factor};
-                for (int i = 0; i <= PathLoad::samples; ++i)
-                    sizes.push_back(along.at(along.place(static_cast<double>(i) / PathLoad::samples)).norm());
+                for (int i = 0; i <= PathLoad::samples; ++i) {
+                    const Eigen::Vector2d q = along.at(along.place(static_cast<double>(i) / PathLoad::samples));
+                    sizes.push_back(q.norm());
+                    across.push_back(q.x());
+                    up.push_back(q.y());
+                }
             }
-            line(tr_("{curve}: {kind} {value}", {{"curve", input_.model[curve].id},
-                                                 {"kind", load_name(load.kind)},
-                                                 {"value", range_text(sizes, with_unit, bare)}}));
+            std::vector<std::string> parts;
+            const double most = sizes.empty() ? 0.0 : *std::ranges::max_element(sizes);
+            const auto add_part = [&](const char* symbol, std::vector<double>& values) {
+                for (double& q : values)
+                    if (std::abs(q) <= 1e-9 * most) q = 0.0;
+                const bool acts = std::ranges::any_of(values, [](double q) { return q != 0.0; });
+                if (acts) parts.push_back(symbol + range_text(values, with_unit, bare));
+            };
+            if (load.kind != fp::CurveLoadKind::Pressure) {
+                add_part("qx = ", across);
+                add_part("qy = ", up);
+            }
+            line(tr_("{curve}: {kind} {value}",
+                     {{"curve", input_.model[curve].id},
+                      {"kind", load_name(load.kind)},
+                      {"value", parts.empty() ? range_text(sizes, with_unit, bare) : joined(parts)}}));
         }
     }
 
@@ -338,6 +355,8 @@ private:
         }
         for (const FieldShow& show : options_.show.fields) write_field(show);
         if (shows(PlateShow::Error)) write_error();
+        if (input_.drawing != nullptr && shows_stresses(options_))
+            if (const auto notice = singular_notice(*input_.drawing, options_)) line(*notice);
         if (input_.is_compared())
             for (const std::string& sentence : comparison_sentences(input_, options_)) line(sentence);
         if (input_.cycle != nullptr)
@@ -355,8 +374,6 @@ private:
         for (std::size_t i = 0; i < options_.cuts.size(); ++i) write_cut(i + 1, options_.cuts[i]);
     }
 
-        if (input_.drawing != nullptr && shows_stresses(options_))
-            if (const auto notice = singular_notice(*input_.drawing, options_)) line(*notice);
     const PlateInput& input_;
     const PlateOptions& options_;
     const ui::Catalogue& tr_;

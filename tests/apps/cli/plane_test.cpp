@@ -145,9 +145,92 @@ TEST_CASE("A plane model that is converted is tidied, and other commands refuse 
     const Run first = cli_test::cremona({"convert", bending, "-"});
     REQUIRE(first.status == 0);
     CHECK(first.out == text_of_source(bending));
-    CHECK(cli_test::cremona({"convert", bending, "-", "--units", "mm,N"}).status == 2);
+    CHECK(cli_test::cremona({"convert", bending, "-", "--bend", "members=a,curve=parabola,rise=1,parts=4"}).status ==
+          2);
     CHECK(cli_test::cremona({"solve", bending, "--why", "member=a"}).status == 2);
     CHECK(cli_test::cremona({"solve", bending, "--funicular", "automatic"}).status == 2);
+}
+
+TEST_CASE("A plane model that is counted in other units has the same results, and is drawn as render draws it")
+{
+    const Folder folder;
+    const std::string other = folder.path("inches.json");
+    REQUIRE(cli_test::cremona({"convert", "examples/hole.json", other, "--units", "in,kip"}).status == 0);
+    const json model = json::parse(folder.read("inches.json"));
+    CHECK(model["units"]["length"] == "in");
+    CHECK(model["materials"][0]["E"] == "200 GPa");
+    CHECK(model["points"][2]["at"][0].get<double>() == doctest::Approx(200.0 / 25.4));
+    CHECK(cli_test::cremona({"verify", other}).status == 0);
+    const std::string back = folder.path("back.json");
+    REQUIRE(cli_test::cremona({"convert", other, back, "--units", "mm,N"}).status == 0);
+    CHECK(json::parse(folder.read("back.json"))["points"][2]["at"][0].get<double>() == doctest::Approx(200.0));
+    REQUIRE(cli_test::cremona({"convert", "examples/hole.json", folder.path("hole.svg")}).status == 0);
+    REQUIRE(cli_test::cremona({"render", "examples/hole.json", "-o", folder.path("drawn.svg")}).status == 0);
+    CHECK(folder.read("hole.svg") == folder.read("drawn.svg"));
+}
+
+namespace {
+
+/// An L of two legs of 50, held at the end of one and loaded at that of the other, with something wrong.
+std::string angle_plate(const std::string& region, const std::string& more)
+{
+    return R"({"cremona": 1, "analysis": "plane_stress", "units": {"length": "mm", "force": "N"},
+               "materials": [{"id": "s", "E": "200 GPa", "nu": 0.3}], "mesh": {"size": 20},
+               "curves": [{"id": "t", "kind": "line", "points": [[50, 100], [0, 100]], "support": "fixed"},
+                          {"id": "o", "kind": "line", "points": [[0, 100], [0, 0], [100, 0]]},
+                          {"id": "r", "kind": "line", "points": [[100, 0], [100, 50]]},
+                          {"id": "i", "kind": "line", "points": [[100, 50], [50, 50], [50, 100]]}],
+               "load_cases": [{"id": "P", "curves": [{"curve": "r", "kind": "traction", "qy": -10}]}],
+               "regions": [{"id": "R", "at": [10, 10], "material": "s")" +
+           region + "}]" + more + "}";
+}
+
+} // namespace
+
+TEST_CASE("A re-entrant corner is told where stresses are, with its place; it is no fault")
+{
+    const Folder folder;
+    const std::string file = folder.write("l.json", angle_plate(R"(, "thickness": 5)", ""));
+    const std::string sentence = "at the re-entrant corner (50, 50) with 270° of material; a fillet bounds them";
+    const Run solved = cli_test::cremona({"solve", file});
+    CHECK(solved.status == 0);
+    CHECK(has(solved.err, sentence));
+    CHECK(has(cli_test::cremona({"render", file, "--describe", "--show", "bands:mises"}).out, sentence));
+    CHECK(has(cli_test::cremona({"render", file, "-o", folder.path("l.svg"), "--show", "bands:mises"}).err, sentence));
+    CHECK(has(folder.read("l.svg"), "grows with the"));
+    CHECK_FALSE(has(cli_test::cremona({"render", file, "-o", folder.path("l.svg")}).err, sentence));
+    CHECK_FALSE(has(cli_test::cremona({"solve", "examples/hole.json"}).err, "re-entrant"));
+}
+
+TEST_CASE("Faults of fields, of places and of checks are told at once, as far as one does not follow from another")
+{
+    const Folder folder;
+    const std::string file = folder.write(
+        "bad.json", angle_plate("", R"(, "expected": [{"quantity": "count", "component": "holes", "value": 1},
+                                                      {"quantity": "area", "which": 9, "value": 1}])"));
+    const Run run = cli_test::cremona({"check", file});
+    CHECK(run.status == 2);
+    CHECK(has(run.err + run.out, "has no thickness"));
+    CHECK(has(run.err + run.out, "expected[0]: a check of count needs to know of what"));
+    CHECK(has(run.err + run.out, "expected[1]"));
+    CHECK(has(run.err + run.out, "errors: 3"));
+}
+
+TEST_CASE("A body that can move is drawn where a motion takes it, with status 3")
+{
+    const Folder folder;
+    const std::string file = folder.write("free.json", R"({"cremona": 1, "analysis": "plane_stress",
+        "units": {"length": "m", "force": "N"}, "materials": [{"id": "s", "E": 3e9, "nu": 0.3}], "mesh": {"size": 1},
+        "curves": [{"id": "o", "kind": "line", "points": [[0, 0], [3, 0], [3, 2], [0, 2]], "closed": true}],
+        "load_cases": [{"id": "P", "curves": [{"curve": "o", "kind": "traction", "qx": 1}]}],
+        "regions": [{"id": "R", "material": "s", "thickness": 1}]})");
+    for (const char* const motion : {"1", "3"})
+        CHECK(cli_test::cremona({"render", file, "-o", folder.path("m.svg"), "--mechanism", motion}).status == 3);
+    CHECK(folder.has("m.svg"));
+    CHECK(cli_test::cremona({"render", file, "-o", folder.path("b.svg"), "--show", "bands:sx"}).status == 3);
+    CHECK(folder.has("b.svg"));
+    CHECK(has(cli_test::cremona({"render", file, "-o", folder.path("n.svg"), "--mechanism", "4"}).err,
+              "wanted at most 3"));
 }
 
 TEST_CASE("An element is traced by its name or by a place in it; what is neither is refused with those that there are")
@@ -240,7 +323,7 @@ TEST_CASE("What a picture of a plane model shows is told in sentences, in both l
     REQUIRE(run.status == 0);
     CHECK(has(run.out, "region plate: 1250 mm², of brass\n"));
     CHECK(has(run.out, "region empty: a hole of 78.54 mm²\n"));
-    CHECK(has(run.out, "right: traction 100 N/mm²\n"));
+    CHECK(has(run.out, "right: traction qx = 100 N/mm²\n"));
     const Run bent = cli_test::cremona(
         {"--lang", "pt", "render", bending, "--show", "bands:sx,error,mesh,loads", "--at", "5,0.5", "--describe"});
     CHECK(bent.status == 2);
@@ -257,8 +340,10 @@ TEST_CASE("What is of members is refused of a plane model, and what is of plane 
 {
     const Folder folder;
     const std::string out = folder.path("x.svg");
-    CHECK(has(cli_test::cremona({"render", "examples/plate.json", "-o", out, "--mechanism", "1"}).err,
+    CHECK(has(cli_test::cremona({"render", "examples/plate.json", "-o", out, "--view", "a"}).err,
               "a plane model is drawn with"));
+    CHECK(has(cli_test::cremona({"render", "examples/plate.json", "-o", out, "--mechanism", "1"}).err,
+              "the structure is no mechanism"));
     CHECK(has(cli_test::cremona({"render", "examples/portal.json", "-o", out, "--cut", "0,0,1,1"}).err,
               "are for plane models"));
     CHECK(!folder.has("x.svg"));
