@@ -177,6 +177,21 @@ TEST_CASE("Loops in loops are holes and islands by turns, and a loop that touche
     CHECK(area_of(ui::trapezoids(glass)) == Approx(0.5 * 40.0 * 40.0));
 }
 
+TEST_CASE("A hole as near to the outline as one likes is left out, and nothing is filled twice")
+{
+    const std::vector<ui::Point> outer = {{5.0, 5.0}, {55.0, 5.0}, {55.0, 30.0}, {5.0, 30.0}};
+    for (const double gap : {0.3, 1e-2, 1e-3, 1e-4, 2e-5, 1e-6, 0.0}) {
+        CAPTURE(gap);
+        const double x = 5.0 + gap;
+        const std::vector<std::vector<ui::Point>> loops{outer, {{x, 12.0}, {30.0, 12.0}, {30.0, 23.0}, {x, 23.0}}};
+        ui::Mesh mesh;
+        ui::add_region(mesh, loops);
+        CHECK(ink(mesh, sheet) == Approx(50.0 * 25.0 - (30.0 - x) * 11.0).epsilon(0.01));
+        CHECK(mesh.coverage_at({20.0, 16.0}) == 0.0);
+        CHECK(mesh.coverage_at({10.0, 26.0}) == 1.0);
+    }
+}
+
 TEST_CASE("A moment diagram that changes sign is filled on both sides of the member")
 {
     const std::vector<ui::Point> bow_tie = {{10.0, 30.0}, {10.0, 10.0}, {50.0, 50.0}, {50.0, 30.0}};
