@@ -18,9 +18,9 @@ namespace topology {
 /// two are turned, three take the place of two, a flat one is closed, nodes of two cells alone are taken out, and all are
 /// smoothed.
 ///
-/// Accuracy  where a quadrilateral cannot be mended, half as fine a mesh is cut into quadrilaterals at the middles of its
-///           edges; where that makes flat ones it stays as two triangles; where a cell is turned inside out, the pairs
-///           alone are the mesh
+/// Accuracy  where a quadrilateral cannot be mended, half as fine a mesh is cut into quadrilaterals at the middles of
+///           its edges; where that makes flat ones it stays as two triangles; where a cell is turned inside out, the
+///           pairs alone are the mesh
 /// Source    pairing: [KarpSipser1981]; turning edges and taking nodes out: [Kinney1997]
 class QuadMesher : public Mesher {
 public:

@@ -1,5 +1,5 @@
-// Quadrilaterals alone, where pairs of triangles left more than the boundary asks for: half as fine a mesh, each cell of
-// which is cut into quadrilaterals at the middles of its edges.
+// Quadrilaterals alone, where pairs of triangles left more than the boundary asks for: half as fine a mesh, each cell
+// of which is cut into quadrilaterals at the middles of its edges.
 #include <algorithm>
 #include <cmath>
 #include <utility>

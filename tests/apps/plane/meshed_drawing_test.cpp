@@ -298,7 +298,8 @@ TEST_CASE("A map whose curved edges meet in no angle is no map, where chords wou
         "materials": [{"id": "m", "E": 300, "nu": 0.2}], "mesh": {"element": "Q8", "size": 0.8}, "points": [],
         "curves": [{"id": "a", "kind": "line", "points": [[0, 0], [2, 0]]},
         {"id": "b", "kind": "bezier", "points": [[2, 0], [3.4, 0.3], [3.4, 1.7], [2, 2]]},
-        {"id": "c", "kind": "line", "points": [[2, 2], [0, 2]]}, {"id": "d", "kind": "line", "points": [[0, 2], [0, 0]]}],
+        {"id": "c", "kind": "line", "points": [[2, 2], [0, 2]]},
+        {"id": "d", "kind": "line", "points": [[0, 2], [0, 0]]}],
         "regions": [{"id": "lens", "material": "m", "thickness": 1}]})");
     REQUIRE(lens.mesh.is_sound());
     CHECK(lens.mesh.mesh().reports[0].method == "quads");

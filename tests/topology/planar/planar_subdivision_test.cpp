@@ -74,7 +74,7 @@ std::vector<Drawn> random_drawing(std::mt19937& dice, int range)
     return drawn;
 }
 
-/// The corners of columns of width 1 side by side, each from one whole height to another; all level edges are of length 1.
+/// The corners of columns of width 1 side by side, each from one whole height to another: level edges of length 1.
 struct Skyline {
     std::vector<int> low, high;
     bool is_upright = true; ///< else columns lie on their sides
