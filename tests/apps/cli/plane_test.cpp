@@ -196,7 +196,8 @@ TEST_CASE("A re-entrant corner is told where stresses are, with its place; it is
     CHECK(solved.status == 0);
     CHECK(has(solved.err, sentence));
     CHECK(has(cli_test::cremona({"render", file, "--describe", "--show", "bands:mises"}).out, sentence));
-    CHECK(has(cli_test::cremona({"render", file, "-o", folder.path("l.svg"), "--show", "bands:mises"}).err, sentence));
+    CHECK(has(cli_test::cremona({"render", file, "-o", folder.path("l.svg"), "--show", "bands:mises,legend"}).err,
+              sentence));
     CHECK(has(folder.read("l.svg"), "grows with the"));
     CHECK_FALSE(has(cli_test::cremona({"render", file, "-o", folder.path("l.svg")}).err, sentence));
     CHECK_FALSE(has(cli_test::cremona({"solve", "examples/hole.json"}).err, "re-entrant"));

@@ -45,7 +45,8 @@ TEST_CASE("Fields of a plane model are counted by the powers of their places")
 {
     const plane::PlaneModel model = plane::read_plane_model(R"({"cremona": 1, "analysis": "plane_stress",
       "units": {"length": "m", "force": "kN"}, "snap": 0.001, "mesh": {"size": 0.5},
-      "materials": [{"id": "s", "E": 205000000, "nu": 0.3}], "points": [{"id": "A", "at": [3, 4.5], "size": 0.2}],
+      "materials": [{"id": "s", "E": 205000000, "nu": 0.3, "alpha": 1.2e-5}],
+      "points": [{"id": "A", "at": [3, 4.5], "size": 0.2}],
       "curves": [{"id": "c", "kind": "circle", "center": [7, 5], "radius": 2, "support": {"springs": {"ux": 800}}}],
       "regions": [{"id": "R", "material": "s", "thickness": 0.25}],
       "load_cases": [{"id": "P", "curves": [{"curve": "c", "kind": "traction", "qx": {"polynomial": [[6, 1, 1]]}}],
