@@ -13,6 +13,7 @@
 #include "femoop/io/json/model_json.h"
 #include "femoop/io/plane/mesh_json.h"
 #include "femoop/model/quantity/dimension.h"
+#include "femoop/model/quantity/number_text.h"
 #include "femoop/model/quantity/unit_signs.h"
 #include "femoop/plane/mesh/mesh_geometry.h"
 #include "femoop/plane/mesh/mesh_quality.h"

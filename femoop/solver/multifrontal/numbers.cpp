@@ -17,12 +17,14 @@ constexpr std::size_t worth_threads_to_return = std::size_t{1} << 23; // numbers
 #ifdef __linux__
 void return_pages(double* numbers, std::size_t n)
 {
-    constexpr std::uintptr_t page = 1 << 16; // of every machine a whole number of pages
+    constexpr std::size_t page = 1 << 16; // of every machine a whole number of pages
     constexpr std::size_t at_a_time = std::size_t{1} << 21;
     in_ranges(n, at_a_time, [&](std::size_t begin, std::size_t end) {
-        const auto first = (reinterpret_cast<std::uintptr_t>(numbers + begin) + page - 1) / page * page;
-        const auto last = reinterpret_cast<std::uintptr_t>(numbers + end) / page * page;
-        if (first < last) madvise(reinterpret_cast<void*>(first), last - first, MADV_DONTNEED);
+        auto* const first = reinterpret_cast<char*>(numbers + begin);
+        const std::size_t to_page = (page - reinterpret_cast<std::uintptr_t>(first) % page) % page;
+        const std::size_t beyond_page = reinterpret_cast<std::uintptr_t>(numbers + end) % page;
+        const std::size_t bytes = (end - begin) * sizeof(double);
+        if (to_page + beyond_page < bytes) madvise(first + to_page, bytes - to_page - beyond_page, MADV_DONTNEED);
     });
 }
 #else
