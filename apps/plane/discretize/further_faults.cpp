@@ -2,11 +2,12 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <optional>
 #include <string>
+#include <string_view>
 #include <utility>
 
 #include "apps/plane/discretize/drawing.h"
+#include "apps/plane/discretize/fault_place.h"
 #include "apps/plane/discretize/meshed_drawing.h"
 #include "femoop/model/fault/errors_among.h"
 #include "femoop/plane/check/plane_check.h"
@@ -16,28 +17,10 @@ namespace discretize {
 namespace {
 
 using femoop::Fault;
-using femoop::FaultKind;
 using femoop::plane::DrawnKind;
 using femoop::plane::PlaneExpected;
 using femoop::plane::PlaneModel;
 using femoop::plane::PlaneQuantity;
-
-/// Of what faces are there, and of what lies beside them.
-bool depends_on_faces(FaultKind kind)
-{
-    switch (kind) {
-    case FaultKind::RegionPlaceOnCurve:
-    case FaultKind::RegionPlaceOutside:
-    case FaultKind::RegionPlaceTaken:
-    case FaultKind::NoFaceLeft:
-    case FaultKind::DivisionsOfPieces:
-    case FaultKind::TouchesNoMaterial:
-    case FaultKind::PressureInside:
-    case FaultKind::CheckFaceRank:
-    case FaultKind::CheckFaceOutside: return true;
-    default: return false;
-    }
-}
 
 /// Puts something right in the place of what is not, entry by entry, so that all others keep their numbers.
 class Mend {
@@ -53,42 +36,39 @@ public:
     bool has_replaced_curves() const { return has_replaced_curves_; }
 
 private:
-    /// The number of an entry of a list in a place such as `curves[6] "c"`.
-    static std::optional<std::size_t> entry_of(const std::string& list, const std::string& place)
-    {
-        if (!place.starts_with(list + "[")) return std::nullopt;
-        const std::size_t digits = list.size() + 1, end = place.find(']', digits);
-        if (end == std::string::npos || end == digits || end - digits > 9) return std::nullopt;
-        return std::stoul(place.substr(digits, end - digits));
-    }
-
     bool mend(const std::string& place)
     {
-        if (const auto i = entry_of("materials", place); i && *i < model_.materials.size()) {
-            auto& material = model_.materials[*i];
+        const auto entry = entry_of(place);
+        if (!entry) return false;
+        const auto is_of = [&](std::string_view list, const auto& entries) {
+            return entry->list == list && entry->index < entries.size();
+        };
+        const std::size_t i = entry->index;
+        if (is_of("materials", model_.materials)) {
+            auto& material = model_.materials[i];
             material = {.id = material.id, .E = 1.0, .nu = 0.2, .G = {}, .alpha = {}, .density = {}, .fy = {}};
             return true;
         }
-        if (const auto i = entry_of("regions", place); i && *i < model_.regions.size()) return mend_region(*i);
-        if (const auto i = entry_of("points", place); i && *i < model_.points.size()) {
-            model_.points[*i].support.reset();
-            model_.points[*i].size.reset();
+        if (is_of("regions", model_.regions)) return mend_region(i);
+        if (is_of("points", model_.points)) {
+            model_.points[i].support.reset();
+            model_.points[i].size.reset();
             return true;
         }
-        if (const auto i = entry_of("curves", place); i && *i < model_.curves.size()) return mend_curve(*i);
-        if (const auto i = entry_of("load_cases", place); i && *i < model_.load_cases.size()) {
-            auto& load_case = model_.load_cases[*i];
+        if (is_of("curves", model_.curves)) return mend_curve(i);
+        if (is_of("load_cases", model_.load_cases)) {
+            auto& load_case = model_.load_cases[i];
             load_case.points.clear();
             load_case.curves.clear();
             load_case.regions.clear();
             load_case.settlements.clear();
             return true;
         }
-        if (const auto i = entry_of("expected", place); i && *i < model_.expected.size()) {
+        if (is_of("expected", model_.expected)) {
             PlaneExpected harmless;
             harmless.quantity = PlaneQuantity::Count;
             harmless.counted = "vertices";
-            model_.expected[*i] = harmless;
+            model_.expected[i] = harmless;
             return true;
         }
         return false;
@@ -160,7 +140,7 @@ std::vector<Fault> further_faults(PlaneModel model, std::vector<Fault> known)
     const auto take = [&](const std::vector<Fault>& found) {
         for (const Fault& fault : found) {
             const bool is_known = std::ranges::find(known, fault) != known.end();
-            if (is_known || (mend.has_replaced_curves() && depends_on_faces(fault.kind))) continue;
+            if (is_known || (mend.has_replaced_curves() && is_of_faces(fault.kind))) continue;
             known.push_back(fault);
             further.push_back(fault);
         }

@@ -1,13 +1,16 @@
 #include "apps/plane/document/fault_words.h"
 
 #include <array>
-#include <charconv>
 #include <cmath>
 #include <cstdio>
 #include <string_view>
 
+#include "apps/plane/discretize/fault_place.h"
+
 namespace plane {
 
+using discretize::entry_of;
+using discretize::EntryPlace;
 using femoop::Fault;
 using femoop::FaultKind;
 
@@ -25,23 +28,7 @@ constexpr std::array list_words{
     ListWord{"load_cases", ui::translatable("Load case {id}")},
 };
 
-/// An entry of a list, as the place of a fault begins: curves[2] "hole".at
-struct EntryPlace {
-    std::string_view list;
-    std::size_t index;
-};
-
-std::optional<EntryPlace> entry_of(std::string_view place)
-{
-    const std::size_t open = place.find('['), close = place.find(']');
-    if (open == std::string_view::npos || close == std::string_view::npos || close < open) return std::nullopt;
-    std::size_t index = 0;
-    const char* const last = place.data() + close;
-    if (std::from_chars(place.data() + open + 1, last, index).ptr != last) return std::nullopt;
-    return EntryPlace{place.substr(0, open), index};
-}
-
-std::optional<EntryPlace> entry_of(const Fault& fault)
+std::optional<EntryPlace> entry_of_fault(const Fault& fault)
 {
     return fault.arguments.empty() ? std::nullopt : entry_of(fault.arguments.front());
 }
@@ -130,7 +117,7 @@ std::string sentence(const Fault& fault, const PlaneModel& model, const ui::Cata
 std::optional<Part> part_of(const Fault& fault, const PlaneModel& model, const discretize::Drawing* drawing)
 {
     if (fault.kind == FaultKind::FaceWithoutRegion && drawing != nullptr) return empty_face(fault, *drawing);
-    const auto entry = entry_of(fault);
+    const auto entry = entry_of_fault(fault);
     if (!entry) return std::nullopt;
     if (entry->list == "points" && entry->index < model.points.size()) return NodeId(entry->index);
     if (entry->list == "curves" && entry->index < model.curves.size()) return CurveId(entry->index);

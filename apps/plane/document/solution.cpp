@@ -3,13 +3,13 @@
 #include <algorithm>
 #include <iterator>
 
+#include "apps/plane/discretize/fault_place.h"
 #include "femoop/model/fault/errors_among.h"
 #include "femoop/plane/check/plane_check.h"
 
 namespace plane {
 
 using femoop::Fault;
-using femoop::FaultKind;
 
 namespace {
 
@@ -41,28 +41,11 @@ PlaneModel bare_model(PlaneModel model)
     return model;
 }
 
-/// Of what faces are made of, held or loaded by: the curves are sound, and so are the faces.
-bool is_of_faces(FaultKind kind)
-{
-    switch (kind) {
-    case FaultKind::RegionPlaceOnCurve:
-    case FaultKind::RegionPlaceOutside:
-    case FaultKind::RegionPlaceTaken:
-    case FaultKind::NoFaceLeft:
-    case FaultKind::DivisionsOfPieces:
-    case FaultKind::TouchesNoMaterial:
-    case FaultKind::PressureInside:
-    case FaultKind::CheckFaceRank:
-    case FaultKind::CheckFaceOutside: return true;
-    default: return false;
-    }
-}
-
 std::vector<Fault> errors_of_curves(const std::vector<Fault>& faults)
 {
     std::vector<Fault> errors;
     std::ranges::copy_if(faults, std::back_inserter(errors),
-                         [](const Fault& fault) { return is_error(fault) && !is_of_faces(fault.kind); });
+                         [](const Fault& fault) { return is_error(fault) && !discretize::is_of_faces(fault.kind); });
     return errors;
 }
 
