@@ -35,12 +35,6 @@ std::vector<Place> places(const std::vector<Curve>& curves, std::size_t n)
     return all;
 }
 
-void widen(GoverningRange& range, double value, CaseId load_case, bool is_first)
-{
-    if (is_first || value > range.max.value) range.max = {value, load_case};
-    if (is_first || value < range.min.value) range.min = {value, load_case};
-}
-
 } // namespace
 
 Envelope::Envelope(Results results) : results_(std::move(results)), cases_(all_cases(results_)) {}
@@ -52,9 +46,7 @@ Envelope::Envelope(Results results, std::vector<CaseId> cases) : results_(std::m
 
 template <class Value> GoverningRange Envelope::range(const Value& value) const
 {
-    GoverningRange range;
-    for (const CaseId id : cases_) widen(range, value(results_[id]), id, id == cases_.front());
-    return range;
+    return governing_range(cases_, [&](std::size_t i) { return value(results_[cases_[i]]); });
 }
 
 GoverningRange Envelope::displacement(NodeId node, Dof dof) const
@@ -94,8 +86,8 @@ std::vector<EnvelopeStation> Envelope::stations(MemberId member, const std::vect
     for (const Place& place : places(curves, n)) {
         EnvelopeStation station{place.x, place.side, std::vector<GoverningRange>(components.size())};
         for (std::size_t i = 0; i < components.size(); ++i)
-            for (std::size_t c = 0; c < curves.size(); ++c)
-                widen(station.ranges[i], curves[c].value(components[i], place.x, place.side), cases_[c], c == 0);
+            station.ranges[i] = governing_range(
+                cases_, [&](std::size_t c) { return curves[c].value(components[i], place.x, place.side); });
         stations.push_back(std::move(station));
     }
     return stations;

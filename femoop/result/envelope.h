@@ -20,6 +20,18 @@ struct GoverningRange {
     Governing max, min;
 };
 
+/// Of what `value(i)` is in the i-th of the cases. \pre there is one
+template <class Value> GoverningRange governing_range(const std::vector<CaseId>& cases, const Value& value)
+{
+    GoverningRange range;
+    for (std::size_t i = 0; i < cases.size(); ++i) {
+        const double here = value(i);
+        if (i == 0 || here > range.max.value) range.max = {here, cases[i]};
+        if (i == 0 || here < range.min.value) range.min = {here, cases[i]};
+    }
+    return range;
+}
+
 /// The same along a member: the place too.
 struct GoverningExtreme {
     double value = 0.0;

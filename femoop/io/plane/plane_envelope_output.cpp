@@ -12,6 +12,7 @@
 #include "femoop/io/json/json_writer.h"
 #include "femoop/io/json/model_json.h"
 #include "femoop/io/plane/mesh_json.h"
+#include "femoop/io/results/range_columns.h"
 #include "femoop/model/quantity/dimension.h"
 #include "femoop/model/quantity/number_text.h"
 #include "femoop/model/quantity/unit_signs.h"
@@ -167,9 +168,8 @@ private:
         std::vector<CutForces> forces;
         for (const PlaneCase& result : envelope_.cases()) forces.push_back(result.forces(cut));
         for (const NamedForce& named : cut_forces_named) {
-            const PlaneCase* const first = envelope_.cases().data();
-            const GoverningRange range = envelope_.range(
-                [&](const PlaneCase& result) { return forces[static_cast<std::size_t>(&result - first)].*named.of; });
+            const GoverningRange range = governing_range(envelope_.ids(),
+                                                         [&](std::size_t c) { return forces[c].*named.of; });
             rows_.push_back({.part = EnvelopePart::Cut,
                              .id = std::to_string(i + 1),
                              .component = named.name,
@@ -467,11 +467,8 @@ std::vector<CsvFile> plane_envelope_csv(const PlaneResults& results, const Plane
     csv << "part"
         << "id" << tabular::Column("x", length).label() << tabular::Column("y", length).label() << "region"
         << "component"
-        << "unit"
-        << "max"
-        << "case of max"
-        << "min"
-        << "case of min";
+        << "unit";
+    add_range_columns(csv);
     csv.end_row();
     for (const EnvelopeRow& row : rows) {
         csv << part_name(row.part) << row.id;

@@ -2,6 +2,7 @@
 
 #include <string_view>
 
+#include "femoop/io/results/range_columns.h"
 #include "femoop/model/quantity/dimension.h"
 #include "femoop/result/case_magnitudes.h"
 #include "femoop/result/components.h"
@@ -181,11 +182,8 @@ std::string node_envelope(const Model& model, CaseMagnitudes& most, const Envelo
     SeparatedText csv;
     csv << "node"
         << "result"
-        << "unit"
-        << "max"
-        << "case of max"
-        << "min"
-        << "case of min";
+        << "unit";
+    add_range_columns(csv);
     csv.end_row();
     add_nodes(csv, model, most, envelope, [&](const std::string& node, std::string_view what, const std::string& in) {
         csv << node << what << in;
@@ -243,11 +241,8 @@ std::string long_envelope_csv(const Model& model, const Results& results, const 
     SeparatedText csv;
     csv << "part"
         << "id" << header("x", unit_text(dimension::length, model.units)) << "component"
-        << "unit"
-        << "max"
-        << "case of max"
-        << "min"
-        << "case of min";
+        << "unit";
+    add_range_columns(csv);
     csv.end_row();
     add_nodes(csv, model, most, envelope, [&](const std::string& node, std::string_view what, const std::string& in) {
         csv << "node" << node << "" << what << in;

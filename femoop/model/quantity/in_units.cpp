@@ -19,14 +19,6 @@ class Recount {
 public:
     Recount(const Units& from, const Units& to) : from_(from), to_(to) {}
 
-    void part(Material& material) const
-    {
-        number(material.E, dimension::stress);
-        number(material.G, dimension::stress);
-        number(material.fy, dimension::stress);
-        number(material.density, dimension::density);
-    }
-
     void part(Section& section) const
     {
         number(section.A, dimension::area);
@@ -153,13 +145,26 @@ Quantity in_units(const Quantity& quantity, Dimension dimension, const Units& fr
     return is_typed ? Quantity(value, text) : Quantity(value);
 }
 
+Material in_units(const Material& material, const Units& from, const Units& to)
+{
+    Material other = material;
+    const auto number = [&](std::optional<Quantity>& quantity, Dimension dimension) {
+        if (quantity) quantity = in_units(*quantity, dimension, from, to);
+    };
+    other.E = in_units(material.E, dimension::stress, from, to);
+    number(other.G, dimension::stress);
+    number(other.fy, dimension::stress);
+    number(other.density, dimension::density);
+    return other;
+}
+
 Model in_units(const Model& model, const Units& units)
 {
     if (!model.extra.empty())
         throw std::invalid_argument("in_units: block \"" + model.extra.front().key + "\" cannot be recounted");
     Model other = model;
     const Recount recount(model.units, units);
-    for (Material& material : other.materials) recount.part(material);
+    for (Material& material : other.materials) material = in_units(material, model.units, units);
     for (Section& section : other.sections) recount.part(section);
     for (Node& node : other.nodes) recount.part(node);
     for (Member& member : other.members) recount.part(member);

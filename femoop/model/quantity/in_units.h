@@ -15,4 +15,7 @@ Model in_units(const Model& model, const Units& units);
 /// The same of one number of a file.
 Quantity in_units(const Quantity& quantity, Dimension dimension, const Units& from, const Units& to);
 
+/// The same of a material, which structures of members and plane models have alike.
+Material in_units(const Material& material, const Units& from, const Units& to);
+
 } // namespace femoop

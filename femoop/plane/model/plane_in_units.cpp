@@ -18,14 +18,6 @@ class PlaneRecount {
 public:
     PlaneRecount(const Units& from, const Units& to) : from_(from), to_(to) {}
 
-    void part(Material& material) const
-    {
-        number(material.E, dimension::stress);
-        number(material.G, dimension::stress);
-        number(material.fy, dimension::stress);
-        number(material.density, dimension::density);
-    }
-
     void part(PlanePoint& point) const
     {
         place(point.at);
@@ -145,7 +137,7 @@ PlaneModel in_units(const PlaneModel& model, const Units& units)
     const PlaneRecount recount(model.units, units);
     recount.number(other.snap, dimension::length);
     recount.part(other.mesh);
-    for (Material& material : other.materials) recount.part(material);
+    for (Material& material : other.materials) material = in_units(material, model.units, units);
     for (PlanePoint& point : other.points) recount.part(point);
     for (PlaneCurve& curve : other.curves) {
         recount.part(curve);

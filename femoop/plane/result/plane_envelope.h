@@ -33,13 +33,7 @@ public:
     /// Of what `value` makes of each case.
     template <class Value> GoverningRange range(const Value& value) const
     {
-        GoverningRange found{{value(cases_.front()), ids_.front()}, {value(cases_.front()), ids_.front()}};
-        for (std::size_t c = 1; c < cases_.size(); ++c) {
-            const double here = value(cases_[c]);
-            if (here > found.max.value) found.max = {here, ids_[c]};
-            if (here < found.min.value) found.min = {here, ids_[c]};
-        }
-        return found;
+        return governing_range(ids_, [&](std::size_t i) { return value(cases_[i]); });
     }
     /// Of smoothed stresses over the nodes of a region.
     GoverningPlaces extremes(RegionId region, PlaneComponent component) const;
