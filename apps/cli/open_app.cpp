@@ -54,7 +54,7 @@ std::optional<AskedApp> asked_app(const std::vector<std::string>& arguments)
     const std::string& word = arguments.front();
     if (is_among(word, apps_alone) || (is_among(word, apps_and_commands) && arguments.size() == 1))
         return AskedApp{word, {arguments.begin() + 1, arguments.end()}};
-    if (word.starts_with('-') || names_a_command(word) || !is_file(word)) return std::nullopt;
+    if (word.starts_with('-') || !is_file(word) || names_a_command(word)) return std::nullopt;
     return AskedApp{app_of_file(word), arguments};
 }
 

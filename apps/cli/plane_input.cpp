@@ -2,6 +2,7 @@
 
 #include "apps/cli/solid_file.h"
 #include "apps/plane/discretize/further_faults.h"
+#include "apps/plane/view/singular_notice.h"
 #include "topology/text/line_error.h"
 
 namespace cli {
@@ -27,6 +28,13 @@ outline::Outline load_outline(const std::string& file, const ui::Catalogue& tr)
     } catch (const topology::LineError& fault) {
         throw UsageError(file + ": " + fault.sentence(tr));
     }
+}
+
+void tell_singular_corners(const discretize::Drawing& drawing, const std::string& file,
+                           const ::plane::PlateOptions& options, const Console& console)
+{
+    const auto notice = ::plane::singular_notice(drawing, options);
+    if (notice) console.message(console.tr()("{file}: notice: {sentence}", {{"file", file}, {"sentence", *notice}}));
 }
 
 PlaneInput::PlaneInput(femoop::plane::PlaneReading& reading, Depth depth)

@@ -5,8 +5,10 @@
 #include <optional>
 #include <string>
 
+#include "apps/cli/console.h"
 #include "apps/plane/discretize/meshed_drawing.h"
 #include "apps/plane/outline/outline.h"
+#include "apps/plane/view/plate_picture.h"
 #include "femoop/io/plane/plane_file.h"
 #include "femoop/io/plane/plane_verify.h"
 #include "ui/text/catalogue.h"
@@ -19,6 +21,10 @@ std::unique_ptr<const discretize::Drawing> drawing_of(femoop::plane::PlaneReadin
 
 /// The curves of a file of another program. \throws UsageError naming the file and the line \pre is_outline_file(file)
 outline::Outline load_outline(const std::string& file, const ui::Catalogue& tr);
+
+/// Says at which corners stresses have no bound, which no mesh finds; nothing where there are none.
+void tell_singular_corners(const discretize::Drawing& drawing, const std::string& file,
+                           const ::plane::PlateOptions& options, const Console& console);
 
 /// A plane model that was read, with its drawing and the mesh of that where it is drawn.
 class PlaneInput {

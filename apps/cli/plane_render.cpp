@@ -166,8 +166,7 @@ ExitStatus PlaneRender::draw(fp::PlaneReading& reading, const std::string& name,
         require_room(options, order, tr);
         shown.results = &results;
         if (shown.drawing != nullptr && !is_described_ && ::plane::shows_stresses(options))
-            if (const auto notice = ::plane::singular_notice(*shown.drawing, options))
-                console.message(tr("{file}: notice: {sentence}", {{"file", name}, {"sentence", *notice}}));
+            tell_singular_corners(*shown.drawing, name, options, console);
         return write(shown, order, options, console);
     } catch (const femoop::MechanismError& error) {
         return draw_motion(shown, error, name, order, options, console);

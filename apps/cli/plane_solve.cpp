@@ -18,7 +18,6 @@
 #include "apps/plane/discretize/error_cycle.h"
 #include "apps/plane/view/plate_picture.h"
 #include "apps/plane/view/plate_words.h"
-#include "apps/plane/view/singular_notice.h"
 #include "femoop/analysis/stopwatch.h"
 #include "femoop/io/plane/element_trace_output.h"
 #include "femoop/io/plane/modes_output.h"
@@ -85,14 +84,21 @@ double seconds_to_smooth(const fp::PlaneResults& results, const std::vector<femo
     return watch.lap();
 }
 
-/// The body once, then what each case does to it: what a picture of all of it would show.
-std::string description(const PlaneSolve::Question& question, const PlaneInput& input, const fp::PlaneResults& results,
-                        const fp::PlaneSelection& selection, const ui::Catalogue& tr)
+/// How words say numbers.
+::plane::PlateOptions manner_of(const PlaneSolve::Question& question, const ui::Catalogue& tr)
 {
     ::plane::PlateOptions options;
     options.tr = tr;
     options.numbers.mark = ui::decimal_mark(tr.language());
     options.unit_choices = question.units.choices(tr);
+    return options;
+}
+
+/// The body once, then what each case does to it: what a picture of all of it would show.
+std::string description(const PlaneSolve::Question& question, const PlaneInput& input, const fp::PlaneResults& results,
+                        const fp::PlaneSelection& selection, const ui::Catalogue& tr)
+{
+    ::plane::PlateOptions options = manner_of(question, tr);
     options.probes = selection.probes;
     options.cuts = selection.cuts;
     return ::plane::cases_in_words({.model = question.reading.model,
@@ -100,19 +106,6 @@ std::string description(const PlaneSolve::Question& question, const PlaneInput& 
                                     .mesh = input.mesh() != nullptr ? &input.model() : nullptr,
                                     .results = &results},
                                    options, selection.cases);
-}
-
-/// What no mesh finds the value of.
-void tell_singular_corners(const discretize::Drawing& drawing, const PlaneSolve::Question& question,
-                           const Console& console)
-{
-    ::plane::PlateOptions options;
-    options.tr = console.tr();
-    options.numbers.mark = ui::decimal_mark(console.tr().language());
-    options.unit_choices = question.units.choices(console.tr());
-    const auto notice = ::plane::singular_notice(drawing, options);
-    if (notice)
-        console.message(console.tr()("{file}: notice: {sentence}", {{"file", question.file}, {"sentence", *notice}}));
 }
 
 } // namespace
@@ -270,7 +263,7 @@ ExitStatus PlaneSolve::print_results(const Question& question, const PlaneInput&
         femoop::Stopwatch watch;
         console.print(output(question, input, results, asked_for, console.tr()));
         if (input.drawing() != nullptr && !question.is_described && !asked_for.cases.empty())
-            tell_singular_corners(*input.drawing(), question, console);
+            tell_singular_corners(*input.drawing(), question.file, manner_of(question, console.tr()), console);
         if (question.csv_folder)
             write_tables(*question.csv_folder,
                          asks_for_envelope(question) && !asked_for.cases.empty()
