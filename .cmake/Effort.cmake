@@ -27,18 +27,16 @@ function(cremona_compile_folders_quickly target)
   target_include_directories(${target}_quick PRIVATE "${PROJECT_SOURCE_DIR}")
   target_link_libraries(${target}_quick PRIVATE ${libraries})
   target_sources(${target} PRIVATE $<TARGET_OBJECTS:${target}_quick>)
-  if(CREMONA_PCH)
-    get_target_property(headers cremona_pch_eigen PRECOMPILE_HEADERS)
-    target_precompile_headers(${target}_quick PRIVATE ${headers})
-  endif()
+  cremona_precompile(${target}_quick model)
   cremona_compile_quickly(${target}_quick)
 endfunction()
 
 cremona_compile_folders_quickly(femoop
-  edit io methods/counting methods/cross methods/derivation methods/force_method methods/free_body methods/funicular methods/mohr
+  edit io model/check model/fault methods/counting methods/cross methods/derivation methods/force_method methods/free_body methods/funicular methods/mohr
   methods/truss methods/virtual_work typical)
 
 cremona_compile_quickly(
+  cremona_pch_model # GCC takes how much is optimized from the precompiled header
   files tabular ui_base ui cremona_cli
   cross_model cross_view cross_report cross_session cross_app
   euler_model euler_view euler_session euler_app
