@@ -143,10 +143,12 @@ void Drawing::insert(const std::vector<Drawn>& drawn)
         if (stands[i]) vertices_[i] = subdivision_.insert({model_.points[i].at[0], model_.points[i].at[1]});
     for (const auto& [curve, parts] : drawn)
         for (const ShapePart& part : parts) {
-            owners_.push_back(curve);
             const auto refusal = subdivision_.insert(part.curve, part.ends);
-            if (!refusal) continue;
-            owners_.pop_back();
+            if (!refusal) {
+                owners_.push_back(curve);
+                ends_.push_back(part.ends);
+                continue;
+            }
             const std::string place = entry_of("curves", model_.curves, curve.index);
             if (refusal->runs_along)
                 faults_.push_back({FaultKind::CurvesRunTogether, {place, model_[owners_[*refusal->runs_along]].id}});

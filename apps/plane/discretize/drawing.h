@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <optional>
 #include <string>
@@ -40,6 +41,8 @@ public:
     std::optional<topology::VertexId> vertex(femoop::NodeId point) const { return vertices_[point.index]; }
     /// The model's curve that a curve of the subdivision is a part of.
     femoop::plane::CurveId owner(topology::CurveIndex i) const { return owners_[i]; }
+    /// Where a curve of the subdivision was drawn to begin and to end.
+    const std::array<topology::FlatPoint, 2>& ends(topology::CurveIndex i) const { return ends_[i]; }
 
     /// What a check of a count or of an area finds; nothing for others, and where its face is not there.
     std::optional<double> read(const femoop::plane::PlaneExpected& check) const;
@@ -64,7 +67,8 @@ private:
     const PlaneModel& model_;
     std::vector<femoop::Fault> faults_;
     topology::PlanarSubdivision subdivision_;
-    std::vector<femoop::plane::CurveId> owners_;
+    std::vector<femoop::plane::CurveId> owners_; ///< of the subdivision's curves
+    std::vector<std::array<topology::FlatPoint, 2>> ends_;
     std::vector<std::optional<topology::VertexId>> vertices_; ///< of points that stand by themselves, or are an end
     std::vector<DrawnFace> faces_;
     std::vector<std::optional<std::size_t>> index_of_face_; ///< by face of the solid

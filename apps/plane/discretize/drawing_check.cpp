@@ -3,12 +3,14 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
 #include <numbers>
 #include <set>
 #include <string>
 #include <utility>
 
 #include "apps/plane/discretize/entry_name.h"
+#include "apps/plane/discretize/merged_places.h"
 #include "femoop/model/quantity/number_text.h"
 
 namespace discretize {
@@ -104,6 +106,7 @@ public:
         check_loads();
         check_asked();
         warn_of_what_is_left();
+        std::ranges::move(merged_places(drawing_), std::back_inserter(faults_));
         if (!model_.regions.empty()) warn_of_corners();
         return std::move(faults_);
     }

@@ -488,6 +488,8 @@ std::string_view pattern(FaultKind kind)
         return "the face at {0}, of area {1}, is in no region and is left empty; give it a region, or a hole";
     case FaultKind::DrawnPointAlone: return "{0}: no curve goes through this point; use it or delete it";
     case FaultKind::CurveDangles: return "{0}: a part of this curve bounds nothing; let it go on, or delete it";
+    case FaultKind::PlacesMerged:
+        return "{0}: these are one vertex at {1}, though up to {2} from it, since that is within snap, {3}; draw them at one place, or give a smaller snap";
     case FaultKind::SharpCorner:
         return "the corner at {0} has an angle of {1} degrees, so that elements there are poor; widen it";
     case FaultKind::TouchesNoMaterial:
@@ -645,6 +647,7 @@ Severity severity(FaultKind kind)
     case FaultKind::FaceWithoutRegion:
     case FaultKind::DrawnPointAlone:
     case FaultKind::CurveDangles:
+    case FaultKind::PlacesMerged:
     case FaultKind::SharpCorner:
     case FaultKind::MeshAngleMissed:
     case FaultKind::RegionWithoutElements:

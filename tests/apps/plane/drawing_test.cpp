@@ -139,6 +139,17 @@ std::vector<BadDrawing> bad_drawings()
                      .regions = R"([{"id": "plate", "material": "m", "thickness": 2}])"}
              .text(),
          "the corner at (0, 0) m has an angle of 2.86241 degrees, so that elements there are poor; widen it"},
+        {DrawingText{
+             .points = R"([{"id": "A", "at": [0, 0]}])",
+             .curves = R"([{"id": "edge", "kind": "line", "points": ["A", [4, 0], [4, 4], [0, 4]], "closed": true},
+                 {"id": "c", "kind": "line", "points": [[1, 5e-4], [1, 3], [3, 3], [3, 3e-4]]}])",
+             .regions = R"([{"id": "plate", "material": "m", "thickness": 2}])",
+             .more = R"(, "snap": 0.001)"}
+             .text(),
+         "curves[0] \"edge\", curves[1] \"c\": these are one vertex at (1, 0.0005) m, though up to 0.0005 m from it, since that "
+         "is within snap, 0.001 m; draw them at one place, or give a smaller snap\n"
+         "curves[0] \"edge\", curves[1] \"c\": these are one vertex at (3, 0.0003) m, though up to 0.0003 m from it, since that "
+         "is within snap, 0.001 m; draw them at one place, or give a smaller snap"},
         {with_curve(R"({"id": "c", "kind": "line", "points": [[6, 0], [7, 0]], "support": "pin"})"),
          "curves[2] \"c\": \"c\" touches no material, so that nothing takes it; put a region beside it or take it away\n"
          "curves[2] \"c\": a part of this curve bounds nothing; let it go on, or delete it"},
@@ -248,6 +259,41 @@ TEST_CASE("Stresses have no bound at re-entrant corners, at which regions add up
         "points": [[2.5, 3], [7, 3], [7, 0], [0, 0], [0, 5], [2, 5], [2, 3.5]]},
         {"id": "f", "kind": "arc", "center": [2.5, 3.5], "points": [[2, 3.5], [2.5, 3]]}])";
     CHECK(corners(filleted, whole).empty());
+}
+
+TEST_CASE("Places that snap makes one are told with their names, and what round-off parts is not")
+{
+    const auto told = [](std::string_view points, std::string_view curves, std::string_view more) {
+        std::string text;
+        for (const Fault& fault :
+             faults_of(DrawingText{.points = points, .curves = curves, .regions = "[]", .more = more}.text()))
+            if (fault.kind == FaultKind::PlacesMerged) text += fault.arguments[0] + " " + fault.arguments[2] + "; ";
+        return text;
+    };
+    const std::string_view corner =
+        R"([{"id": "A", "at": [0, 0]}, {"id": "B", "at": [3, 4]}, {"id": "C", "at": [3.003, 4.004]}])";
+    const std::string_view lines =
+        R"([{"id": "to", "kind": "line", "points": ["A", "B"]}, {"id": "on", "kind": "line", "points": ["C", [9, 1]]}])";
+    CHECK(told(corner, lines, R"(, "snap": 0.01)") ==
+          "points[1] \"B\", points[2] \"C\", curves[0] \"to\", curves[1] \"on\" 0.005 m; ");
+    CHECK(told(corner, lines, R"(, "snap": 0.004)").empty());
+    CHECK(
+        told(
+            R"([{"id": "A", "at": [1, 1]}, {"id": "B", "at": [1, 1]}])",
+            R"([{"id": "c", "kind": "line", "points": ["A", [5, 2]]}, {"id": "d", "kind": "line", "points": ["B", [5, 0]]}])",
+            "") == "points[0] \"A\", points[1] \"B\", curves[0] \"c\", curves[1] \"d\" 0 m; ");
+    const std::string_view nearly_one = // three lines about (1, 1), of which the third misses by 3e-3 / sqrt(1 + 1/9)
+        R"([{"id": "a", "kind": "line", "points": [[0, 0], [2, 2]]}, {"id": "b", "kind": "line", "points": [[0, 2], [2, 0]]},
+            {"id": "c", "kind": "line", "points": [[-2, 0.003], [4, 2.003]]}])";
+    CHECK(told("[]", nearly_one, R"(, "snap": 0.01)")
+              .starts_with("curves[0] \"a\", curves[1] \"b\", curves[2] \"c\" 0.00"));
+    const std::string_view exact = // thirds, a tangent arc, radii that differ by as much as the file may be rounded
+        R"([{"id": "a", "kind": "line", "points": [[0, 0], [1, 0.3333333333333333], [3, 1]]},
+            {"id": "b", "kind": "line", "points": [[0, 1], [3, 0]]}, {"id": "c", "kind": "line", "points": [[1.5, -4], [1.5, 4]]},
+            {"id": "d", "kind": "arc", "center": [1.5, 0.5], "points": [[2.2071068, 1.2071068], [0.7928932, -0.2071068]]},
+            {"id": "e", "kind": "bezier", "points": [[3, 1], [4, 2], [5, -2], [0, 0]]},
+            {"id": "f", "kind": "spline", "points": [[0, 1], [0.7, 2.1], [3, 1], [0, 0]]}])";
+    CHECK(told("[]", exact, "").empty());
 }
 
 TEST_CASE("A point is a vertex unless it is merely a centre or a control point")
