@@ -33,8 +33,7 @@ void Console::report(std::string_view file, const std::vector<femoop::Fault>& fa
     const std::string error = std::string(file) + ": " + tr_("error") + ": ";
     const std::string warning = std::string(file) + ": " + tr_("warning") + ": ";
     for (const femoop::Fault& fault : faults) {
-        const bool is_error = femoop::severity(fault.kind) == femoop::Severity::Error;
-        if (is_error) message(error + sentence(fault));
+        if (is_error(fault)) message(error + sentence(fault));
         else if (++n_warnings[fault.kind] <= most_warnings) message(warning + sentence(fault));
     }
     for (const auto& [kind, n] : n_warnings)

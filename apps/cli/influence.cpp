@@ -173,8 +173,7 @@ ExitStatus Influence::run(Console& console)
         if (asked_.is_asked() || path_) {
             const std::vector<Fault> faults = check_line(*model, lines.front(), {asked_.option(), {}});
             console.report(display_name(file_, tr), faults);
-            const auto is_error = [](const Fault& fault) { return severity(fault.kind) == femoop::Severity::Error; };
-            if (std::ranges::any_of(faults, is_error)) return ExitStatus::BadInput;
+            if (std::ranges::any_of(faults, femoop::is_error)) return ExitStatus::BadInput;
         }
         console.print(output(*model, lines, console));
     } catch (const femoop::ModelError& error) {

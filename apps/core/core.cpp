@@ -19,8 +19,7 @@ void write_faults(JsonWriter& json, const std::vector<femoop::Fault>& faults)
 {
     json.key("faults").begin_array();
     for (const femoop::Fault& fault : faults) {
-        const bool is_error = femoop::severity(fault.kind) == femoop::Severity::Error;
-        json.begin_object().member("severity", is_error ? "error" : "warning");
+        json.begin_object().member("severity", is_error(fault) ? "error" : "warning");
         json.member("message", femoop::message(fault)).end();
     }
     json.end();

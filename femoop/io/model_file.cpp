@@ -18,8 +18,6 @@ namespace femoop {
 
 namespace {
 
-bool is_error(const Fault& fault) { return severity(fault.kind) == Severity::Error; }
-
 Model sound_model(ModelReading reading)
 {
     if (reading.is_sound()) return std::move(reading.model);

@@ -6,6 +6,7 @@
 #include "femoop/methods/cross/prop_forces.h"
 #include "femoop/methods/cross/symmetry.h"
 #include "femoop/model/check/check.h"
+#include "femoop/model/fault/errors_among.h"
 #include "femoop/model/fault/fault.h"
 
 namespace cross {
@@ -85,9 +86,7 @@ const fc::Sheet* Solution::sheet(const Document& document) const
 
 Solution solve(const Document& document, SolveMode mode)
 {
-    Solution solution;
-    for (const femoop::Fault& fault : femoop::check(document.model))
-        if (femoop::severity(fault.kind) == femoop::Severity::Error) solution.faults.push_back(fault);
+    Solution solution{.faults = errors_among(femoop::check(document.model))};
     if (!solution.faults.empty()) return solution;
     try {
         Task task = task_of(document);

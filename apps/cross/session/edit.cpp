@@ -52,12 +52,7 @@ bool is_level(const Model& model)
     });
 }
 
-bool is_sound(const Model& model)
-{
-    return std::ranges::none_of(femoop::check(model), [](const femoop::Fault& fault) {
-        return femoop::severity(fault.kind) == femoop::Severity::Error;
-    });
-}
+bool is_sound(const Model& model) { return std::ranges::none_of(femoop::check(model), femoop::is_error); }
 
 std::vector<femoop::MemberId> members_at(const Model& model, NodeId node)
 {

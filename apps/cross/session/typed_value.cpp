@@ -161,8 +161,7 @@ std::optional<TypedValue> value_of(const Session& session, const Drawn& drawn, c
 Typed sound(Model model, const Session& session)
 {
     for (const femoop::Fault& fault : frame::named(femoop::check(model), model))
-        if (femoop::severity(fault.kind) == femoop::Severity::Error)
-            return Message("{reason}", {{"reason", fault_text(fault, session.tr())}});
+        if (is_error(fault)) return Message("{reason}", {{"reason", fault_text(fault, session.tr())}});
     return model;
 }
 

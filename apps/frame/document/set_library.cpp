@@ -107,7 +107,7 @@ std::vector<std::string> places_beyond_sets(const Model& library)
 bool is_usable(const NamedSet& set, const Model& model)
 {
     const std::vector<Fault> faults = check(library_of({set}, model));
-    return std::ranges::none_of(faults, [](const Fault& fault) { return severity(fault.kind) == Severity::Error; });
+    return std::ranges::none_of(faults, femoop::is_error);
 }
 
 } // namespace frame

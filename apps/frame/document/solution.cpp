@@ -17,8 +17,6 @@ using femoop::Model;
 
 namespace {
 
-bool is_error(const Fault& fault) { return femoop::severity(fault.kind) == femoop::Severity::Error; }
-
 /// What is wrong with each load case and combination by itself.
 struct CaseTroubles {
     std::vector<Fault> faults;
@@ -160,7 +158,7 @@ void solve_into(Solution& solution, const Model& model, Troubles troubles)
 
 } // namespace
 
-bool Solution::has_errors() const { return std::ranges::any_of(faults, is_error); }
+bool Solution::has_errors() const { return std::ranges::any_of(faults, femoop::is_error); }
 
 const BlankCase* Solution::blank_case(CaseId id) const
 {

@@ -97,8 +97,7 @@ void erase_what_lost_its_place(femoop::Model& model)
     std::set<std::size_t> lost;
     for (const femoop::Fault& fault : femoop::check(model)) {
         const std::optional<FaultPlace> place = place_of(fault);
-        const bool is_error = femoop::severity(fault.kind) == femoop::Severity::Error;
-        if (is_error && place && place->steps.front().key == "expected" && place->steps.front().index)
+        if (is_error(fault) && place && place->steps.front().key == "expected" && place->steps.front().index)
             lost.insert(*place->steps.front().index);
     }
     std::size_t i = 0;

@@ -14,6 +14,7 @@
 #include "apps/frame/session/case_commands.h"
 #include "femoop/edit/condense.h"
 #include "femoop/io/model_file.h"
+#include "femoop/model/fault/errors_among.h"
 #include "femoop/typical/steel.h"
 
 namespace frame {
@@ -85,10 +86,8 @@ bool import_properties(Session& session, const std::filesystem::path& path)
     femoop::ModelReading reading = femoop::examine_model_file(path);
     const ui::Message::Argument file{"file", path.filename().string()};
     if (!reading.is_sound()) {
-        std::erase_if(reading.faults,
-                      [](const auto& fault) { return femoop::severity(fault.kind) != femoop::Severity::Error; });
         session.notice = Notice{ui::lasting({translatable("nothing was imported from {file}"), {file}}),
-                                named(std::move(reading.faults), reading.model)};
+                                named(errors_among(std::move(reading.faults)), reading.model)};
         return false;
     }
     Companion beside = read_companion_of(path, reading.model).companion;

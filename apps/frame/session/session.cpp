@@ -25,6 +25,7 @@
 #include "femoop/io/results/results_table.h"
 #include "femoop/io/virtual_work/virtual_work_text.h"
 #include "femoop/model/check/check.h"
+#include "femoop/model/fault/errors_among.h"
 #include "femoop/result/describe.h"
 #include "femoop/result/structure_words.h"
 #include "ui/files/view_file.h"
@@ -103,8 +104,7 @@ bool Session::change_soundly(const Change& wanted)
     if (refuse(outcome)) return false;
     std::vector<femoop::Fault> faults = named(femoop::check(outcome.document.model), outcome.document.model);
     std::erase_if(faults, [&](const femoop::Fault& fault) {
-        const bool is_error = femoop::severity(fault.kind) == femoop::Severity::Error;
-        return !is_error || std::ranges::find(solution_.faults, fault) != solution_.faults.end();
+        return !is_error(fault) || std::ranges::find(solution_.faults, fault) != solution_.faults.end();
     });
     const bool is_sound = faults.empty();
     if (is_sound) accept(wanted, std::move(outcome));
@@ -279,8 +279,7 @@ bool is_understood(const femoop::ModelReading& reading)
 std::optional<Notice> Session::read(const std::filesystem::path& path, Purpose purpose)
 {
     femoop::ModelReading reading = femoop::examine_model_file(path);
-    std::erase_if(reading.faults,
-                  [](const auto& fault) { return femoop::severity(fault.kind) != femoop::Severity::Error; });
+    reading.faults = errors_among(std::move(reading.faults));
     const bool can_be_mended = is_understood(reading);
     if (!reading.faults.empty() && !(purpose == Purpose::Mend && can_be_mended)) {
         Notice refusal = not_opened(path, named(std::move(reading.faults), reading.model));

@@ -8,6 +8,7 @@
 #include "apps/frame/document/fault/sentence.h"
 #include "apps/frame/session/fault_target.h"
 #include "apps/frame/session/tabs.h"
+#include "femoop/model/fault/errors_among.h"
 #include "ui/widgets/offer.h"
 
 namespace frame {
@@ -40,9 +41,7 @@ Hindrance hindrance(const Session& session)
     if (const BlankCase* const blank = session.shown_blank())
         return {tr("Case {case} has no results.", {{"case", session.model().case_name(blank->id)}}), blank->faults};
     if (session.solution().results) return {};
-    std::vector<femoop::Fault> errors = session.solution().faults;
-    std::erase_if(errors, [](const auto& fault) { return femoop::severity(fault.kind) != femoop::Severity::Error; });
-    return {"", std::move(errors)};
+    return {"", errors_among(session.solution().faults)};
 }
 
 // One line, so that the picture keeps its room while a model is mended.

@@ -23,8 +23,7 @@ const femoop::Fault* why_not_solved(const Session& session)
 {
     const BlankCase* const blank = session.shown_blank();
     const std::vector<femoop::Fault>& faults = blank != nullptr ? blank->faults : session.solution().faults;
-    const auto error = std::ranges::find_if(
-        faults, [](const auto& fault) { return femoop::severity(fault.kind) == femoop::Severity::Error; });
+    const auto error = std::ranges::find_if(faults, femoop::is_error);
     return session.shown_results() != nullptr || error == faults.end() ? nullptr : &*error;
 }
 

@@ -306,8 +306,7 @@ namespace {
 /// A problem as a button of the panel's width. \returns whether it is clicked
 bool problem_button(const Fault& fault, const ui::Catalogue& tr)
 {
-    const bool is_error = severity(fault.kind) == Severity::Error;
-    const std::string words = (is_error ? tr("Error") : tr("Warning")) + "\n" + sentence(fault, tr);
+    const std::string words = (is_error(fault) ? tr("Error") : tr("Warning")) + "\n" + sentence(fault, tr);
     const ImVec2 corner = ImGui::GetCursorPos();
     const float width = ImGui::GetContentRegionAvail().x;
     const ImVec2 size = ImGui::CalcTextSize(words.c_str(), nullptr, false, width);

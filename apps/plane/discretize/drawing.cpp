@@ -55,11 +55,7 @@ Drawing::Drawing(const PlaneModel& model) : model_(model), subdivision_(1.0), ve
     std::ranges::move(faults_of(*this), std::back_inserter(faults_));
 }
 
-bool Drawing::is_sound() const
-{
-    return std::ranges::none_of(faults_,
-                                [](const Fault& fault) { return severity(fault.kind) == femoop::Severity::Error; });
-}
+bool Drawing::is_sound() const { return std::ranges::none_of(faults_, femoop::is_error); }
 
 /// A point stands as a vertex unless it is merely a centre or a control point.
 std::vector<bool> Drawing::standing_points() const

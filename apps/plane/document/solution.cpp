@@ -13,8 +13,6 @@ using femoop::Fault;
 
 namespace {
 
-bool is_error(const Fault& fault) { return severity(fault.kind) == femoop::Severity::Error; }
-
 /// The curves and the places of the regions alone, with nothing that could be wrong besides.
 PlaneModel bare_model(PlaneModel model)
 {
@@ -54,14 +52,14 @@ std::vector<Fault> errors_of_curves(const std::vector<Fault>& faults)
 Solution::Solution(const Document& document) : model_(std::make_unique<const PlaneModel>(document.model))
 {
     faults_ = femoop::plane::check(*model_);
-    if (std::ranges::any_of(faults_, is_error)) {
+    if (std::ranges::any_of(faults_, femoop::is_error)) {
         bare_ = std::make_unique<const PlaneModel>(bare_model(*model_));
         curve_errors_ = femoop::errors_among(femoop::plane::check(*bare_));
     }
     refused_ = femoop::errors_among(faults_);
     if (curve_errors_.empty()) draw(bare_ ? *bare_ : *model_);
-    std::stable_partition(faults_.begin(), faults_.end(), is_error);
-    is_sound_ = std::ranges::none_of(faults_, is_error);
+    std::stable_partition(faults_.begin(), faults_.end(), femoop::is_error);
+    is_sound_ = std::ranges::none_of(faults_, femoop::is_error);
 }
 
 void Solution::draw(const PlaneModel& model)

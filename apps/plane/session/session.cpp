@@ -52,8 +52,6 @@ bool are_drawn_alike(const PlaneModel& a, const PlaneModel& b)
 /// About how long meshing, solving and recovering take with this many unknowns, rounded up.
 std::size_t seconds_to_solve(std::size_t n_unknowns) { return 1 + n_unknowns / 50'000; }
 
-bool is_error(const Fault& fault) { return severity(fault.kind) == femoop::Severity::Error; }
-
 /// The rectangle about the drawing; of one without a width and a height that of an empty sheet.
 std::array<FlatPoint, 2> room_of(const PlaneModel& model)
 {

@@ -283,7 +283,7 @@ void draw_problems(ui::Painter& painter, const Workspace& workspace, const ui::P
             painter.circle(at(end), 7.0 * theme.symbol_scale(), {.color = stroke.color, .width = 2.0});
     }
     for (const femoop::Fault& fault : session.solution().faults()) {
-        if (severity(fault.kind) != femoop::Severity::Error) continue;
+        if (!is_error(fault)) continue;
         const auto part = part_of(fault, session.model(), session.drawing());
         const auto mark = part ? mark_of(*part, session) : std::nullopt;
         if (mark) draw_mark(painter, theme, at(*mark));

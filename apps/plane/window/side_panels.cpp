@@ -121,8 +121,7 @@ void problems_panel(Workspace& workspace, const CommandTable& commands)
     else ImGui::TextDisabled("%s", tr("A click goes to the place.").c_str());
     for (std::size_t i = 0; i < faults.size(); ++i) {
         const auto part = part_of(faults[i], session.model(), session.drawing());
-        const bool is_error = severity(faults[i].kind) == femoop::Severity::Error;
-        const std::string text = (is_error ? "! " : "") + sentence(faults[i], session.model(), tr);
+        const std::string text = (is_error(faults[i]) ? "! " : "") + sentence(faults[i], session.model(), tr);
         if (ui::wrapped_button(text, "problem " + std::to_string(i)) && part) session.select(*part);
     }
     if (told_gap(workspace)) ui::command_button(workspace, commands, "draw.close_gap");

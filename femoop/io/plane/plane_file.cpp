@@ -25,10 +25,7 @@ JsonValue key_of(JsonValue object, std::string_view key)
 
 } // namespace
 
-bool PlaneReading::is_sound() const
-{
-    return std::ranges::none_of(faults, [](const Fault& fault) { return severity(fault.kind) == Severity::Error; });
-}
+bool PlaneReading::is_sound() const { return std::ranges::none_of(faults, is_error); }
 
 bool is_plane_model(JsonValue file)
 {

@@ -4,6 +4,7 @@
 
 #include "femoop/model/check/check_parts.h"
 #include "femoop/model/check/checker.h"
+#include "femoop/model/fault/errors_among.h"
 
 namespace femoop {
 
@@ -16,9 +17,7 @@ std::vector<Fault> check(const Model& model) { return check_readable(model, {});
 
 void require_sound(const Model& model)
 {
-    std::vector<Fault> errors;
-    for (Fault& fault : check_readable(model, {}, Thoroughness::Errors))
-        if (severity(fault.kind) == Severity::Error) errors.push_back(std::move(fault));
+    std::vector<Fault> errors = errors_among(check_readable(model, {}, Thoroughness::Errors));
     if (!errors.empty()) throw ModelError(std::move(errors));
 }
 

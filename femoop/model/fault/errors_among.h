@@ -11,7 +11,7 @@ namespace femoop {
 /// The faults without the warnings.
 inline std::vector<Fault> errors_among(std::vector<Fault> faults)
 {
-    std::erase_if(faults, [](const Fault& fault) { return severity(fault.kind) != Severity::Error; });
+    std::erase_if(faults, [](const Fault& fault) { return !is_error(fault); });
     return faults;
 }
 

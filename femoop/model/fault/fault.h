@@ -30,6 +30,7 @@ bool is_word(FaultKind kind, std::size_t argument);
 bool is_computed(FaultKind kind, std::size_t argument);
 std::string_view pattern(FaultKind kind); ///< English sentence with places {0}, {1} ... for the arguments
 Severity severity(FaultKind kind);
+inline bool is_error(const Fault& fault) { return severity(fault.kind) == Severity::Error; }
 
 /// An argument that lists several names: `fill` writes them as "A, B and C".
 std::string listed(const std::vector<std::string>& names);

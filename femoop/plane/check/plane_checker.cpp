@@ -69,10 +69,7 @@ template <class First, class Second> void PlaneChecker::together(const First& fi
     second();
 }
 
-bool PlaneChecker::has_errors() const
-{
-    return std::ranges::any_of(faults_, [](const Fault& fault) { return severity(fault.kind) == Severity::Error; });
-}
+bool PlaneChecker::has_errors() const { return std::ranges::any_of(faults_, is_error); }
 
 std::vector<Fault> PlaneChecker::run()
 {

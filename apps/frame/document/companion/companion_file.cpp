@@ -162,7 +162,7 @@ private:
     {
         ModelReading library = examine_model(compact_json(value));
         for (const Fault& fault : library.faults)
-            if (severity(fault.kind) == Severity::Error) reader_.add(inside_sets(fault));
+            if (is_error(fault)) reader_.add(inside_sets(fault));
         if (!library.is_sound()) return;
         for (const std::string& place : places_beyond_sets(library.model))
             reader_.add({FaultKind::WrongType,
