@@ -78,10 +78,14 @@ MeshDomain square_with_five_holes(double size)
     return domain;
 }
 
+double edge_length_of(std::size_t n_triangles)
+{
+    return std::sqrt(4.0 * area_of_square_with_holes() / (std::numbers::sqrt3 * static_cast<double>(n_triangles)));
+}
+
 MeshBench bench_mesh(std::size_t n_triangles)
 {
-    const double size = std::sqrt(4.0 * area_of_square_with_holes() /
-                                  (std::numbers::sqrt3 * static_cast<double>(n_triangles)));
+    const double size = edge_length_of(n_triangles);
     const MeshDomain domain = square_with_five_holes(size);
     const auto begin = std::chrono::steady_clock::now();
     const topology::CellMesh mesh = topology::DelaunayMesher(domain, {.size = size}).run();

@@ -4,7 +4,6 @@
 #include <chrono>
 #include <cmath>
 #include <stdexcept>
-#include <vector>
 
 namespace cli {
 
@@ -40,6 +39,8 @@ double end_of(double start, std::uint64_t number, bool is_long)
     return start + static_cast<double>(number % (2 * reach + 1)) - static_cast<double>(reach);
 }
 
+} // namespace
+
 std::vector<topology::Segment> segments_of(const RegionLines& lines)
 {
     Dice dice(lines.seed);
@@ -52,8 +53,6 @@ std::vector<topology::Segment> segments_of(const RegionLines& lines)
     }
     return segments;
 }
-
-} // namespace
 
 RegionBench bench_regions(const RegionLines& lines, bool one_by_one)
 {

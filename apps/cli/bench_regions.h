@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <vector>
 
 #include "topology/planar/planar_subdivision.h"
 
@@ -14,6 +15,9 @@ struct RegionLines {
     bool is_long = true;
     std::uint64_t seed = 1;
 };
+
+/// Those lines; without any whose ends are one.
+std::vector<topology::Segment> segments_of(const RegionLines& lines);
 
 /// What `cremona bench regions` finds, and what it takes to insert the lines one after the other, in seconds.
 struct RegionBench {
