@@ -17,13 +17,15 @@
 #include "femoop/load/case_terms.h"
 #include "femoop/plane/analysis/plate_mechanism.h"
 #include "femoop/plane/check/plane_check.h"
+#include "femoop/solver/at_once.h"
 #include "femoop/solver/available_memory.h"
 
 namespace femoop::plane {
 
 namespace {
 
-constexpr double no_pivot = 1e-13; // of the diagonal: nothing is left of a stiffness
+constexpr double no_pivot = 1e-13;                      // of the diagonal: nothing is left of a stiffness
+constexpr std::size_t elements_numbered_at_once = 5000; // while motions are sought
 
 std::vector<CaseTerms> cases_of(const PlaneModel& model)
 {
@@ -32,10 +34,9 @@ std::vector<CaseTerms> cases_of(const PlaneModel& model)
     return femoop::cases_of(names, model.combinations);
 }
 
-void refuse_rigid_motions(const PlaneStructure& structure)
+void refuse(std::vector<Mechanism> mechanisms)
 {
     constexpr std::size_t most_described = 12;
-    std::vector<Mechanism> mechanisms = rigid_motions(structure);
     if (mechanisms.empty()) return;
     const std::size_t n_more = mechanisms.size() - std::min(mechanisms.size(), most_described);
     mechanisms.resize(mechanisms.size() - n_more);
@@ -144,36 +145,56 @@ struct PlaneAnalysis::Solved {
 PlaneAnalysis::PlaneAnalysis(AnalysisOptions options) : options_(std::move(options)) {}
 PlaneAnalysis::~PlaneAnalysis() = default;
 
-/// The equations, ready to be factored.
-void PlaneAnalysis::assemble(const std::shared_ptr<const PlaneStructure>& structure, Solved& done)
+/// A body that can move as a whole is refused, else its equations are numbered, unless those that there are fit: at the
+/// same time where there are many.
+std::unique_ptr<StaticSystem> PlaneAnalysis::numbered(const PlaneStructure& structure, Solved& done)
 {
-    Stopwatch watch;
-    const std::shared_ptr<const Discretisation>& numbers = structure->discretisation();
-    if (system_ && have_same_equations(*system_->structure(), *numbers)) {
-        system_->update(numbers);
+    std::unique_ptr<StaticSystem> system;
+    const auto number = [&] {
+        if (system_ && have_same_equations(*system_->structure(), *structure.discretisation())) return;
+        system_.reset();
+        Stopwatch watch;
+        system = std::make_unique<StaticSystem>(structure.discretisation(), options_.solver.kind);
+        done.statistics.order = watch.lap();
+    };
+    if (structure.model().elements.size() < elements_numbered_at_once) {
+        refuse(rigid_motions(structure));
+        number();
+        return system;
+    }
+    std::vector<Mechanism> motions;
+    at_once([&] { motions = rigid_motions(structure); }, number);
+    refuse(std::move(motions));
+    return system;
+}
+
+/// The equations, ready to be factored: of a system that was numbered, or of the last one.
+void PlaneAnalysis::assemble(const std::shared_ptr<const PlaneStructure>& structure,
+                             std::unique_ptr<StaticSystem> numbered, Solved& done)
+{
+    if (!numbered) {
+        Stopwatch watch;
+        system_->update(structure->discretisation());
         structure_ = structure;
         done.statistics.assemble = watch.lap();
         require_finite_stiffness(structure->model(), *system_);
         return;
     }
-    system_.reset();
     structure_ = structure;
-    auto system = std::make_unique<StaticSystem>(numbers, options_.solver.kind);
-    done.statistics.order = watch.lap();
     try {
-        system->prepare(options_, done.statistics);
+        numbered->prepare(options_, done.statistics);
     } catch (const InsufficientMemory& refusal) {
-        throw ModelError({insufficient_memory(refusal, system->reduced().matrix().rows())});
+        throw ModelError({insufficient_memory(refusal, numbered->reduced().matrix().rows())});
     }
-    require_finite_stiffness(structure->model(), *system);
-    system_ = std::move(system);
+    require_finite_stiffness(structure->model(), *numbered);
+    system_ = std::move(numbered);
 }
 
 PlaneAnalysis::Solved PlaneAnalysis::solved(const std::shared_ptr<const PlaneStructure>& structure,
                                             const std::vector<CaseLoads>& loads)
 {
     Solved done;
-    assemble(structure, done);
+    assemble(structure, numbered(*structure, done), done);
     Stopwatch watch;
     const Pivots pivots = system_->factorize();
     system_->note_size(done.statistics);
@@ -202,7 +223,6 @@ PlaneResults PlaneAnalysis::solve_sound(PlaneModel model)
 {
     require_no_vanishing_stiffness(model);
     auto structure = std::make_shared<const PlaneStructure>(std::move(model));
-    refuse_rigid_motions(*structure);
     auto solution = std::make_shared<detail::Solution>();
     solution->structure = structure->discretisation();
     solution->loads = structure->loads();

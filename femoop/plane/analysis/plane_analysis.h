@@ -38,7 +38,9 @@ public:
 private:
     struct Solved;
     Solved solved(const std::shared_ptr<const PlaneStructure>& structure, const std::vector<CaseLoads>& loads);
-    void assemble(const std::shared_ptr<const PlaneStructure>& structure, Solved& done);
+    std::unique_ptr<StaticSystem> numbered(const PlaneStructure& structure, Solved& done);
+    void assemble(const std::shared_ptr<const PlaneStructure>& structure, std::unique_ptr<StaticSystem> numbered,
+                  Solved& done);
 
     AnalysisOptions options_;
     std::shared_ptr<const PlaneStructure> structure_; ///< the last one, to whose elements the system refers

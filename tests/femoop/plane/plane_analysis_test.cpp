@@ -51,6 +51,25 @@ std::vector<NodeId> everywhere(const PlaneModel& model)
     return nodes;
 }
 
+/// nx by ny rectangles.
+PlaneModel many_elements(std::uint32_t nx, std::uint32_t ny)
+{
+    PlaneModel model;
+    model.materials.push_back({.id = "m", .E = 3.0, .nu = 0.3});
+    model.regions.push_back({.id = "sheet", .material = MaterialId(0), .thickness = 0.7});
+    for (std::uint32_t j = 0; j <= ny; ++j)
+        for (std::uint32_t i = 0; i <= nx; ++i)
+            model.points.push_back({.id = std::to_string(model.points.size()), .at = {1.1 * i, 1.3 * j}});
+    const auto at = [&](std::uint32_t i, std::uint32_t j) { return NodeId(j * (nx + 1) + i); };
+    for (std::uint32_t j = 0; j < ny; ++j)
+        for (std::uint32_t i = 0; i < nx; ++i)
+            model.elements.push_back({.id = std::to_string(model.elements.size()),
+                                      .kind = ShapeKind::Q4,
+                                      .points = {at(i, j), at(i + 1, j), at(i + 1, j + 1), at(i, j + 1)},
+                                      .region = RegionId(0)});
+    return model;
+}
+
 std::string refusal(const PlaneText& text)
 {
     try {
@@ -290,6 +309,26 @@ TEST_CASE("An analysis that refused a body that can move solves the next one")
     for (int twice = 0; twice < 2; ++twice) {
         CHECK_THROWS_AS(analysis.solve(read_plane_model(loose)), MechanismError);
         CHECK(analysis.solve(held)[CaseId(0)].displacement(F).x() > 0.0);
+    }
+}
+
+TEST_CASE("A body of many elements is refused like one of few, and solved once it is held")
+{
+    PlaneAnalysis analysis;
+    PlaneModel loose = many_elements(83, 61);
+    loose.load_cases.push_back({.id = "P"});
+    loose.load_cases[0].points.push_back({.node = NodeId(1), .components = {{.dof = Dof::ux, .value = 7.0}}});
+    PlaneModel held = loose;
+    for (const std::uint32_t node : {0U, 83U})
+        held.points[node].support = PlaneSupport{.kind = PlaneSupportKind::Fixed};
+    for (int twice = 0; twice < 2; ++twice) {
+        try {
+            analysis.solve(loose);
+            FAIL("it was solved");
+        } catch (const MechanismError& error) {
+            CHECK(error.mechanisms().size() == 3);
+        }
+        CHECK(analysis.solve(held)[CaseId(0)].displacement(NodeId(1)).x() > 0.0);
     }
 }
 
