@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <memory>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -11,6 +12,7 @@
 #include "femoop/solver/multifrontal/checkpoint.h"
 #include "femoop/solver/multifrontal/dense_front.h"
 #include "femoop/solver/multifrontal/front_memory.h"
+#include "femoop/solver/multifrontal/numbers.h"
 #include "femoop/solver/multifrontal/schedule.h"
 
 namespace femoop {
@@ -85,6 +87,14 @@ private:
         return benches;
     }
 
+    /// Where the fronts of a task lie in L, one after the other.
+    std::span<double> panels_of(const Schedule::Task& task) const
+    {
+        const Front &first = fronts_[at(task.first)], &last = fronts_[at(task.end - 1)];
+        const std::size_t end = last.first_entry + at(last.n_rows) * at(last.n_pivots);
+        return {factor_.entries.get() + first.first_entry, end - first.first_entry};
+    }
+
     DenseFront dense(const Front& front, double* update) const
     {
         return {.panel = factor_.entries.get() + front.first_entry,
@@ -104,10 +114,12 @@ private:
     Pivots eliminate_task(const Schedule::Task& task, Bench& bench, int member)
     {
         Pivots pivots;
+        PagesAhead pages(panels_of(task));
         for (std::int32_t f = task.first; f < task.end && pivots.is_complete; ++f) {
             const Front& front = fronts_[at(f)];
             checkpoint_.pass(member, elimination_work(front.n_pivots, front.n_rows));
             const std::size_t side = depths_.side(f);
+            pages.provide(factor_.entries.get() + front.first_entry + at(front.n_rows) * at(front.n_pivots));
             const DenseFront here = dense(
                 front, waits_in_task(front, task) ? bench.stacks[side].push(update_size(front)) : hand_up(f));
             find_places(front, bench);

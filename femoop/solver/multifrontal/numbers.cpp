@@ -4,6 +4,7 @@
 #include <sys/mman.h>
 #endif
 
+#include <algorithm>
 #include <cstdint>
 
 #include "femoop/solver/at_once.h"
@@ -13,6 +14,7 @@ namespace femoop {
 namespace {
 
 constexpr std::size_t worth_threads_to_return = std::size_t{1} << 23; // numbers
+constexpr std::size_t provided_at_once = std::size_t{1} << 15;        // numbers
 
 #ifdef __linux__
 void return_pages(double* numbers, std::size_t n)
@@ -27,7 +29,22 @@ void return_pages(double* numbers, std::size_t n)
         if (to_page + beyond_page < bytes) madvise(first + to_page, bytes - to_page - beyond_page, MADV_DONTNEED);
     });
 }
+
+/// Whole pages, so that of others at both ends too: nothing that is written there changes. What the system refuses
+/// comes when it is written.
+void provide_pages(std::span<double> numbers)
+{
+#ifdef MADV_POPULATE_WRITE
+    constexpr std::size_t page = 1 << 12;
+    auto* const first = reinterpret_cast<char*>(numbers.data());
+    const std::size_t before = reinterpret_cast<std::uintptr_t>(first) % page;
+    static_cast<void>(madvise(first - before, before + numbers.size_bytes(), MADV_POPULATE_WRITE));
 #else
+    static_cast<void>(numbers);
+#endif
+}
+#else
+void provide_pages(std::span<double> /*numbers*/) {}
 void return_pages(double* /*numbers*/, std::size_t /*n*/) {}
 #endif
 
@@ -40,6 +57,19 @@ void ReturnPages::operator()(double* numbers) const noexcept
     } catch (...) { // without threads they go back below
     }
     delete[] numbers;
+}
+
+PagesAhead::PagesAhead(std::span<double> numbers)
+    : missing_(numbers.size() < provided_at_once ? std::span<double>() : numbers)
+{}
+
+void PagesAhead::provide(const double* end)
+{
+    if (missing_.empty() || end <= missing_.data()) return;
+    const std::size_t wanted = std::max(static_cast<std::size_t>(end - missing_.data()), provided_at_once);
+    const std::size_t n = std::min(wanted, missing_.size());
+    provide_pages(missing_.first(n));
+    missing_ = missing_.subspan(n);
 }
 
 Numbers make_numbers(std::size_t n) { return {new double[n], ReturnPages{n}}; }

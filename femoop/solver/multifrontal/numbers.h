@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <memory>
+#include <span>
 
 namespace femoop {
 
@@ -15,5 +16,17 @@ struct ReturnPages {
 /// Undefined at first.
 using Numbers = std::unique_ptr<double[], ReturnPages>;
 Numbers make_numbers(std::size_t n);
+
+/// Asks the system for the pages of numbers shortly before they are first written: some dozens at a time cost a sixth
+/// less than one by one, and are still in the cache then.
+class PagesAhead {
+public:
+    /// \param numbers  written from the first to the last
+    explicit PagesAhead(std::span<double> numbers);
+    void provide(const double* end); ///< those before `end`, and some more
+
+private:
+    std::span<double> missing_;
+};
 
 } // namespace femoop
