@@ -8,6 +8,7 @@
 #include <limits>
 #include <optional>
 
+#include "femoop/solver/at_once.h"
 #include "femoop/solver/index.h"
 #include "femoop/solver/team.h"
 
@@ -17,8 +18,9 @@ namespace {
 
 constexpr std::size_t smallest_part = 4; // such few blocks are eliminated as they come
 constexpr double slanted = 0.97;
-constexpr std::size_t worth_two_halves = 10000;   // blocks, whose halves are then cut at the same time
-constexpr std::int32_t first_of_others = 1 << 29; // cut of a second half
+constexpr std::size_t blocks_measured_at_once = 20000; // by a thread
+constexpr std::size_t worth_two_halves = 10000;        // blocks, whose halves are then cut at the same time
+constexpr std::int32_t first_of_others = 1 << 29;      // cut of a second half
 
 /// Distances of neighbours along each axis.
 struct Steps {
@@ -26,24 +28,48 @@ struct Steps {
     Eigen::Vector3d largest;
 };
 
-Steps steps_between(const BlockAdjacency& adjacency, std::span<const Eigen::Vector3d> positions)
-{
+/// Of the blocks of a range.
+struct StepSums {
     Eigen::Vector3d largest = Eigen::Vector3d::Zero();
     Eigen::Vector3d sum = Eigen::Vector3d::Zero();
     Eigen::Vector3d count = Eigen::Vector3d::Zero();
-    for (std::size_t a = 0; a < positions.size(); ++a)
-        for (const std::int32_t b : adjacency.of(static_cast<std::int32_t>(a))) {
-            const Eigen::Vector3d step = (positions[at(b)] - positions[a]).cwiseAbs();
-            largest = largest.cwiseMax(step);
-            const double negligible = 1e-6 * step.maxCoeff();
-            for (int axis = 0; axis < 3; ++axis)
-                if (step[axis] > negligible) {
-                    sum[axis] += step[axis];
-                    count[axis] += 1.0;
-                }
-        }
-    return {.mean = sum.cwiseQuotient(count.cwiseMax(1.0)), .largest = largest};
+
+    void add(const Eigen::Vector3d& step)
+    {
+        largest = largest.cwiseMax(step);
+        const double negligible = 1e-6 * step.maxCoeff();
+        for (int axis = 0; axis < 3; ++axis)
+            if (step[axis] > negligible) {
+                sum[axis] += step[axis];
+                count[axis] += 1.0;
+            }
+    }
+};
+
+Steps steps_between(const BlockAdjacency& adjacency, std::span<const Eigen::Vector3d> positions)
+{
+    std::vector<StepSums> sums(positions.size() / blocks_measured_at_once + 1);
+    in_ranges(positions.size(), blocks_measured_at_once, [&](std::size_t begin, std::size_t end) {
+        StepSums of_range;
+        for (std::size_t a = begin; a < end; ++a)
+            for (const std::int32_t b : adjacency.of(static_cast<std::int32_t>(a)))
+                of_range.add((positions[at(b)] - positions[a]).cwiseAbs());
+        sums[begin / blocks_measured_at_once] = of_range;
+    });
+    StepSums all;
+    for (const StepSums& each : sums) {
+        all.largest = all.largest.cwiseMax(each.largest);
+        all.sum += each.sum;
+        all.count += each.count;
+    }
+    return {.mean = all.sum.cwiseQuotient(all.count.cwiseMax(1.0)), .largest = all.largest};
 }
+
+/// A normal of planes, and how far each block lies along it, in steps.
+struct Direction {
+    Eigen::Vector3f normal;
+    std::vector<float> values;
+};
 
 /// Normals of the planes to try, in steps: along the axes that the structure extends in, and between them.
 std::vector<Eigen::Vector3f> directions(const Eigen::Vector3d& steps)
@@ -70,26 +96,58 @@ struct Space {
         : adjacency(of_blocks), mark(positions.size(), unmarked)
     {
         const Steps steps = steps_between(adjacency, positions);
-        directions = femoop::directions(steps.mean);
-        places.reserve(positions.size());
         const Eigen::Vector3d scale = steps.mean.unaryExpr([](double step) { return step > 0.0 ? 1.0 / step : 0.0; });
         largest_step = (1.001 * steps.largest.cwiseProduct(scale)).cast<float>().array() + 1e-3F; // rounding included
-        for (const Eigen::Vector3d& position : positions)
-            places.push_back((position - positions.front()).cwiseProduct(scale).cast<float>());
+        for (const Eigen::Vector3f& normal : femoop::directions(steps.mean))
+            directions.push_back({.normal = normal, .values = std::vector<float>(positions.size())});
+        in_ranges(positions.size(), blocks_measured_at_once, [&](std::size_t begin, std::size_t end) {
+            for (std::size_t block = begin; block < end; ++block) {
+                const Eigen::Vector3f place = (positions[block] - positions.front()).cwiseProduct(scale).cast<float>();
+                for (Direction& direction : directions) direction.values[block] = direction.normal.dot(place);
+            }
+        });
     }
 
     /// No neighbours are further apart along a direction.
-    float reach(const Eigen::Vector3f& direction) const { return direction.cwiseAbs().dot(largest_step); }
+    float reach(const Direction& direction) const { return direction.normal.cwiseAbs().dot(largest_step); }
 
     /// Two halves ask of each other's blocks at the same time; a mark of the other half is never one of their own.
     std::atomic_ref<std::int32_t> mark_of(std::int32_t block) { return std::atomic_ref(mark[at(block)]); }
 
     const BlockAdjacency& adjacency;
-    std::vector<Eigen::Vector3f> places; ///< in steps
-    std::vector<Eigen::Vector3f> directions;
+    std::vector<Direction> directions;
     Eigen::Vector3f largest_step;   ///< between neighbours, along each axis, in steps
     std::vector<std::int32_t> mark; ///< of each block: 2 x cut + side, of the last cut that parted it from others
 };
+
+/// The value in the middle of all if they were sorted. Of many, those are sorted that lie about the middle of a sample.
+float median(std::span<const float> values, std::vector<float>& room)
+{
+    constexpr std::size_t many = 512, n_samples = 64, aside = 12;
+    const std::size_t middle = values.size() / 2;
+    if (values.size() >= many) {
+        room.resize(values.size());
+        std::array<float, n_samples> sample{};
+        for (std::size_t i = 0; i < n_samples; ++i) sample[i] = values[i * values.size() / n_samples];
+        std::ranges::sort(sample);
+        const float low = sample[n_samples / 2 - aside], high = sample[n_samples / 2 + aside];
+        std::size_t n_below = 0, n_between = 0;
+        for (const float v : values) {
+            n_below += v < low ? 1 : 0;
+            room[n_between] = v;
+            n_between += v >= low && v <= high ? 1 : 0;
+        }
+        if (n_below <= middle && middle < n_below + n_between) {
+            const auto found = room.begin() + static_cast<std::ptrdiff_t>(middle - n_below);
+            std::nth_element(room.begin(), found, room.begin() + static_cast<std::ptrdiff_t>(n_between));
+            return *found;
+        }
+    }
+    room.assign(values.begin(), values.end());
+    const auto found = room.begin() + static_cast<std::ptrdiff_t>(middle);
+    std::nth_element(room.begin(), found, room.end());
+    return *found;
+}
 
 class Dissector {
 public:
@@ -98,8 +156,8 @@ public:
     Dissection run()
     {
         std::vector<std::int32_t> blocks;
-        result_.order.reserve(space_.places.size());
-        for (std::int32_t block = 0; block < static_cast<std::int32_t>(space_.places.size()); ++block)
+        result_.order.reserve(space_.mark.size());
+        for (std::int32_t block = 0; block < static_cast<std::int32_t>(space_.mark.size()); ++block)
             (space_.adjacency.of(block).empty() ? result_.order : blocks).push_back(block);
         add_part(0, 0, false);
         dissect(blocks, 0);
@@ -107,9 +165,9 @@ public:
     }
 
 private:
-    /// A plane: blocks with direction . place < value lie below it.
+    /// A plane: blocks with a smaller value along the direction lie below it.
     struct Cut {
-        Eigen::Vector3f direction;
+        const Direction* direction = nullptr;
         float value = 0.0F;
         float reach = 0.0F;             ///< no block that is further away has a neighbour on the other side
         bool separator_is_below = true; ///< which side's blocks along the cut are the separator
@@ -135,7 +193,7 @@ private:
         mark(blocks, *cut);
         const std::int32_t along = 2 * n_cuts_ + (cut->separator_is_below ? 0 : 1);
         const auto is_separator = [&](std::int32_t b) {
-            return marked(b) == along && is_near(value(b, cut->direction), *cut) && touches(b, along ^ 1);
+            return marked(b) == along && is_near(value(b, *cut), *cut) && touches(b, along ^ 1);
         };
         const auto is_below = [&](std::int32_t b) { return marked(b) % 2 == 0; };
         const auto separator = std::stable_partition(blocks.begin(), blocks.end(), std::not_fn(is_separator));
@@ -180,15 +238,15 @@ private:
         const bool in_two_threads = level == 0 && blocks.size() >= worth_two_halves;
         if (in_two_threads)
             Team(2).for_each(n, [&](std::int32_t i, int) {
-                std::vector<float> values, sorted;
-                cuts[at(i)] = middle_cut(blocks, space_.directions[at(i)], values, sorted);
+                std::vector<float> values, room;
+                cuts[at(i)] = middle_cut(blocks, space_.directions[at(i)], values, room);
             });
         else
             for (std::int32_t i = 0; i < n; ++i)
-                cuts[at(i)] = middle_cut(blocks, space_.directions[at(i)], values_, sorted_);
+                cuts[at(i)] = middle_cut(blocks, space_.directions[at(i)], values_, room_);
         Cut best;
         for (Cut& cut : cuts) {
-            if (cut.direction.squaredNorm() > 1.5F)
+            if (cut.direction->normal.squaredNorm() > 1.5F)
                 cut.cost *= slanted; // of equal cuts the slanted one leaves lozenges
             if (cut.cost < best.cost) best = cut;
         }
@@ -196,21 +254,19 @@ private:
         return best;
     }
 
-    /// \param values, sorted  room for them
-    Cut middle_cut(std::span<const std::int32_t> blocks, const Eigen::Vector3f& direction, std::vector<float>& values,
-                   std::vector<float>& sorted) const
+    /// \param values, room  room for them
+    Cut middle_cut(std::span<const std::int32_t> blocks, const Direction& direction, std::vector<float>& values,
+                   std::vector<float>& room) const
     {
         const std::size_t n = blocks.size();
         values.resize(n);
-        for (std::size_t i = 0; i < n; ++i) values[i] = value(blocks[i], direction);
-        sorted = values;
-        const auto middle = sorted.begin() + static_cast<std::ptrdiff_t>(n / 2);
-        std::nth_element(sorted.begin(), middle, sorted.end());
-        Cut cut{.direction = direction,
-                .value = *middle - tolerance * std::abs(*middle) - tolerance,
+        for (std::size_t i = 0; i < n; ++i) values[i] = direction.values[at(blocks[i])];
+        const float middle = median(values, room);
+        Cut cut{.direction = &direction,
+                .value = middle - tolerance * std::abs(middle) - tolerance,
                 .reach = space_.reach(direction)};
         const auto n_below = static_cast<std::size_t>(
-            std::count_if(sorted.begin(), middle, [&](float v) { return v < cut.value; }));
+            std::ranges::count_if(values, [&](float v) { return v < cut.value; }));
         if (n_below == 0) return cut;
 
         std::array<std::size_t, 2> touching{0, 0};
@@ -224,19 +280,16 @@ private:
         return cut;
     }
 
-    float value(std::int32_t block, const Eigen::Vector3f& direction) const
-    {
-        return direction.dot(space_.places[at(block)]);
-    }
+    float value(std::int32_t block, const Cut& cut) const { return cut.direction->values[at(block)]; }
     static bool is_near(float value, const Cut& cut) { return std::abs(value - cut.value) <= cut.reach; }
 
     /// Of the same piece, on the other side of a cut. \pre the blocks of the piece, and no others, are marked so
     bool has_neighbour_beyond(std::int32_t block, const Cut& cut, std::int32_t piece) const
     {
-        const bool is_below = value(block, cut.direction) < cut.value;
+        const bool is_below = value(block, cut) < cut.value;
         const auto neighbours = space_.adjacency.of(block);
         return std::any_of(neighbours.begin(), neighbours.end(), [&](std::int32_t b) {
-            return marked(b) == piece && (value(b, cut.direction) < cut.value) != is_below;
+            return marked(b) == piece && (value(b, cut) < cut.value) != is_below;
         });
     }
 
@@ -244,8 +297,7 @@ private:
     void mark(std::span<const std::int32_t> blocks, const Cut& cut)
     {
         ++n_cuts_;
-        for (const std::int32_t block : blocks)
-            set_mark(block, 2 * n_cuts_ + (value(block, cut.direction) < cut.value ? 0 : 1));
+        for (const std::int32_t block : blocks) set_mark(block, 2 * n_cuts_ + (value(block, cut) < cut.value ? 0 : 1));
     }
 
     bool touches(std::int32_t block, std::int32_t other_mark) const
@@ -265,7 +317,7 @@ private:
 
     Space& space_;
     std::int32_t n_cuts_;
-    std::vector<float> values_, sorted_; ///< of the blocks along a direction
+    std::vector<float> values_, room_; ///< of the blocks along a direction
     Dissection result_;
 };
 
