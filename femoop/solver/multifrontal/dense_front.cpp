@@ -13,13 +13,25 @@ const DenseKernel& dense_kernel()
     static const DenseKernel kernel = [] {
 #ifdef FEMOOP_HAS_AVX512_KERNEL
         if (__builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512dq") && __builtin_cpu_supports("fma"))
-            return DenseKernel{.eliminate = &avx512::eliminate, .add_update = &avx512::add_update, .name = "avx512"};
+            return DenseKernel{.eliminate = &avx512::eliminate,
+                               .add_update = &avx512::add_update,
+                               .solve_forward = &avx512::solve_forward,
+                               .solve_backward = &avx512::solve_backward,
+                               .name = "avx512"};
 #endif
 #ifdef FEMOOP_HAS_AVX2_KERNEL
         if (__builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma"))
-            return DenseKernel{.eliminate = &avx2::eliminate, .add_update = &avx2::add_update, .name = "avx2"};
+            return DenseKernel{.eliminate = &avx2::eliminate,
+                               .add_update = &avx2::add_update,
+                               .solve_forward = &avx2::solve_forward,
+                               .solve_backward = &avx2::solve_backward,
+                               .name = "avx2"};
 #endif
-        return DenseKernel{.eliminate = &baseline::eliminate, .add_update = &baseline::add_update, .name = "baseline"};
+        return DenseKernel{.eliminate = &baseline::eliminate,
+                           .add_update = &baseline::add_update,
+                           .solve_forward = &baseline::solve_forward,
+                           .solve_backward = &baseline::solve_backward,
+                           .name = "baseline"};
     }();
     return kernel;
 }

@@ -35,6 +35,13 @@ inline std::size_t workspace_size(std::int32_t n_pivots, std::int32_t n_rows)
     return static_cast<std::size_t>(n_pivots) * static_cast<std::size_t>(n_rows);
 }
 
+/// The columns of L of a front, as elimination leaves them.
+struct FrontColumns {
+    const double* panel; ///< [n_rows x n_pivots] n_rows high; what stands on the diagonal and above it is not looked at
+    std::int32_t n_pivots;
+    std::int32_t n_rows;
+};
+
 /// Whoever works through the tiles of a large front: work(context, tile) for all of them, in any order or at a time.
 struct TileWorkers {
     void* self;
@@ -52,6 +59,10 @@ struct DenseKernel {
     std::int32_t (*eliminate)(const DenseFront& front, double* workspace, const TileWorkers& workers);
     /// Adds the update matrix of a child, n x n, in those of the front's columns begin .. end - 1 that it falls into.
     void (*add_update)(const DenseFront& front, const ChildUpdate& child, std::int32_t begin, std::int32_t end);
+    /// x [n_rows], a right-hand side: L y = x for the pivots, and x -= L y below them.
+    void (*solve_forward)(const FrontColumns& L, double* x);
+    /// x [n_rows], known below the pivots: L' x = y for these.
+    void (*solve_backward)(const FrontColumns& L, double* x);
     std::string_view name; ///< "avx512", "avx2" or "baseline"
 };
 

@@ -389,4 +389,77 @@ std::int32_t eliminate(const DenseFront& front, double* workspace, const TileWor
     return Elimination(front, workspace, workers).run();
 }
 
+namespace {
+
+constexpr Index at_once = 4; // columns of L, while x is in registers
+
+using Vector = Eigen::Map<Eigen::VectorXd>;
+using Column = Eigen::Map<const Eigen::VectorXd>;
+
+/// The products of columns of L with x, from row `first` on; eight numbers at a time, so that each is summed alike
+/// wherever it stands.
+struct Products {
+    Products(const FrontColumns& L, Index column, Index first, const double* x)
+    {
+        using Eight = Eigen::Array<double, 8, 1>;
+        const double* const a = L.panel + column * L.n_rows;
+        const double *const b = a + L.n_rows, *const c = b + L.n_rows, *const d = c + L.n_rows;
+        const auto eight = [](const double* from) { return Eigen::Map<const Eight>(from); };
+        Eight p = Eight::Zero(), q = Eight::Zero(), r = Eight::Zero(), s = Eight::Zero();
+        Index i = first;
+        for (; i + 8 <= L.n_rows; i += 8) {
+            const Eight here = eight(x + i);
+            p += eight(a + i) * here;
+            q += eight(b + i) * here;
+            r += eight(c + i) * here;
+            s += eight(d + i) * here;
+        }
+        of[0] = p.sum();
+        of[1] = q.sum();
+        of[2] = r.sum();
+        of[3] = s.sum();
+        for (; i < L.n_rows; ++i) {
+            of[0] += a[i] * x[i];
+            of[1] += b[i] * x[i];
+            of[2] += c[i] * x[i];
+            of[3] += d[i] * x[i];
+        }
+    }
+    double of[at_once];
+};
+
+} // namespace
+
+void solve_forward(const FrontColumns& L, double* x)
+{
+    const Index height = L.n_rows;
+    const auto column = [&](Index j) { return L.panel + j * height; };
+    const auto below = [&](Index j, Index row) { return Column(column(j) + row, height - row); };
+    Index j = 0;
+    for (; j + at_once <= L.n_pivots; j += at_once) {
+        for (Index i = 1; i < at_once; ++i)
+            for (Index k = 0; k < i; ++k) x[j + i] -= column(j + k)[j + i] * x[j + k];
+        const Index rest = j + at_once;
+        Vector(x + rest, height - rest) -= x[j] * below(j, rest) + x[j + 1] * below(j + 1, rest) +
+                                           x[j + 2] * below(j + 2, rest) + x[j + 3] * below(j + 3, rest);
+    }
+    for (; j < L.n_pivots; ++j) Vector(x + j + 1, height - j - 1) -= x[j] * below(j, j + 1);
+}
+
+void solve_backward(const FrontColumns& L, double* x)
+{
+    const Index height = L.n_rows, in_fours = L.n_pivots - L.n_pivots % at_once;
+    const auto column = [&](Index j) { return L.panel + j * height; };
+    for (Index j = L.n_pivots; j-- > in_fours;)
+        x[j] -= Column(column(j) + j + 1, height - j - 1).dot(Column(x + j + 1, height - j - 1));
+    for (Index j = in_fours; j > 0;) {
+        j -= at_once;
+        const Products known(L, j, j + at_once, x);
+        for (Index i = at_once; i-- > 0;) {
+            x[j + i] -= known.of[i];
+            for (Index k = i + 1; k < at_once; ++k) x[j + i] -= column(j + i)[j + k] * x[j + k];
+        }
+    }
+}
+
 } // namespace femoop::FEMOOP_KERNEL

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "femoop/solver/index.h"
+#include "femoop/solver/multifrontal/dense_front.h"
 #include "femoop/solver/multifrontal/schedule.h"
 
 namespace femoop {
@@ -40,6 +41,7 @@ public:
     }
 
 private:
+    static constexpr bool is_one = columns_at_compile_time == 1;
     using Block = Eigen::Map<Columns>;
 
     /// A right-hand side for the rows of a front: of its pivots, and what it hands to its parent.
@@ -62,11 +64,9 @@ private:
         b.bottomRows(front.n_updated()).setZero();
         for (std::int32_t child = front.first_child; child != FrontTree::none; child = fronts_[at(child)].next_sibling)
             add(fronts_[at(child)], b);
-        const auto L = columns(front);
         auto pivots = b.topRows(front.n_pivots);
         if (factor_.exchanges()) put_in_order(front, pivots);
-        L.topRows(front.n_pivots).template triangularView<Eigen::UnitLower>().solveInPlace(pivots);
-        b.bottomRows(front.n_updated()).noalias() -= L.bottomRows(front.n_updated()) * pivots;
+        solve_forward(front, b);
         for (Eigen::Index c = 0; c < b.cols(); ++c) divide(front, pivots.col(c));
         put_pivots(front, pivots);
     }
@@ -87,11 +87,32 @@ private:
             for (std::int32_t i = 0; i < front.n_pivots; ++i) x(i, c) = X_(factor_.equation(tree_, front, i), c);
             for (std::int32_t i = front.n_pivots; i < front.n_rows; ++i) x(i, c) = X_(rows[at(i)], c);
         }
+        solve_backward(front, x);
+        put_pivots(front, x.topRows(front.n_pivots));
+    }
+
+    void solve_forward(const Front& front, Block& b) const
+    {
         const auto L = columns(front);
+        if constexpr (is_one) {
+            kernel_.solve_forward({L.data(), front.n_pivots, front.n_rows}, b.data());
+            return;
+        }
+        auto pivots = b.topRows(front.n_pivots);
+        L.topRows(front.n_pivots).template triangularView<Eigen::UnitLower>().solveInPlace(pivots);
+        b.bottomRows(front.n_updated()).noalias() -= L.bottomRows(front.n_updated()) * pivots;
+    }
+
+    void solve_backward(const Front& front, Block& x) const
+    {
+        const auto L = columns(front);
+        if constexpr (is_one) {
+            kernel_.solve_backward({L.data(), front.n_pivots, front.n_rows}, x.data());
+            return;
+        }
         auto pivots = x.topRows(front.n_pivots);
         pivots.noalias() -= L.bottomRows(front.n_updated()).transpose() * x.bottomRows(front.n_updated());
         L.topRows(front.n_pivots).template triangularView<Eigen::UnitLower>().transpose().solveInPlace(pivots);
-        put_pivots(front, pivots);
     }
 
     template <class Pivots> void put_in_order(const Front& front, Pivots& pivots) const
@@ -127,6 +148,7 @@ private:
     const FrontTree& tree_;
     const std::vector<Front>& fronts_;
     const FrontFactor& factor_;
+    const DenseKernel& kernel_ = dense_kernel();
     Eigen::Map<Columns> X_;
     std::unique_ptr<double[]> carried_; ///< the blocks of all fronts
 };

@@ -193,6 +193,34 @@ TEST_CASE("A front's elimination leaves the Schur complement and L D L'")
         }
 }
 
+TEST_CASE("A right-hand side goes through the columns of a front's L as through triangles and rectangles")
+{
+    for (const std::int32_t n : {1, 3, 4, 6, 8, 97})
+        for (const std::int32_t m : {0, 1, 5, 8, 230}) {
+            CAPTURE(n);
+            CAPTURE(m);
+            std::srand(7);
+            Eigen::MatrixXd panel = 0.1 * Eigen::MatrixXd::Random(n + m, n);
+            panel.topRows(n).triangularView<Eigen::Upper>().setConstant(std::numeric_limits<double>::quiet_NaN());
+            const Eigen::VectorXd x = Eigen::VectorXd::Random(n + m);
+            const auto square = panel.topRows(n).triangularView<Eigen::UnitLower>();
+            const FrontColumns L{panel.data(), n, n + m};
+
+            Eigen::VectorXd forward = x, expected = x;
+            dense_kernel().solve_forward(L, forward.data());
+            expected.head(n) = square.solve(x.head(n));
+            expected.tail(m) -= panel.bottomRows(m) * expected.head(n);
+            CHECK((forward - expected).norm() <= 1e-13 * expected.norm());
+
+            Eigen::VectorXd backward = x;
+            dense_kernel().solve_backward(L, backward.data());
+            expected = x;
+            expected.head(n) -= panel.bottomRows(m).transpose() * x.tail(m);
+            expected.head(n) = square.transpose().solve(Eigen::VectorXd(expected.head(n)));
+            CHECK((backward - expected).norm() <= 1e-13 * expected.norm());
+        }
+}
+
 TEST_CASE("Elimination of a front stops at a pivot that is zero or no number")
 {
     for (const double bad : {0.0, std::numeric_limits<double>::infinity(), std::numeric_limits<double>::quiet_NaN()}) {
