@@ -56,8 +56,10 @@ SectionForces Curve::forces(double x, Side side) const
     const Piece& piece = piece_at(x, side);
     const double t = x - piece.load.begin;
     const Beam::Forces xy = law_.xy.forces_at(t, piece.begin.xy, piece.load, BendingPlane::xy, law_.curvature);
+    const double N = law_.axial.force_at(t, piece.begin.axial, piece.load, LocalAxis::x);
+    if (law_.is_in_plane) return {.N = N, .Vy = xy.V, .Mz = xy.M};
     const Beam::Forces xz = law_.xz.forces_at(t, piece.begin.xz, piece.load, BendingPlane::xz, 0.0);
-    return {.N = law_.axial.force_at(t, piece.begin.axial, piece.load, LocalAxis::x),
+    return {.N = N,
             .Vy = xy.V,
             .Vz = xz.V,
             .T = law_.torsion.force_at(t, piece.begin.torsion, piece.load, LocalAxis::rx),

@@ -60,8 +60,9 @@ public:
     struct Law {
         Bar axial, torsion;
         Beam xy, xz;
-        double strain = 0.0;    ///< imposed
-        double curvature = 0.0; ///< imposed, in the x'y' plane
+        double strain = 0.0;      ///< imposed
+        double curvature = 0.0;   ///< imposed, in the x'y' plane
+        bool is_in_plane = false; ///< of a plane model: nothing twists it or bends it in x'z'
     };
 
     /// For who makes a curve: starts over with a law, then takes the pieces from the first end to the last.

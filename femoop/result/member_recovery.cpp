@@ -67,6 +67,7 @@ public:
     static constexpr int m = Element::m;
     static constexpr int n = Element::n;
     static constexpr auto& local = AnalysisModel<kind>::local;
+    static constexpr bool is_in_plane = kind == AnalysisKind::Truss2d || kind == AnalysisKind::Frame2d;
 
     MemberReader(const Solution& solution, std::size_t case_index)
         : solution_(solution), structure_(*solution.structure), terms_(solution.cases[case_index].terms)
@@ -143,7 +144,7 @@ public:
         return s;
     }
 
-    void write(Curve& curve) const { write(curve, state()); }
+    void write(Curve& curve) { write(curve, state()); }
 
     /// Of a part; the loads go with one of them alone.
     void write(Curve& curve, CurvePart part)
@@ -154,18 +155,18 @@ public:
     }
 
 private:
-    void write(Curve& curve, const MemberState& s) const
+    void write(Curve& curve, const MemberState& s)
     {
-        const Curve::Law law = this->law(s);
-        curve.begin(law);
+        if (!is_plain()) law_ = law(s);
+        curve.begin(law_);
         Curve::State at = first_state(s);
-        const std::vector<Beam::State> on_foundation = foundation_states(s, law);
+        const std::vector<Beam::State> on_foundation = foundation_states(s, law_);
         const std::vector<SpanPiece>& pieces = loading_.pieces();
         for (std::size_t i = 0; i < pieces.size(); ++i) {
             if (!on_foundation.empty()) at.xy = on_foundation[i];
             pass_jump(at, pieces[i]);
             curve.append(pieces[i], at);
-            if (i + 1 < pieces.size()) pass_piece(at, pieces[i], law);
+            if (i + 1 < pieces.size()) pass_piece(at, pieces[i], law_);
         }
     }
 
@@ -200,6 +201,7 @@ private:
         const Element element(*properties_, geometry_, nullptr, all_actions);
         stiffness_ = element.rigid_joint_stiffness();
         fixed_end_forces_ = element.rigid_joint_forces(loading_);
+        law_ = law({}); // whatever its ends do
     }
 
     MemberState plain_state() const
@@ -269,7 +271,12 @@ private:
         const Eigen::Vector3d turned = u.tail<3>();
         if (end_conditions_ != nullptr && end_conditions_->has_offset)
             moved += turned.cross(end_conditions_->offsets[end]);
-        Vector6 d;
+        Vector6 d = Vector6::Zero();
+        if constexpr (is_in_plane) {
+            d.head<2>() = geometry_.axes.template topLeftCorner<2, 2>().lazyProduct(moved.head<2>());
+            d[5] = geometry_.axes(2, 2) * turned[2];
+            return d;
+        }
         d.head<3>() = geometry_.axes.lazyProduct(moved);
         d.tail<3>() = geometry_.axes.lazyProduct(turned);
         return d;
@@ -325,9 +332,11 @@ private:
                        .xy = properties_->xy,
                        .xz = properties_->xz,
                        .strain = loading_.strain(),
-                       .curvature = loading_.curvature()};
+                       .curvature = loading_.curvature(),
+                       .is_in_plane = is_in_plane};
         if (is_bar()) {
             law = {.axial = {infinite}, .torsion = {infinite}, .xy = {.EI = infinite}, .xz = {.EI = infinite}};
+            law.is_in_plane = is_in_plane;
             law.strain = (s.d[1][0] - s.d[0][0]) / geometry_.length;
             return law;
         }
@@ -397,6 +406,7 @@ private:
     bool is_unstressed_ = false;
     typename Element::LocalMatrix stiffness_; ///< of the last plain member, in its own axes
     LocalVector fixed_end_forces_;
+    Curve::Law law_; ///< of the last one
 };
 
 } // namespace
