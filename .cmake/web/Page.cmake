@@ -7,15 +7,21 @@ set(site "${PROJECT_BINARY_DIR}/site")
 set(page_folder "${PROJECT_SOURCE_DIR}/ui/app/web")
 set(page_files "${PROJECT_BINARY_DIR}/page_files")
 
-set(characters # as in ui/context/imgui_session.cpp
-  0020-024F,02B0-02DF,0370-03FF,2010-2027,2030-205E,2070-209F,20A0-20BF,2100-214F,2190-22FF,25A0-25FF,2713-2718,27C0-27EF,FFFD)
+# Of letters the European ones and Greek, of signs those of the interface (tests/web/characters_test.py) and of mechanics.
+set(characters
+  0020-007E,00A0-017F,0192,01E4-01EF,01FA-01FF,0218-021B,02B2,02C6,02C7,02D8-02DD,0384-03CE,03D1,03D5,03D6,03F1,03F5,1D40,1D62
+  2010-2016,2018-2022,2026,2030,2032-2034,2039,203A,2044,2070,2071,2074-208E,2090-209C,20AC,2103,2109,2113,2116,2122,2126,212B
+  2190-2199,21B6,21B7,21BA,21BB,21D0-21D4,21E5,2202,2206-2208,2211,2212,2215,221A,221D-2220,2225,2227-222B,222E,2234,2245,2248
+  2260,2261,2264,2265,226A,226B,22A5,22C5,22EE,22EF,2500,258F,25A0,25A1,25AA,25AB,25B2-25C3,25C6,25C7,25CA,25CB,25CF,25E1-25E5
+  2713,2717,2718,27C2,27E8,27E9,FFFD)
+list(JOIN characters "," characters)
 set(fonts "")
 foreach(font DejaVuSans DejaVuSans-Bold)
   add_custom_command(OUTPUT "${page_files}/fonts/${font}.ttf"
     COMMAND "${CMAKE_COMMAND}" -E make_directory "${page_files}/fonts"
     COMMAND /usr/bin/python3 -m fontTools.subset "/usr/share/fonts/truetype/dejavu/${font}.ttf" --unicodes=${characters}
             --no-hinting --layout-features= --drop-tables+=FFTM "--output-file=${page_files}/fonts/${font}.ttf"
-    VERBATIM)
+    DEPENDS "${CMAKE_CURRENT_LIST_FILE}" VERBATIM)
   list(APPEND fonts "${page_files}/fonts/${font}.ttf")
 endforeach()
 file(GLOB examples CONFIGURE_DEPENDS "${PROJECT_SOURCE_DIR}/examples/*.json" "${PROJECT_SOURCE_DIR}/examples/*.eul")

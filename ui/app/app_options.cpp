@@ -1,9 +1,6 @@
 #include "ui/app/app_options.h"
 
-#include <CLI/CLI.hpp>
-
 #include <cstdlib>
-#include <sstream>
 
 #include "ui/text/number_format.h"
 
@@ -52,19 +49,17 @@ std::filesystem::path png_named(const std::string& program, const std::string& t
 /// Adds options whose values are texts that are understood at once.
 class TextOptions {
 public:
-    TextOptions(CLI::App& app, AppOptions& options) : app_(app), options_(options) {}
+    TextOptions(CommandLine& line, AppOptions& options) : line_(line), options_(options) {}
 
     void add_document(const OptionWords& words)
     {
-        app_.add_option_function<std::vector<std::string>>(
-                "FILE", [&to = options_](const auto& files) { to.files.assign(files.begin(), files.end()); },
-                words.files)
-            ->option_text("...");
+        line_.words_of_files = words.files;
+        line_.take_files = [&to = options_](const auto& files) { to.files.assign(files.begin(), files.end()); };
         add("--screenshot", "PNG", "draw one picture of the window to this PNG file and leave; needs no display",
             [program = name()](AppOptions& to, const std::string& text) { to.screenshot = png_named(program, text); });
-        app_.add_flag("--describe", options_.describe, words.describe);
-        app_.add_flag("--bare", options_.is_bare, "show the picture and its tools, without menus and panels");
-        app_.add_flag("--no-tools", options_.has_no_tools, "show no bar of tools");
+        add_flag("--describe", options_.describe, words.describe);
+        add_flag("--bare", options_.is_bare, "show the picture and its tools, without menus and panels");
+        add_flag("--no-tools", options_.has_no_tools, "show no bar of tools");
         add("--link", "FOLDER", "folder in which the program that has started this one offers its changes",
             [](AppOptions& to, const std::string& text) { to.link = text; });
     }
@@ -95,34 +90,41 @@ public:
         add("--pictures", "FOLDER", "folder for the pictures of a scenario; default the current one",
             [](AppOptions& to, const std::string& text) { to.pictures = text; });
         add("--frames", "FOLDER", "folder for every frame of a scenario as a PNG file, for a film",
-            [](AppOptions& to, const std::string& text) { to.frames = text; })
-            ->needs("--play");
+            [](AppOptions& to, const std::string& text) { to.frames = text; });
+        line_.options.back().needs = "--play";
     }
 
 private:
-    std::string name() const { return app_.get_name(); }
+    std::string name() const { return line_.program; }
 
-    template <class Take> CLI::Option* add(const char* option, const char* value, const char* words, Take take)
+    template <class Take> void add(const char* option, const char* value, const char* words, Take take)
     {
         const auto understand = [&to = options_, take, start = name() + ": " + option](const std::string& text) {
             if (text.empty()) throw OptionsEnd::mistake(start + ": found nothing, wanted a value");
             take(to, text);
         };
-        return app_.add_option_function<std::string>(option, understand, words)->option_text(value);
+        line_.options.push_back({option, value, words, understand});
     }
 
-    CLI::App& app_;
+    void add_flag(const char* option, bool& to, const std::string& words)
+    {
+        line_.options.push_back({option, "", words, [&to](const std::string&) { to = true; }});
+    }
+
+    CommandLine& line_;
     AppOptions& options_;
 };
 
 } // namespace
 
-void add_app_options(CLI::App& app, AppOptions& options, const OptionWords& words)
+CommandLine app_command_line(const ProgramWords& words, AppOptions& options)
 {
-    TextOptions add(app, options);
-    add.add_document(words);
+    CommandLine line{.program = words.name, .version = words.version, .purpose = words.purpose};
+    TextOptions add(line, options);
+    add.add_document(words.options);
     add.add_look();
     add.add_scenario();
+    return line;
 }
 
 void complete(AppOptions& options, const std::optional<DraftFolder>& folder)
@@ -138,26 +140,12 @@ void complete(AppOptions& options, const std::optional<DraftFolder>& folder)
 
 std::filesystem::path settings_file(const DraftFolder& folder) { return folder.path / "settings"; }
 
-void parse(CLI::App& app, int argc, const char* const* argv)
-{
-    try {
-        app.parse(argc, argv);
-    } catch (const CLI::ParseError& end) {
-        std::ostringstream text;
-        const int status = app.exit(end, text, text);
-        if (status == 0) throw OptionsEnd(text.str(), 0);
-        throw OptionsEnd::mistake(text.str());
-    }
-}
-
 void parse_one_file(const ProgramWords& words, AppOptions& options, int argc, const char* const* argv,
-                    const std::function<void(CLI::App&)>& add)
+                    const std::vector<CommandLine::Option>& own)
 {
-    CLI::App app(words.purpose, words.name);
-    app.set_version_flag("--version", words.name + " " + words.version);
-    add_app_options(app, options, words.options);
-    if (add) add(app);
-    parse(app, argc, argv);
+    CommandLine line = app_command_line(words, options);
+    line.options.insert(line.options.end(), own.begin(), own.end());
+    read(line, argc, argv);
     if (options.files.size() > 1)
         throw OptionsEnd::mistake(words.name + ": found " + std::to_string(options.files.size()) +
                                   " files, wanted one");

@@ -7,13 +7,10 @@
 #include <string>
 #include <vector>
 
+#include "ui/app/command_line.h"
 #include "ui/app/settings.h"
 #include "ui/files/draft.h"
 #include "ui/paint/geometry.h"
-
-namespace CLI { // NOLINT(readability-identifier-naming): the library's own name
-class App;
-}
 
 namespace ui {
 
@@ -55,22 +52,20 @@ struct OptionWords {
     std::string describe; ///< "print the model and its results in words and leave; needs no display"
 };
 
-/// Adds the options of every app to the command line of one; `parse` fills them in.
-void add_app_options(CLI::App& app, AppOptions& options, const OptionWords& words);
-/// \throws OptionsEnd
-void parse(CLI::App& app, int argc, const char* const* argv);
-
-/// What the program of an app of one document says of itself.
+/// What the program of an app says of itself.
 struct ProgramWords {
     std::string name;    ///< "mohr"
     std::string version; ///< "0.1.0"
     std::string purpose; ///< "Shows Mohr's circle at work: ..."
     OptionWords options;
 };
-/// Reads the command line of an app of one document. \param add  options of its own
+/// The options of every app, which `read` puts into these. \pre they outlive it
+CommandLine app_command_line(const ProgramWords& words, AppOptions& options);
+
+/// Reads the command line of an app of one document. \param own  options of its own
 /// \throws OptionsEnd, also of a second file
 void parse_one_file(const ProgramWords& words, AppOptions& options, int argc, const char* const* argv,
-                    const std::function<void(CLI::App&)>& add = {});
+                    const std::vector<CommandLine::Option>& own = {});
 
 /// The value of an option that names one of a list. \throws OptionsEnd where there is none
 template <class Value> struct NamedOption {

@@ -10,6 +10,7 @@
 #include <utility>
 #include <vector>
 
+#include "ui/app/platform.h"
 #include "ui/app/stage.h"
 #include "ui/app/window_loop.h"
 #include "ui/context/start_program.h"
@@ -76,12 +77,10 @@ template <class Session> bool ends_headless(const Session& /*session*/) { return
 /// Why a session cannot be told in words: of most apps any can; one whose own cannot has a function of this name.
 template <class Session> std::optional<Refusal> why_no_words(const Session& /*session*/) { return std::nullopt; }
 
-/// Runs an app as the options say: in a window, which `in_window` makes, for one screenshot, in words,
-/// or through a scenario. What the options ask for is in the session; of a file that could not be opened its notice
-/// tells. \returns the exit status: 0 done, 1 a scenario did not go as it expects, 2 bad input or no display, and
-/// what a refusal to tell it in words has
+/// Runs an app without a window, for one screenshot, in words, or through a scenario. \returns as `run_app`; nothing: it
+/// wants a window
 template <class Application, class AppStage, class Session>
-int run_app(const AppOptions& options, std::string_view program, Session& session, const MakeApp& in_window)
+std::optional<int> run_headless(const AppOptions& options, std::string_view program, Session& session)
 {
     constexpr int done = 0, bad_input = 2;
     if (options.is_headless() && session.notice) {
@@ -100,14 +99,24 @@ int run_app(const AppOptions& options, std::string_view program, Session& sessio
         return bad_input;
     }
     if (options.play) return play_through<Application, AppStage>(options, program, session, session.tr());
-    if (options.screenshot) {
-        take_screenshot(options, [&](Context& context, const Fonts& fonts) {
-            auto application = std::make_unique<Application>(context, fonts, std::move(session));
-            show_less(*application, options);
-            return application;
-        });
-        return done;
-    }
+    if (!options.screenshot) return std::nullopt;
+    take_screenshot(options, [&](Context& context, const Fonts& fonts) {
+        auto application = std::make_unique<Application>(context, fonts, std::move(session));
+        show_less(*application, options);
+        return application;
+    });
+    return done;
+}
+
+/// Runs an app as the options say: in a window, which `in_window` makes, or without one. What the options ask for is in
+/// the session; of a file that could not be opened its notice tells. \returns the exit status: 0 done, 1 a scenario did
+/// not go as it expects, 2 bad input or no display, and what a refusal to tell it in words has
+template <class Application, class AppStage, class Session>
+int run_app(const AppOptions& options, std::string_view program, Session& session, const MakeApp& in_window)
+{
+    constexpr int done = 0, bad_input = 2;
+    if constexpr (has_terminal)
+        if (const auto status = run_headless<Application, AppStage>(options, program, session)) return *status;
     if (!Window::has_display()) {
         const Message sentence = translatable(
             "there is no display to open a window on; --screenshot OUT.png draws without one");

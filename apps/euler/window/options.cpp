@@ -1,18 +1,20 @@
 #include "apps/euler/window/options.h"
 
-#include <CLI/CLI.hpp>
+#include <charconv>
 
 namespace euler {
 
 Options parse_options(int argc, const char* const* argv, const std::string& version)
 {
     Options options;
-    const auto add = [&](CLI::App& app) {
-        app.add_option_function<std::size_t>(
-               "--step", [&](std::size_t step) { options.step = step; },
-               "how many steps of the script are done; default all")
-            ->option_text("N");
-    };
+    const ui::CommandLine::Option step{
+        "--step", "N", "how many steps of the script are done; default all", [&](const std::string& text) {
+            std::size_t n = 0;
+            const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), n);
+            if (error != std::errc() || end != text.data() + text.size())
+                throw ui::OptionsEnd::mistake("euler: --step: found \"" + text + "\", wanted a whole number from 0");
+            options.step = n;
+        }};
     ui::parse_one_file(
         {.name = "euler",
          .version = version,
@@ -23,7 +25,7 @@ Options parse_options(int argc, const char* const* argv, const std::string& vers
              {.files =
                   "script of Euler operators (.eul) to open; - opens what is redirected here, as a copy without a file",
               .describe = "print the steps and the solids in words and leave; needs no display"}},
-        options, argc, argv, add);
+        options, argc, argv, {step});
     return options;
 }
 

@@ -1,15 +1,20 @@
 #include "apps/frame/window/options.h"
 
-#include <CLI/CLI.hpp>
-
 namespace frame {
 
 namespace {
 
-const ui::OptionWords words{
-    .files = "model files (.json) to open, each in a tab; - opens what is redirected here, as a copy without a file",
-    .describe = "print the model and its results in words and leave; needs no display",
-};
+ui::ProgramWords words(const std::string& version)
+{
+    return {
+        .name = "frame",
+        .version = version,
+        .purpose = "Shows a frame, truss or grillage at work: loads, supports, N, V, M, deformed shape; "
+                   "every number can be changed and the results follow.",
+        .options = {.files = "model files (.json) to open, each in a tab; - opens what is redirected here, as a copy "
+                             "without a file",
+                    .describe = "print the model and its results in words and leave; needs no display"}};
+}
 
 } // namespace
 
@@ -17,19 +22,16 @@ Options parse_options(int argc, const char* const* argv, const std::string& vers
 {
     Options options;
     std::string units, show, load_case;
-    CLI::App app("Shows a frame, truss or grillage at work: loads, supports, N, V, M, deformed shape; "
-                 "every number can be changed and the results follow.",
-                 "frame");
-    app.set_version_flag("--version", "frame " + version);
-    ui::add_app_options(app, options, words);
-    app.add_option(
-           "--units", units,
-           "units shown: file, si, kn-m, kn-cm or us; default as it was left, at first those that go with the file")
-        ->option_text("NAME");
-    app.add_option("--show", show, "what the picture shows, such as loads,N,V,M,deformed,reactions,labels")
-        ->option_text("LIST");
-    app.add_option("--case", load_case, "load case or combination to show; default the first")->option_text("ID");
-    ui::parse(app, argc, argv);
+    const auto to = [](std::string& text) { return [&text](const std::string& typed) { text = typed; }; };
+    ui::CommandLine line = ui::app_command_line(words(version), options);
+    line.options.push_back(
+        {"--units", "NAME",
+         "units shown: file, si, kn-m, kn-cm or us; default as it was left, at first those that go with the file",
+         to(units)});
+    line.options.push_back(
+        {"--show", "LIST", "what the picture shows, such as loads,N,V,M,deformed,reactions,labels", to(show)});
+    line.options.push_back({"--case", "ID", "load case or combination to show; default the first", to(load_case)});
+    ui::read(line, argc, argv);
     if (options.is_headless() && options.files.size() > 1)
         throw ui::OptionsEnd::mistake("frame: found " + std::to_string(options.files.size()) +
                                       " files, wanted one: only a window has room for several");
