@@ -8,10 +8,10 @@
 #include <vector>
 
 #include "apps/cli/argument.h"
+#include "apps/cli/euler_json.h"
 #include "apps/cli/model_input.h"
 #include "apps/cli/output_file.h"
 #include "apps/cli/solid_file.h"
-#include "femoop/io/json/json_writer.h"
 #include "femoop/tabular/plain_text.h"
 #include "topology/embedding/ring_plane.h"
 #include "topology/halfedge/check/shells.h"
@@ -70,54 +70,6 @@ void Euler::declare(OptionParser& options, const ui::Catalogue& tr)
     options
         .add_option("--from", from_, tr("begin with the solids of this file (.obj, .off, .eul); a mesh's is named s1"))
         .option_text("FILE");
-}
-
-std::vector<NamedSolid> living(const ScriptRunner& runner)
-{
-    std::vector<NamedSolid> solids;
-    for (const NamedSolid& solid : runner.solids())
-        if (solid.is_alive()) solids.push_back(solid);
-    return solids;
-}
-
-std::vector<int> loop_lengths(const topology::Solid& solid)
-{
-    std::vector<int> lengths;
-    for (const topology::LoopId l : solid.loops()) {
-        int n = 0;
-        for ([[maybe_unused]] const topology::HalfEdgeId h : solid.chain(l)) ++n;
-        lengths.push_back(n);
-    }
-    std::sort(lengths.begin(), lengths.end());
-    return lengths;
-}
-
-void write_solid(femoop::JsonWriter& json, const NamedSolid& solid)
-{
-    const topology::EulerCounts counts = topology::euler_counts(solid.solid);
-    json.key(solid.name)
-        .begin_object()
-        .member("V", counts.V)
-        .member("E", counts.E)
-        .member("F", counts.F)
-        .member("L", counts.L)
-        .member("S", counts.S)
-        .member("G", counts.G)
-        .member("euler", static_cast<int>(counts.formula()))
-        .member("valid", !topology::why_not_valid(solid.solid))
-        .key("loops")
-        .begin_array();
-    for (const int length : loop_lengths(solid.solid)) json.value(length);
-    json.end().end();
-}
-
-std::string json(const std::vector<NamedSolid>& solids, std::size_t n_steps)
-{
-    femoop::JsonWriter json;
-    json.begin_object().key("solids").begin_object();
-    for (const NamedSolid& solid : solids) write_solid(json, solid);
-    json.end().member("steps", n_steps).end();
-    return json.take();
 }
 
 std::string counts_table(const std::vector<NamedSolid>& solids, std::size_t n_steps, const ui::Catalogue& tr)
@@ -214,9 +166,9 @@ ExitStatus Euler::run(Console& console)
     if (!from_.empty())
         for (NamedSolid& solid : load_solids(from_, tr)) runner.add(std::move(solid));
     std::string printed = run_on(runner, console);
-    const std::vector<NamedSolid> solids = living(runner);
+    const std::vector<NamedSolid> solids = living_solids(runner);
     save(solids, console);
-    if (is_json_) console.print(json(solids, runner.n_steps()));
+    if (is_json_) console.print(euler_json(solids, runner.n_steps()));
     else console.print(prints_tables() ? std::move(printed) : counts_table(solids, runner.n_steps(), tr));
     return ExitStatus::Done;
 }

@@ -3,9 +3,12 @@
 #include "apps/cli/solid_file.h"
 #include "apps/plane/discretize/further_faults.h"
 #include "apps/plane/view/singular_notice.h"
+#include "femoop/plane/mesh/locator.h"
 #include "topology/text/line_error.h"
 
 namespace cli {
+
+namespace fp = femoop::plane;
 
 std::unique_ptr<const discretize::Drawing> drawing_of(femoop::plane::PlaneReading& reading)
 {
@@ -51,6 +54,27 @@ std::optional<femoop::plane::DrawnChecks> PlaneInput::checks() const
     return femoop::plane::DrawnChecks{
         .count_or_area = [this](const femoop::plane::PlaneExpected& check) { return drawing_->read(check); },
         .of_mesh = mesh_ ? &mesh_->checks() : nullptr};
+}
+
+std::optional<std::vector<fp::ShownPoint>> PlaneInput::points_in_material() const
+{
+    if (!mesh_) return std::nullopt;
+    const fp::Locator locator(mesh_->model());
+    std::vector<fp::ShownPoint> points;
+    for (std::size_t i = 0; i < reading_.model.points.size(); ++i) {
+        const fp::PlanePoint& point = reading_.model.points[i];
+        fp::ShownPoint shown{.id = point.id, .node = mesh_->node(femoop::NodeId(i)), .at = {point.at[0], point.at[1]}};
+        if (shown.node || !locator.find(shown.at).empty()) points.push_back(std::move(shown));
+    }
+    return points;
+}
+
+std::vector<std::string> PlaneInput::methods() const
+{
+    std::vector<std::string> methods;
+    if (mesh_)
+        for (const discretize::RegionReport& report : mesh_->reports()) methods.push_back(report.method);
+    return methods;
 }
 
 } // namespace cli

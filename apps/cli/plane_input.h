@@ -4,12 +4,14 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "apps/cli/console.h"
 #include "apps/plane/discretize/meshed_drawing.h"
 #include "apps/plane/outline/outline.h"
 #include "apps/plane/view/plate_picture.h"
 #include "femoop/io/plane/plane_file.h"
+#include "femoop/io/plane/plane_output.h"
 #include "femoop/io/plane/plane_verify.h"
 #include "ui/text/catalogue.h"
 
@@ -39,6 +41,9 @@ public:
     /// The model with elements. \pre the reading is sound
     const femoop::plane::PlaneModel& model() const { return mesh_ ? mesh_->model() : reading_.model; }
     std::optional<femoop::plane::DrawnChecks> checks() const;
+    /// The points of a drawing that are in material; nothing where the mesh is the file's.
+    std::optional<std::vector<femoop::plane::ShownPoint>> points_in_material() const;
+    std::vector<std::string> methods() const; ///< by which each region was meshed
 
 private:
     const femoop::plane::PlaneReading& reading_;

@@ -46,19 +46,6 @@ std::vector<femoop::CaseId> cases_named(const fp::PlaneModel& model, const std::
     throw unknown_choice("--case", *name, names, tr);
 }
 
-/// The points of a drawing that are in material.
-std::vector<fp::ShownPoint> points_of(const fp::PlaneModel& drawn, const discretize::MeshedDrawing& mesh,
-                                      const fp::Locator& locator)
-{
-    std::vector<fp::ShownPoint> points;
-    for (std::size_t i = 0; i < drawn.points.size(); ++i) {
-        const fp::PlanePoint& point = drawn.points[i];
-        fp::ShownPoint shown{.id = point.id, .node = mesh.node(femoop::NodeId(i)), .at = {point.at[0], point.at[1]}};
-        if (shown.node || !locator.find(shown.at).empty()) points.push_back(std::move(shown));
-    }
-    return points;
-}
-
 /// By its name, or by a place in it.
 fp::ElementId element_named(const std::string& text, const fp::PlaneModel& mesh, const ui::Catalogue& tr)
 {
@@ -196,8 +183,7 @@ ExitStatus PlaneSolve::print_modes(const Question& question, const PlaneInput& i
     std::optional<std::size_t> wanted;
     if (modes_) wanted = static_cast<std::size_t>(whole_number("--modes", *modes_, {1, most_modes}, tr));
     fp::ModesSelection selection{.is_full = is_full_};
-    if (input.mesh() != nullptr)
-        selection.points = points_of(question.reading.model, *input.mesh(), fp::Locator(input.model()));
+    selection.points = input.points_in_material();
     try {
         const fp::NaturalModes found = fp::natural_modes(input.model(), wanted, options);
         console.report(question.file, found.warnings);
@@ -222,11 +208,8 @@ fp::PlaneSelection PlaneSolve::selection(const Question& question, const PlaneIn
     fp::PlaneSelection selection{
         .cases = cases_named(model, question.case_name, tr), .probes = {}, .cuts = {}, .is_full = is_full_};
     const fp::Locator locator(model);
-    if (input.mesh() != nullptr) {
-        selection.points = points_of(question.reading.model, *input.mesh(), locator);
-        for (const discretize::RegionReport& report : input.mesh()->reports())
-            selection.methods.push_back(report.method);
-    }
+    selection.points = input.points_in_material();
+    selection.methods = input.methods();
     selection.probes = places_in(locator, places_, tr);
     selection.cuts = cuts_through(model, locator, cuts_, tr);
     return selection;
