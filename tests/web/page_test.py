@@ -362,6 +362,26 @@ class Pages(unittest.TestCase):
                 page.wait(0.5)
                 self.assertIn('Um pórtico plano', page.value('Module.description()'))
 
+    def test_who_wants_little_motion_sees_a_mechanism_at_rest_until_it_is_animated(self):
+        for wish in ('no-preference', 'reduce'):
+            with self.subTest(wish=wish), Browser() as page:
+                page.call('Emulation.setEmulatedMedia', features=[{'name': 'prefers-reduced-motion', 'value': wish}])
+                page.open(f'{self.address}frame.html?open=/examples/mechanism.json')
+                page.wait(1.0)
+
+                def moves():
+                    pictures = []
+                    for _ in range(3):
+                        pictures.append(page.call('Page.captureScreenshot', format='png')['data'])
+                        page.wait(0.4)
+                    return len(set(pictures)) > 1
+                self.assertEqual(moves(), wish == 'no-preference')
+                self.picture(page, f'motion_{wish}')
+                if wish == 'reduce':
+                    page.key('a')
+                    self.assertTrue(moves())
+                self.assertEqual(page.complaints(), [])
+
     def test_nothing_is_asked_of_another_machine(self):
         with Browser() as page:
             page.open(f'{self.address}frame.html')

@@ -60,6 +60,8 @@ public:
         add_flag("--describe", options_.describe, words.describe);
         add_flag("--bare", options_.is_bare, "show the picture and its tools, without menus and panels");
         add_flag("--no-tools", options_.has_no_tools, "show no bar of tools");
+        add_flag("--still", options_.is_still,
+                 "nothing moves by itself: mechanisms rest displaced, steps are done at once");
         add("--link", "FOLDER", "folder in which the program that has started this one offers its changes",
             [](AppOptions& to, const std::string& text) { to.link = text; });
     }

@@ -20,6 +20,7 @@ struct AppOptions {
     std::optional<std::filesystem::path> screenshot; ///< draw one picture, without a screen, and leave
     bool is_bare = false;                            ///< the picture with its tools, without menus and panels
     bool has_no_tools = false;                       ///< without the bar of tools
+    bool is_still = false;                           ///< nothing moves by itself
     bool describe = false;                           ///< print the document in words, without a screen, and leave
     std::optional<std::filesystem::path> play;       ///< a scenario, without a screen
     std::filesystem::path pictures = ".";            ///< where a scenario's pictures go

@@ -115,6 +115,7 @@ template <class Application, class AppStage, class Session>
 int run_app(const AppOptions& options, std::string_view program, Session& session, const MakeApp& in_window)
 {
     constexpr int done = 0, bad_input = 2;
+    if constexpr (requires { session.is_still; }) session.is_still = options.is_still;
     if constexpr (has_terminal)
         if (const auto status = run_headless<Application, AppStage>(options, program, session)) return *status;
     if (!Window::has_display()) {

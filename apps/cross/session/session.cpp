@@ -66,7 +66,7 @@ void Session::find_state()
     try {
         const fc::Problem& problem = solution_.task->problem;
         if (!states_) states_ = std::make_shared<fc::StateAnalysis>(document().model, problem);
-        state_ = states_->solve(document().model, problem, present_locks(document(), solution_, phase_));
+        state_ = states_->solve(document().model, problem, present_locks(document(), solution_, phase()));
     } catch (const femoop::ModelError& error) {
         solution_.task->remarks = error.faults();
     }
@@ -339,7 +339,7 @@ void Session::tick(double seconds)
 
 Scene Session::scene() const
 {
-    return {document(), solution_,       state_ ? &*state_ : nullptr, phase_, hover, look, worksheet(),
+    return {document(), solution_,       state_ ? &*state_ : nullptr, phase(), hover, look, worksheet(),
             cell_,      worksheet_stage_};
 }
 

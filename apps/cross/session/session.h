@@ -90,8 +90,9 @@ public:
     void tick(double seconds); ///< time goes by
     bool is_moving() const { return is_playing || phase_ < 1.0 || waiting_ || notice.has_value(); }
     bool is_playing = false; ///< turn after turn by itself
+    bool is_still = false;   ///< a turn is done at once
     Tool tool = Tool::None;
-    double phase() const { return phase_; }
+    double phase() const { return is_still ? 1.0 : phase_; }
 
     Look look;
     std::optional<femoop::cross::JointId> hover;

@@ -173,7 +173,7 @@ void Session::go_to(std::size_t place)
 void Session::step_forward()
 {
     go_to(place() + 1);
-    motion_ = Motion{.is_back = false};
+    move(false);
 }
 
 void Session::step_back()
@@ -184,7 +184,13 @@ void Session::step_back()
     cancel_operator();
     stepper_.go_to(place() - 1);
     ++generation_;
-    motion_ = Motion{.is_back = true};
+    move(true);
+    if (!motion_) look_at_place();
+}
+
+void Session::move(bool is_back)
+{
+    if (!is_still) motion_ = Motion{.is_back = is_back};
 }
 
 bool Session::tick(double seconds)
@@ -198,7 +204,10 @@ bool Session::tick(double seconds)
     }
     if (!is_playing) return false;
     if (place() == n_steps()) is_playing = false;
-    else if ((rest_ += seconds * speed) >= seconds_between_steps) step_forward();
+    else if ((rest_ += seconds * speed) >= seconds_between_steps) {
+        rest_ = 0.0;
+        step_forward();
+    }
     return true;
 }
 
@@ -395,7 +404,7 @@ std::optional<ui::Message> Session::apply(std::string_view line)
     const std::size_t here = place();
     if (auto reason = stepper_.apply(line)) return reason;
     note_change();
-    if (place() == here + 1) motion_ = Motion{.is_back = false};
+    if (place() == here + 1) move(false);
     if (report_ && !report_->warning.sentence.empty()) notify(report_->warning);
     return std::nullopt;
 }

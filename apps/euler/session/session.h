@@ -60,6 +60,7 @@ public:
     bool tick(double seconds);
     bool is_moving() const { return motion_.has_value() || is_playing; }
     bool is_playing = false; ///< one step follows the other
+    bool is_still = false;   ///< a step is done at once
     double speed = 1.0;      ///< of what moves
     static constexpr double slowest = 0.25, fastest = 4.0;
 
@@ -175,6 +176,7 @@ private:
     double progress() const; ///< of the step on its way, 0 to 1 \pre there is one
     void forget_passing_notice();
     void look_at_place();
+    void move(bool is_back); ///< the step that was taken is seen on its way
     void look_at_end();
     void restart(Stepper lesson);
     void show_fault(const std::filesystem::path& path, const std::string& text, const topology::LineError& fault);

@@ -200,7 +200,9 @@ void animate(Workspace& workspace, bool is_on)
 
 Reason why_not_animate(const Workspace& workspace)
 {
-    return workspace.session.is_animated ? std::nullopt : workspace.session.why_no_results();
+    const Session& session = workspace.session;
+    const bool waits = session.is_still && !session.shown_mechanisms().empty();
+    return session.is_animated || waits ? std::nullopt : session.why_no_results();
 }
 
 void add_camera_commands(CommandTable& table)

@@ -116,6 +116,7 @@ public:
     Selection selection;
     std::optional<Cut> hover;
     std::optional<Cut> pin;
+    bool is_still = false; ///< a mechanism swings only where it is animated
     bool is_animated = false;
     bool shows_deformed_to_animate = false; ///< the deformed shape goes when the motion stops
     KeptCounting counting;                  ///< of the degree of indeterminacy, where it is shown

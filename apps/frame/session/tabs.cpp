@@ -37,6 +37,7 @@ void adopt_look(Session& session, const Session& from)
     const bool was_truss = femoop::is_truss(from.model().analysis);
     session.view.show = is_truss == was_truss ? from.view.show : suited(from.view.show, is_truss);
     session.hidden = from.hidden;
+    session.is_still = from.is_still;
     if (session.hidden && is_truss != was_truss) session.hidden = suited(*session.hidden, is_truss);
     session.view.moment_side = from.view.moment_side;
 }

@@ -19,7 +19,8 @@ bool is_swinging(const Workspace& workspace)
 {
     const Session& session = workspace.session;
     const bool moves_released = workspace.refused_release && workspace.refused_release->moves(session);
-    return session.is_animated || !session.shown_mechanisms().empty() || moves_released;
+    const bool can_move = !session.shown_mechanisms().empty() || moves_released;
+    return session.is_animated || (can_move && !session.is_still);
 }
 
 } // namespace

@@ -618,8 +618,9 @@ constexpr double seconds_per_swing = 2.4;
 
 bool Session::is_swinging() const
 {
+    if (is_animated || is_still) return is_animated;
     const Analysed* const found = needs_results(look) ? analysed() : nullptr;
-    return is_animated || look.modes || (found != nullptr && !found->mechanisms().empty());
+    return look.modes || (found != nullptr && !found->mechanisms().empty());
 }
 
 std::size_t Session::mechanism() const

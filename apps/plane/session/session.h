@@ -153,6 +153,7 @@ public:
     std::size_t load_case = 0;               ///< that is shown
     std::optional<ui::PlaneCamera> camera{}; ///< where the view was moved by hand; else everything is shown
     std::optional<Part> hover{};
+    bool is_still = false;    ///< modes and mechanisms swing only where they are animated
     bool is_animated = false; ///< the deformed shape swings
 
 private:

@@ -76,3 +76,19 @@ TEST_CASE("What is in hand is told in the status line until it is put away")
     session.tool = Tool::None;
     CHECK(status_text(session) == step);
 }
+
+TEST_CASE("Where little is to move a turn is done at once, and the next one waits as long as ever")
+{
+    Session session;
+    session.is_playing = true;
+    session.tick(0.1);
+    CHECK(session.phase() < 1.0);
+    session.is_still = true;
+    const std::size_t n_solved = session.turn_tree()->length();
+    session.tick(0.5);
+    CHECK(session.phase() == 1.0);
+    CHECK(session.turn_tree()->length() == n_solved);
+    session.tick(0.8);
+    session.tick(0.1);
+    CHECK(session.turn_tree()->length() == n_solved + 1);
+}

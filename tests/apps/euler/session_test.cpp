@@ -46,6 +46,24 @@ TEST_SUITE("euler session")
         CHECK(workspace.session.stepper().script() == "mvfs s1 f1 v1 0 0 0\n");
     }
 
+    TEST_CASE("Where little is to move a step is done at once, forward and back, and a script is played at its pace")
+    {
+        Session session;
+        session.show(Stepper("mvfs s1 f1 v1 0 0 0\nmev s1 f1 v1 v2 1 0 0\nmev s1 f1 v2 v3 1 2 0\n"));
+        session.is_still = true;
+        session.go_to(0);
+        session.step_forward();
+        CHECK_FALSE(session.is_moving());
+        session.step_forward();
+        session.step_back();
+        CHECK_FALSE(session.is_moving());
+        CHECK(session.step() == 1);
+        CHECK_FALSE(session.transition());
+        session.is_playing = true;
+        for (int i = 0; i < 9; ++i) session.tick(0.1); // of 0.6 s each
+        CHECK(session.step() == 2);
+    }
+
     TEST_CASE("A script is as it was saved when the same step is done again")
     {
         Workspace workspace{Session()};

@@ -1,5 +1,6 @@
 #include <doctest/doctest.h>
 
+#include <cmath>
 #include <fstream>
 #include <string>
 #include <string_view>
@@ -606,4 +607,20 @@ TEST_CASE("Nothing can be taken over where no linked window offers a change")
     workspace.offer = "Moment distribution has changed the structure";
     run_soundly(workspace, "edit.take_over");
     CHECK(workspace.asked == std::vector{ui::Request::TakeOver});
+}
+
+TEST_CASE("Where little is to move a mechanism rests at its largest displacement until it is animated, in every tab")
+{
+    Workspace workspace = workspace_with("mechanism.json");
+    workspace.tick(0.7);
+    CHECK(std::abs(workspace.session.draw_state.phase) < 0.9);
+    workspace.session.is_still = true;
+    workspace.tick(0.7);
+    CHECK(workspace.session.draw_state.phase == 1.0);
+    CHECK_FALSE(workspace.is_moving());
+    run_soundly(workspace, "view.animate");
+    workspace.tick(0.7);
+    CHECK(std::abs(workspace.session.draw_state.phase) < 0.9);
+    REQUIRE(open_file(workspace, examples + "truss.json"));
+    CHECK(workspace.session.is_still);
 }

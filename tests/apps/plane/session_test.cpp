@@ -446,3 +446,18 @@ TEST_CASE("A point of an outline that lies where one is already is that one, and
     CHECK(model[*line.places[0].point].id == "A");
     CHECK(model[*line.places[1].point].id == "P2");
 }
+
+TEST_CASE("Where little is to move the shape of a mode rests at its largest displacement until it is animated")
+{
+    Workspace workspace = quarter_plate();
+    Session& session = workspace.session;
+    session.look.modes = true;
+    session.tick(0.7);
+    CHECK(session.phase() < 0.9);
+    session.is_still = true;
+    session.tick(0.7);
+    CHECK(session.phase() == 1.0);
+    session.is_animated = true;
+    session.tick(0.7);
+    CHECK(session.phase() < 0.9);
+}

@@ -67,6 +67,7 @@ function programArguments() {
     for (const option of options) if (address.get(option)) words.push(`--${option}=${address.get(option)}`);
     if (isBare) words.push('--bare');
     if (isLocked) words.push('--no-tools');
+    if (matchMedia('(prefers-reduced-motion: reduce)').matches) words.push('--still');
     return words;
 }
 
