@@ -25,7 +25,7 @@ SAYS = {
     "apps/frame": ["draws, solves and changes", "frames, trusses, grillages"],
     "apps/cross": ["moment distribution", "joint by joint"],
     "apps/mohr": ["Mohr's circle,", "criteria of failure"],
-    "apps/core": ["solve and check", "as a module of pages"],
+    "apps/core": ["results and pictures", "as modules of pages"],
     "apps/plane": ["plates by their curves,", "regions, supports, loads"],
     "apps/euler": ["Euler operators", "step by step"],
     "apps/cli": ["cremona: all of it", "without a window"],

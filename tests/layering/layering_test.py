@@ -106,8 +106,8 @@ def rule(path):
             return DRAWING_ALLOWED
         if app == "cli":
             return CLI_ALLOWED
-        if app == "core":  # femoop and topology as a module of a page
-            return ["topology/", "femoop/", BROWSER]
+        if app == "core":  # what commands do, as a module of a page
+            return [*CLI_ALLOWED, "apps/core/", BROWSER]
         inside = path.removeprefix(f"apps/{app}/")
         if inside.startswith("document"):
             return [*APP_DOCUMENT_ALLOWED, *(f"apps/{app}/{part}" for part in ("document", "backdrop", "discretize", "outline"))]
