@@ -1,5 +1,6 @@
 #pragma once
 
+#include "ui/context/offscreen.h"
 #include "ui/context/pixels.h"
 #include "ui/paint/paint_to_file.h"
 
@@ -16,6 +17,10 @@ Machine this_machine();
 /// What `draw` gives. Where it finds no off-screen renderer (ContextError), nothing: a laptop says so and goes on, on a
 /// build server the test fails.
 std::optional<ui::Pixels> if_drawn(const std::function<ui::Pixels()>& draw, Machine machine = this_machine());
+
+/// What an app's window is drawn in, off screen: with CREMONA_PICTURES=text, and in a build for browsers, one that draws
+/// nothing, since strings and their places alone are compared.
+ui::Offscreen offscreen(const ui::Offscreen::Setup& setup);
 
 /// The picture in pixels, if it can be drawn.
 std::optional<ui::Pixels> drawn(const ui::Picture& picture, const ui::Fonts& fonts, const ui::Sheet& sheet);

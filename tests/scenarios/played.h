@@ -18,7 +18,7 @@ std::string played_in(const std::string& script, const Session& session, ui::Pix
     std::string mismatch;
     golden::if_drawn(
         [&] {
-            ui::Offscreen context({.size = size});
+            ui::Offscreen context = golden::offscreen({.size = size});
             Application application(context, fonts, session);
             AppStage stage(application, context, [&](std::string_view name, const ui::Pixels& pixels) {
                 golden::check_picture(std::string(name), pixels, ui::golden_text(*application.canvas().picture()));

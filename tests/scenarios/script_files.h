@@ -9,7 +9,8 @@
 
 /// Where this repository's files are.
 std::filesystem::path repository();
-/// The scenarios of a folder of it, in the order of their names.
+/// The scenarios of a folder of it, in the order of their names; in a build for browsers without those that write
+/// PDF and those in which rounding decides.
 std::vector<std::filesystem::path> scenarios_in(const std::filesystem::path& folder);
 /// The blocks of a page that are marked as scenarios, one after the other.
 std::string scenario_on(const std::string& page);

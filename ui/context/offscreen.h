@@ -10,8 +10,8 @@ namespace ui {
 
 /// Which off-screen renderer: OSMesa draws in memory with no help of the system; EGL is asked for a surfaceless
 /// context of Mesa's, where OSMesa is missing (newer Mesa has dropped it); in a browser it is a canvas that no page
-/// shows.
-enum class OffscreenKind { OsMesa, Egl, WebGl };
+/// shows. Empty draws nothing: its pictures are black.
+enum class OffscreenKind { OsMesa, Egl, WebGl, Empty };
 
 /// Draws into memory, without a display. The library behind it is opened when the first one is made, never linked.
 class Offscreen final : public Context {

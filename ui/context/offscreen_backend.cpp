@@ -141,6 +141,7 @@ std::string reason_against(OffscreenKind kind, std::unique_ptr<Offscreen::Backen
 
 std::unique_ptr<Offscreen::Backend> offscreen_backend(OffscreenKind kind)
 {
+    if (kind == OffscreenKind::Empty) return std::make_unique<EmptyBackend>();
     if (kind == OffscreenKind::OsMesa) return std::make_unique<OsMesa>();
     return std::make_unique<Egl>();
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "ui/context/empty_gl.h"
 #include "ui/context/offscreen.h"
 
 #include <memory>
@@ -12,6 +13,13 @@ public:
     virtual ~Backend() = default;
     virtual void make_current() = 0;
     virtual gl::Loader loader() const = 0;
+};
+
+/// Of the kind Empty.
+class EmptyBackend final : public Offscreen::Backend {
+public:
+    void make_current() override {}
+    gl::Loader loader() const override { return gl::empty_function; }
 };
 
 /// \throws ContextError with what was found wrong

@@ -223,6 +223,16 @@ TEST_CASE("Without a display a window is refused, and the message says what to u
     CHECK_THROWS_WITH_AS(ui::Window({.title = "none"}), doctest::Contains("--screenshot"), ui::ContextError);
 }
 
+TEST_CASE("Where nothing is to be drawn an off-screen window needs no renderer, and its picture is black")
+{
+    ui::Offscreen context({.size = {7, 3}}, ui::OffscreenKind::Empty);
+    CHECK(context.kind() == ui::OffscreenKind::Empty);
+    const ui::Pixels pixels = context.pixels();
+    CHECK(pixels.rgba.size() == 4 * 7 * 3);
+    CHECK(pixels.at(6, 2)[1] == 0);
+    CHECK(pixels.at(6, 2)[3] == 255);
+}
+
 TEST_CASE("A window and an off-screen picture take turns in one program")
 {
     if (!ui::Window::has_display() || !pixels_of([](ui::Painter&) {})) return;

@@ -43,7 +43,11 @@ private:
 
 } // namespace
 
-std::unique_ptr<Offscreen::Backend> offscreen_backend(OffscreenKind) { return std::make_unique<HiddenCanvas>(); }
+std::unique_ptr<Offscreen::Backend> offscreen_backend(OffscreenKind kind)
+{
+    if (kind == OffscreenKind::Empty) return std::make_unique<EmptyBackend>();
+    return std::make_unique<HiddenCanvas>();
+}
 
 FoundBackend any_offscreen_backend() { return {OffscreenKind::WebGl, std::make_unique<HiddenCanvas>()}; }
 
