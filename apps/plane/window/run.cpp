@@ -21,7 +21,10 @@ static void open_first(Session& session, const std::filesystem::path& file)
 }
 
 /// Not what was left out of an outline that was taken, nor a view file beside what was opened.
-[[maybe_unused]] static bool ends_headless(const Session& session) { return !session.path() && !session.history().can_undo(); }
+[[maybe_unused]] static bool ends_headless(const Session& session)
+{
+    return !session.path() && !session.history().can_undo();
+}
 
 int run(const ui::AppOptions& options)
 {
