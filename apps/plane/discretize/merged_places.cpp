@@ -86,13 +86,20 @@ private:
 
     femoop::Fault warning(VertexId v, const Gathering& here) const
     {
-        std::string names;
-        const auto add = [&](const std::string& name) { names += (names.empty() ? "" : ", ") + name; };
-        for (const std::size_t i : here.points) add(entry_of("points", model_.points, i));
-        for (const std::size_t i : here.curves) add(entry_of("curves", model_.curves, i));
+        std::vector<std::string> entries, names;
+        for (const std::size_t i : here.points) {
+            entries.push_back(entry_of("points", model_.points, i));
+            names.push_back(model_.points[i].id);
+        }
+        for (const std::size_t i : here.curves) {
+            entries.push_back(entry_of("curves", model_.curves, i));
+            names.push_back(model_.curves[i].id);
+        }
+        if (names.size() > 1) names.erase(names.begin()); // else a curve meets itself
         const std::string unit = " " + std::string(femoop::name(model_.units.length));
         return {femoop::FaultKind::PlacesMerged,
-                {names, place_text(model_, plane_.at(v)), rounded(here.apart) + unit, rounded(plane_.snap()) + unit}};
+                {entries.front(), femoop::listed(names), place_text(model_, plane_.at(v)), rounded(here.apart) + unit,
+                 rounded(plane_.snap()) + unit}};
     }
 
     const Drawing& drawing_;

@@ -89,7 +89,14 @@ bool is_computed(FaultKind kind, std::size_t argument)
     case FaultKind::CrossSkewLoads: return argument == 1 || argument == 3 || argument == 4;
     case FaultKind::MemoryInsufficient: return argument == 1 || argument == 2;
     case FaultKind::PositionOffPath: return argument == 2;
-    case FaultKind::ElementDistorted: return argument == 1;
+    case FaultKind::ElementDistorted:
+    case FaultKind::EllipsePlaceOff:
+    case FaultKind::MeshElementTurned: return argument == 1;
+    case FaultKind::ArcRadiiDiffer: return argument == 1 || argument == 2;
+    case FaultKind::FaceWithoutRegion:
+    case FaultKind::SharpCorner: return argument <= 1;
+    case FaultKind::MeshAngleMissed: return argument == 1 || argument == 3;
+    case FaultKind::PlacesMerged: return argument >= 2;
     case FaultKind::SettlementConflict: return argument == 2 || argument == 3;
     case FaultKind::CheckOutside:
     case FaultKind::RegionMoves:

@@ -269,7 +269,7 @@ enum class FaultKind : std::uint16_t {
     FaceWithoutRegion,    ///< {0} place in the plane, {1} area
     DrawnPointAlone,      ///< {0} place
     CurveDangles,         ///< {0} place
-    PlacesMerged,         ///< {0} what met, {1} place in the plane, {2} how far apart, {3} snap
+    PlacesMerged,         ///< {0} place, {1} what it meets, {2} place in the plane, {3} how far apart, {4} snap
     SharpCorner,          ///< {0} place in the plane, {1} degrees
     TouchesNoMaterial,    ///< {0} place, {1} curve or point
     PointsAtOnePlace,     ///< {0} place, {1} the other's place

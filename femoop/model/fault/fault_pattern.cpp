@@ -489,7 +489,7 @@ std::string_view pattern(FaultKind kind)
     case FaultKind::DrawnPointAlone: return "{0}: no curve goes through this point; use it or delete it";
     case FaultKind::CurveDangles: return "{0}: a part of this curve bounds nothing; let it go on, or delete it";
     case FaultKind::PlacesMerged:
-        return "{0}: these are one vertex at {1}, though up to {2} from it, since that is within snap, {3}; draw them at one place, or give a smaller snap";
+        return "{0}: meets {1} in one vertex at {2}, though they lie up to {3} from it, since snap is {4}; draw them at one place, or give a smaller snap";
     case FaultKind::SharpCorner:
         return "the corner at {0} has an angle of {1} degrees, so that elements there are poor; widen it";
     case FaultKind::TouchesNoMaterial:

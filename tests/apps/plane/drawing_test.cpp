@@ -146,10 +146,10 @@ std::vector<BadDrawing> bad_drawings()
              .regions = R"([{"id": "plate", "material": "m", "thickness": 2}])",
              .more = R"(, "snap": 0.001)"}
              .text(),
-         "curves[0] \"edge\", curves[1] \"c\": these are one vertex at (1, 0.0005) m, though up to 0.0005 m from it, since that "
-         "is within snap, 0.001 m; draw them at one place, or give a smaller snap\n"
-         "curves[0] \"edge\", curves[1] \"c\": these are one vertex at (3, 0.0003) m, though up to 0.0003 m from it, since that "
-         "is within snap, 0.001 m; draw them at one place, or give a smaller snap"},
+         "curves[0] \"edge\": meets c in one vertex at (1, 0.0005) m, though they lie up to 0.0005 m from it, since "
+         "snap is 0.001 m; draw them at one place, or give a smaller snap\n"
+         "curves[0] \"edge\": meets c in one vertex at (3, 0.0003) m, though they lie up to 0.0003 m from it, since "
+         "snap is 0.001 m; draw them at one place, or give a smaller snap"},
         {with_curve(R"({"id": "c", "kind": "line", "points": [[6, 0], [7, 0]], "support": "pin"})"),
          "curves[2] \"c\": \"c\" touches no material, so that nothing takes it; put a region beside it or take it away\n"
          "curves[2] \"c\": a part of this curve bounds nothing; let it go on, or delete it"},
@@ -267,26 +267,24 @@ TEST_CASE("Places that snap makes one are told with their names, and what round-
         std::string text;
         for (const Fault& fault :
              faults_of(DrawingText{.points = points, .curves = curves, .regions = "[]", .more = more}.text()))
-            if (fault.kind == FaultKind::PlacesMerged) text += fault.arguments[0] + " " + fault.arguments[2] + "; ";
+            if (fault.kind == FaultKind::PlacesMerged) text += femoop::fill("{0} with {1}: {3}; ", fault.arguments);
         return text;
     };
     const std::string_view corner =
         R"([{"id": "A", "at": [0, 0]}, {"id": "B", "at": [3, 4]}, {"id": "C", "at": [3.003, 4.004]}])";
     const std::string_view lines =
         R"([{"id": "to", "kind": "line", "points": ["A", "B"]}, {"id": "on", "kind": "line", "points": ["C", [9, 1]]}])";
-    CHECK(told(corner, lines, R"(, "snap": 0.01)") ==
-          "points[1] \"B\", points[2] \"C\", curves[0] \"to\", curves[1] \"on\" 0.005 m; ");
+    CHECK(told(corner, lines, R"(, "snap": 0.01)") == "points[1] \"B\" with C, to and on: 0.005 m; ");
     CHECK(told(corner, lines, R"(, "snap": 0.004)").empty());
     CHECK(
         told(
             R"([{"id": "A", "at": [1, 1]}, {"id": "B", "at": [1, 1]}])",
             R"([{"id": "c", "kind": "line", "points": ["A", [5, 2]]}, {"id": "d", "kind": "line", "points": ["B", [5, 0]]}])",
-            "") == "points[0] \"A\", points[1] \"B\", curves[0] \"c\", curves[1] \"d\" 0 m; ");
+            "") == "points[0] \"A\" with B, c and d: 0 m; ");
     const std::string_view nearly_one = // three lines about (1, 1), of which the third misses by 3e-3 / sqrt(1 + 1/9)
         R"([{"id": "a", "kind": "line", "points": [[0, 0], [2, 2]]}, {"id": "b", "kind": "line", "points": [[0, 2], [2, 0]]},
             {"id": "c", "kind": "line", "points": [[-2, 0.003], [4, 2.003]]}])";
-    CHECK(told("[]", nearly_one, R"(, "snap": 0.01)")
-              .starts_with("curves[0] \"a\", curves[1] \"b\", curves[2] \"c\" 0.00"));
+    CHECK(told("[]", nearly_one, R"(, "snap": 0.01)").starts_with("curves[0] \"a\" with b and c: 0.00"));
     const std::string_view exact = // thirds, a tangent arc, radii that differ by as much as the file may be rounded
         R"([{"id": "a", "kind": "line", "points": [[0, 0], [1, 0.3333333333333333], [3, 1]]},
             {"id": "b", "kind": "line", "points": [[0, 1], [3, 0]]}, {"id": "c", "kind": "line", "points": [[1.5, -4], [1.5, 4]]},
@@ -294,6 +292,22 @@ TEST_CASE("Places that snap makes one are told with their names, and what round-
             {"id": "e", "kind": "bezier", "points": [[3, 1], [4, 2], [5, -2], [0, 0]]},
             {"id": "f", "kind": "spline", "points": [[0, 1], [0.7, 2.1], [3, 1], [0, 0]]}])";
     CHECK(told("[]", exact, "").empty());
+}
+
+TEST_CASE("Places and lengths that a drawing was computed to have get the reader's decimal mark")
+{
+    const femoop::Translator comma = [](std::string_view text) { return std::string(text == "." ? "," : text); };
+    const std::vector<Fault> faults = faults_of(
+        DrawingText{.points = R"([{"id": "A", "at": [0, 0]}])",
+                    .curves = R"([{"id": "edge", "kind": "line", "points": ["A", [3, 0], [3, 2.5]], "closed": true},
+                        {"id": "c", "kind": "line", "points": [[1.5, 0.004], [1.5, -1]]}])",
+                    .regions = R"([{"id": "plate", "at": [2, 0.5], "material": "m", "thickness": 2}])",
+                    .more = R"(, "snap": 0.01)"}
+            .text());
+    REQUIRE(faults.size() == 2);
+    CHECK(message(faults.back(), comma)
+              .find("(1,5; 0,004) m, though they lie up to 0,004 m from it, since snap is 0,01 m") !=
+          std::string::npos);
 }
 
 TEST_CASE("A point is a vertex unless it is merely a centre or a control point")
