@@ -57,7 +57,7 @@ public:
     /// A vertex of its own, or on what is there. Its handle.
     VertexId insert(const FlatPoint& point);
     /// \param ends  where it begins and ends, exactly: as the drawing gives them
-    /// \pre it is longer than snap
+    /// \pre it is longer than snap, and does not run back along itself
     std::optional<InsertionRefusal> insert(const Curve& curve, const std::array<FlatPoint, 2>& ends);
     void undo(); ///< the last insertion. \pre there was one
     std::size_t n_insertions() const { return marks_.size(); }
@@ -173,7 +173,9 @@ private:
     std::vector<Change> changes_;
     std::vector<Mark> marks_;
     FaceId unbounded_;
-    EdgeGrid edges_, points_; ///< where edges are, and vertices that were alone when they were made
+    EdgeGrid edges_, points_;             ///< where edges are, and vertices that were alone when they were made
+    std::vector<VertexId> lone_vertices_; ///< those vertices, and some that are no more
+    std::size_t n_changes_in_grid_ = 0;   ///< older than its cells
     std::size_t n_expected_ = 64;
     std::vector<bool> is_seen_edge_, is_seen_vertex_; ///< of an insertion that gathers what is near; all false between
 };

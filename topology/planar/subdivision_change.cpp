@@ -1,4 +1,5 @@
 // How a subdivision grows, mends itself and takes back: by the kernel's operators, and what its edges are part of with them.
+#include <algorithm>
 #include <utility>
 
 #include "topology/planar/planar_subdivision.h"
@@ -20,14 +21,19 @@ void PlanarSubdivision::undo()
     marks_.pop_back();
     EulerOperator op(solid_, journal_);
     while (journal_.n_done() > mark.n_steps) op.undo();
+    std::vector<EdgeId> missed; // by cells that were made since
     while (changes_.size() > mark.n_changes) {
         Change& last = changes_.back();
         parts_[last.edge.index] = last.part;
         if (last.others.empty()) others_.erase(last.edge);
         else others_[last.edge] = std::move(last.others);
+        if (changes_.size() <= n_changes_in_grid_) missed.push_back(last.edge);
         changes_.pop_back();
     }
     parts_.resize(solid_.edges().n_rows());
+    n_changes_in_grid_ = std::min(n_changes_in_grid_, changes_.size());
+    for (const EdgeId e : missed)
+        if (solid_.has(e)) add_to_grid(e);
     curves_.erase(curves_.begin() + static_cast<std::ptrdiff_t>(mark.n_curves), curves_.end());
 }
 
@@ -53,6 +59,7 @@ VertexId PlanarSubdivision::lone_vertex(const FlatPoint& at)
     const LoneVertex made = is_first ? op.mvfs(lifted(at)) : op.mvr(face_at(at), lifted(at));
     if (is_first) unbounded_ = made.face;
     points_.put_at(at, made.vertex.index);
+    lone_vertices_.push_back(made.vertex);
     return made.vertex;
 }
 

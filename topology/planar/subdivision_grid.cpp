@@ -18,8 +18,9 @@ void PlanarSubdivision::fit_grid(const FlatBox& box)
     edges_ = EdgeGrid(all, n_expected_);
     points_ = EdgeGrid(all, std::max<std::size_t>(64, n_expected_ / 16));
     for (const EdgeId e : solid_.edges()) add_to_grid(e);
-    for (const VertexId v : solid_.vertices())
-        if (!solid_.edge(solid_.half_edge(v))) points_.put_at(at(v), v.index);
+    n_changes_in_grid_ = changes_.size();
+    std::erase_if(lone_vertices_, [&](VertexId v) { return !solid_.has(v); });
+    for (const VertexId v : lone_vertices_) points_.put_at(at(v), v.index);
 }
 
 void PlanarSubdivision::add_to_grid(EdgeId e)

@@ -362,6 +362,24 @@ TEST_SUITE("planar subdivision")
         }
     }
 
+    TEST_CASE(
+        "What undo makes whole again is found where it was before, also if all was put into other cells meanwhile")
+    {
+        PlanarSubdivision plane(1e-9);
+        draw_circle(plane, {0.0, 0.0}, 1.0);
+        plane.insert({0.25, 0.0});
+        const PlanarCounts counts = plane.counts();
+        draw(plane, {-2.0, 0.0}, {0.25, 0.0}); // cuts the circle, and its end is a vertex that was alone
+        draw(plane, {90.0, 90.0}, {99.0, 99.0});
+        plane.undo();
+        plane.undo();
+        CHECK(plane.counts() == counts);
+        check_sound(plane);
+        CHECK(plane.face_at({-0.5, 0.1}) != plane.unbounded());
+        draw(plane, {0.25, 0.0}, {0.5, 0.0});
+        CHECK(plane.counts() == PlanarCounts{.vertices = 3, .edges = 2, .regions = 1, .components = 2, .dangling = 1});
+    }
+
     TEST_CASE("Any order of curves gives the same subdivision, and undo takes every one back bit for bit")
     {
         std::mt19937 dice(7);
@@ -390,6 +408,7 @@ TEST_SUITE("planar subdivision")
                 for (; !states.empty(); states.pop_back()) {
                     plane.undo();
                     CHECK(plane.solid() == states.back());
+                    check_sound(plane);
                 }
                 std::shuffle(curves.begin(), curves.end(), dice);
             }
