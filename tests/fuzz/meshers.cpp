@@ -9,6 +9,7 @@
 #include <set>
 #include <string_view>
 
+#include "tests/fuzz/bytes.h"
 #include "topology/geometry/predicates.h"
 #include "topology/meshing/delaunay_mesher.h"
 #include "topology/meshing/front_mesher.h"
@@ -18,35 +19,11 @@
 namespace {
 
 using namespace topology;
+using fuzz::Bytes;
+using fuzz::place;
 
 constexpr double smallest_size =
     0.04; // over the width of the box that outlines are in: some thousands of cells at most
-
-/// Numbers out of the input; 0 when it is used up.
-class Bytes {
-public:
-    Bytes(const std::uint8_t* data, std::size_t size) : data_(data), left_(size) {}
-    std::uint8_t next()
-    {
-        if (left_ == 0) return 0;
-        --left_;
-        return *data_++;
-    }
-    std::size_t left() const { return left_; }
-
-private:
-    const std::uint8_t* data_;
-    std::size_t left_;
-};
-
-/// On a lattice, so that places often are in line or on one circle, or moved off it by very little.
-FlatPoint place(Bytes& bytes)
-{
-    const std::uint8_t x = bytes.next(), y = bytes.next();
-    const int column = x / 16;
-    const double off = x % 16 == 15 ? 1e-9 * (y % 16) : 0.0;
-    return {(column + off) / 16.0, y / 256.0};
-}
 
 /// Counter-clockwise around what is inside, or clockwise.
 void add_loop(MeshDomain& domain, const std::vector<FlatPoint>& places, bool is_around)

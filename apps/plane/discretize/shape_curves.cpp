@@ -20,6 +20,7 @@ using topology::FlatVector;
 
 constexpr double pi = std::numbers::pi;
 constexpr double radius_tolerance = 1e-6; // of a radius: ends of arcs may be rounded
+constexpr double straightness = 1e-12;    // of its extent, what a cubic may bend and be a line
 
 /// Derivatives of the natural, or periodic, cubic spline at its places, by its parameter: the sum of chords.
 /// [DeBoor1978, ch. IV, eq. (10) and (15)]
@@ -171,7 +172,34 @@ private:
         topology::FlatBox box;
         for (const FlatPoint& point : points) box.add(point);
         if (box.diagonal() <= snap_) return refuse(FaultKind::CurveWithoutLength);
-        made_.parts.push_back({topology::CubicBezier{points}, {points[0], points[3]}});
+        const double off = off_line(points);
+        const bool runs_back = goes_back(points);
+        if (runs_back && off <= snap_) return refuse(FaultKind::CurveRunsBack);
+        const bool is_line = !runs_back && off <= straightness * box.diagonal();
+        made_.parts.push_back({is_line ? topology::Curve(topology::Segment{points[0], points[3]})
+                                       : topology::Curve(topology::CubicBezier{points}),
+                               {points[0], points[3]}});
+    }
+
+    /// How far the control points are from the line through the first and the one farthest from it.
+    static double off_line(const std::array<FlatPoint, 4>& points)
+    {
+        FlatVector farthest{};
+        for (const FlatPoint& point : points)
+            if (const FlatVector there = point - points[0]; length(there) > length(farthest)) farthest = there;
+        double off = 0.0;
+        for (const FlatPoint& point : points) off = std::max(off, std::abs(cross(farthest, point - points[0])));
+        return off / length(farthest);
+    }
+
+    /// Whether its speed along its chord turns: a Bernstein polynomial of degree 2 with these coefficients.
+    bool goes_back(const std::array<FlatPoint, 4>& points) const
+    {
+        const FlatVector chord = points[3] - points[0];
+        if (length(chord) <= snap_) return true;
+        const double a = dot(points[1] - points[0], chord), b = dot(points[2] - points[1], chord),
+                     c = dot(points[3] - points[2], chord), least = -straightness * dot(chord, chord);
+        return a < least || c < least || b < least - std::sqrt(std::max(a, 0.0) * std::max(c, 0.0));
     }
 
     void make_bezier()

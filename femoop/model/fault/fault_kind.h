@@ -257,6 +257,7 @@ enum class FaultKind : std::uint16_t {
     ArcRadiiDiffer,       ///< {0} place, {1} and {2} radii
     EllipsePlaceOff,      ///< {0} place, {1} how far
     CurvesRunTogether,    ///< {0} place, {1} curve
+    CurveRunsBack,        ///< {0} place
     CurveTooNear,         ///< {0} place
     SnapTooSmall,         ///< {0} what was found, {1} least
     DivisionsOfPieces,    ///< {0} place, {1} divisions, {2} pieces

@@ -470,6 +470,8 @@ std::string_view pattern(FaultKind kind)
     case FaultKind::EllipsePlaceOff: return "{0}: an end lies {1} off the ellipse; move it, or change the axes";
     case FaultKind::CurvesRunTogether:
         return "{0}: runs along curve \"{1}\" for a stretch, which only straight lines and arcs of one circle may do; end it there";
+    case FaultKind::CurveRunsBack:
+        return "{0}: runs back along itself, since what draws it is in one line; put its places in order, or draw straight lines";
     case FaultKind::CurveTooNear:
         return "{0}: comes so near to other curves, a few times snap, that the regions there cannot be told apart; move it, or give a smaller \"snap\"";
     case FaultKind::SnapTooSmall:

@@ -139,6 +139,9 @@ std::vector<BadDrawing> bad_drawings()
                      .regions = R"([{"id": "plate", "material": "m", "thickness": 2}])"}
              .text(),
          "the corner at (0, 0) m has an angle of 2.86241 degrees, so that elements there are poor; widen it"},
+        {with_curve(R"({"id": "c", "kind": "bezier", "points": [[1, 1], [1, 5], [1, 1], [1, 0.5]]})"),
+         "curves[2] \"c\": runs back along itself, since what draws it is in one line; put its places in order, or draw "
+         "straight lines"},
         {DrawingText{
              .points = R"([{"id": "A", "at": [0, 0]}])",
              .curves = R"([{"id": "edge", "kind": "line", "points": ["A", [4, 0], [4, 4], [0, 4]], "closed": true},
