@@ -20,7 +20,6 @@ using topology::FlatVector;
 
 constexpr double pi = std::numbers::pi;
 constexpr double radius_tolerance = 1e-6; // of a radius: ends of arcs may be rounded
-constexpr double straightness = 1e-12;    // of its extent, what a cubic may bend and be a line
 
 /// Derivatives of the natural, or periodic, cubic spline at its places, by its parameter: the sum of chords.
 /// [DeBoor1978, ch. IV, eq. (10) and (15)]
@@ -172,13 +171,8 @@ private:
         topology::FlatBox box;
         for (const FlatPoint& point : points) box.add(point);
         if (box.diagonal() <= snap_) return refuse(FaultKind::CurveWithoutLength);
-        const double off = off_line(points);
-        const bool runs_back = goes_back(points);
-        if (runs_back && off <= snap_) return refuse(FaultKind::CurveRunsBack);
-        const bool is_line = !runs_back && off <= straightness * box.diagonal();
-        made_.parts.push_back({is_line ? topology::Curve(topology::Segment{points[0], points[3]})
-                                       : topology::Curve(topology::CubicBezier{points}),
-                               {points[0], points[3]}});
+        if (goes_back(points) && off_line(points) <= snap_) return refuse(FaultKind::CurveRunsBack);
+        made_.parts.push_back({topology::CubicBezier{points}, {points[0], points[3]}});
     }
 
     /// How far the control points are from the line through the first and the one farthest from it.
@@ -198,7 +192,7 @@ private:
         const FlatVector chord = points[3] - points[0];
         if (length(chord) <= snap_) return true;
         const double a = dot(points[1] - points[0], chord), b = dot(points[2] - points[1], chord),
-                     c = dot(points[3] - points[2], chord), least = -straightness * dot(chord, chord);
+                     c = dot(points[3] - points[2], chord), least = -1e-12 * dot(chord, chord);
         return a < least || c < least || b < least - std::sqrt(std::max(a, 0.0) * std::max(c, 0.0));
     }
 
