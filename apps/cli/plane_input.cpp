@@ -59,12 +59,13 @@ std::optional<femoop::plane::DrawnChecks> PlaneInput::checks() const
 std::optional<std::vector<fp::ShownPoint>> PlaneInput::points_in_material() const
 {
     if (!mesh_) return std::nullopt;
-    const fp::Locator locator(mesh_->model());
+    std::optional<fp::Locator> locator; // of a large mesh it takes a while, and most points are nodes
     std::vector<fp::ShownPoint> points;
     for (std::size_t i = 0; i < reading_.model.points.size(); ++i) {
         const fp::PlanePoint& point = reading_.model.points[i];
         fp::ShownPoint shown{.id = point.id, .node = mesh_->node(femoop::NodeId(i)), .at = {point.at[0], point.at[1]}};
-        if (shown.node || !locator.find(shown.at).empty()) points.push_back(std::move(shown));
+        if (!shown.node && !locator) locator.emplace(mesh_->model());
+        if (shown.node || !locator->find(shown.at).empty()) points.push_back(std::move(shown));
     }
     return points;
 }
