@@ -6,10 +6,11 @@
 
 namespace femoop {
 
-void Curve::begin(const Law& law)
+void Curve::begin(const Law& law, const std::vector<SpanPiece>& loads)
 {
     law_ = law;
     pieces_.clear();
+    for (const SpanPiece& load : loads) pieces_.push_back({load, {}});
 }
 
 std::vector<double> Curve::breaks() const

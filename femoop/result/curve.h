@@ -65,9 +65,10 @@ public:
         bool is_in_plane = false; ///< of a plane model: nothing twists it or bends it in x'z'
     };
 
-    /// For who makes a curve: starts over with a law, then takes the pieces from the first end to the last.
-    void begin(const Law& law);
-    void append(const SpanPiece& load, const State& begin) { pieces_.push_back({load, begin}); }
+    /// For who makes a curve: starts over with a law and the loads of its pieces, from the first end to the last, whose
+    /// states then follow one by one.
+    void begin(const Law& law, const std::vector<SpanPiece>& loads);
+    void begin_piece(std::size_t piece, const State& state) { pieces_[piece].begin = state; }
 
     double length() const { return pieces_.back().load.end; }
 

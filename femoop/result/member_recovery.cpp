@@ -66,6 +66,7 @@ public:
     using LocalVector = typename Element::LocalVector;
     static constexpr int m = Element::m;
     static constexpr int n = Element::n;
+    using NodeDisplacements = Eigen::Matrix<double, n, 1>;
     static constexpr auto& local = AnalysisModel<kind>::local;
     static constexpr bool is_in_plane = kind == AnalysisKind::Truss2d || kind == AnalysisKind::Frame2d;
 
@@ -84,6 +85,7 @@ public:
         member_ = member;
         place(member);
         if (is_like_last(member)) return;
+        is_begun_ = false;
         end_conditions_ = structure_.end_conditions_of(member);
         properties_ = &structure_.properties_of(member);
         scaled_.clear();
@@ -144,6 +146,7 @@ public:
         return s;
     }
 
+    /// \pre always into the same curve
     void write(Curve& curve) { write(curve, state()); }
 
     /// Of a part; the loads go with one of them alone.
@@ -158,14 +161,15 @@ private:
     void write(Curve& curve, const MemberState& s)
     {
         if (!is_plain()) law_ = law(s);
-        curve.begin(law_);
+        if (!is_begun_) curve.begin(law_, loading_.pieces());
+        is_begun_ = is_plain();
         Curve::State at = first_state(s);
         const std::vector<Beam::State> on_foundation = foundation_states(s, law_);
         const std::vector<SpanPiece>& pieces = loading_.pieces();
         for (std::size_t i = 0; i < pieces.size(); ++i) {
             if (!on_foundation.empty()) at.xy = on_foundation[i];
             pass_jump(at, pieces[i]);
-            curve.append(pieces[i], at);
+            curve.begin_piece(i, at);
             if (i + 1 < pieces.size()) pass_piece(at, pieces[i], law_);
         }
     }
@@ -233,9 +237,8 @@ private:
     {
         PreciseVector d(2 * m);
         for (std::size_t end = 0; end < 2; ++end) {
-            Eigen::Matrix<DoubleDouble, n, 1> u;
-            for (std::size_t i = 0; i < n; ++i) u[static_cast<int>(i)] = node_displacement<DoubleDouble>(end, i, part);
-            d.segment<m>(static_cast<int>(end) * m) = element.transformation(end).template cast<DoubleDouble>() * u;
+            d.segment<m>(static_cast<int>(end) * m) = element.transformation(end).template cast<DoubleDouble>() *
+                                                      node_displacements<DoubleDouble>(end, part);
         }
         visit_member_ends<DoubleDouble>(
             part, [&](std::size_t end, int i, DoubleDouble value) { d[static_cast<int>(end) * m + i] = value; });
@@ -252,23 +255,33 @@ private:
         return d;
     }
 
-    template <class Scalar> Scalar node_displacement(std::size_t end, std::size_t i, Part part) const
+    template <class Scalar> Eigen::Matrix<Scalar, n, 1> node_displacements(std::size_t end, Part part) const
     {
-        const std::size_t at = structure_.members[member_.index].nodes[end].index * n + i;
-        Scalar sum = 0.0;
-        for (const CaseTerms::Term& term : terms_)
-            sum += Scalar(term.factor) * MotionView<Scalar>(solution_.solutions[term.load_case], part).at_node(at);
-        return sum;
+        const std::size_t first = structure_.members[member_.index].nodes[end].index * n;
+        Eigen::Matrix<Scalar, n, 1> u = Eigen::Matrix<Scalar, n, 1>::Zero();
+        for (const CaseTerms::Term& term : terms_) {
+            const MotionView<Scalar> motion(solution_.solutions[term.load_case], part);
+            const Scalar factor(term.factor);
+            for (int i = 0; i < n; ++i) u[i] += factor * motion.at_node(first + static_cast<std::size_t>(i));
+        }
+        return u;
+    }
+
+    /// Of a node's displacements, along global axes; one that the kind of model does not have is zero.
+    template <Dof dof> static double component(const NodeDisplacements& u)
+    {
+        constexpr auto& global = AnalysisModel<kind>::global;
+        constexpr auto i = std::ranges::find(global, dof) - global.begin();
+        if constexpr (i < n) return u[i];
+        else return 0.0;
     }
 
     /// How an end moves with its node: along its own axes, and by a rotation through the rigid arm.
     Vector6 following_node(std::size_t end, Part part) const
     {
-        Vector6 u = Vector6::Zero(); // of the node, global axes
-        for (std::size_t i = 0; i < n; ++i)
-            u[static_cast<int>(index(AnalysisModel<kind>::global[i]))] = node_displacement<double>(end, i, part);
-        Eigen::Vector3d moved = u.head<3>();
-        const Eigen::Vector3d turned = u.tail<3>();
+        const NodeDisplacements u = node_displacements<double>(end, part);
+        Eigen::Vector3d moved(component<Dof::ux>(u), component<Dof::uy>(u), component<Dof::uz>(u));
+        const Eigen::Vector3d turned(component<Dof::rx>(u), component<Dof::ry>(u), component<Dof::rz>(u));
         if (end_conditions_ != nullptr && end_conditions_->has_offset)
             moved += turned.cross(end_conditions_->offsets[end]);
         Vector6 d = Vector6::Zero();
@@ -406,7 +419,8 @@ private:
     bool is_unstressed_ = false;
     typename Element::LocalMatrix stiffness_; ///< of the last plain member, in its own axes
     LocalVector fixed_end_forces_;
-    Curve::Law law_; ///< of the last one
+    Curve::Law law_;        ///< of the last one
+    bool is_begun_ = false; ///< the curve has the law and the loads of the last one
 };
 
 } // namespace
