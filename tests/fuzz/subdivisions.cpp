@@ -1,5 +1,5 @@
 // Whatever curves are put into a subdivision, in whatever order they are taken back: it stays a sound solid with
-// V - E + F = 1 + C, its faces have a place inside where none is thin, one that is refused leaves nothing behind, and undo
+// V - E + F = 1 + C, each face that is not thin has a place inside it, one that is refused leaves nothing behind, and undo
 // is exact.
 #include <algorithm>
 #include <array>
@@ -72,14 +72,11 @@ void require_sound(const PlanarSubdivision& plane)
     if (const auto breach = why_not_valid(plane.solid())) fail(sentence(*breach));
     const PlanarCounts counts = plane.counts();
     if (counts.vertices + counts.regions != counts.edges + counts.components) fail("V - E + F is not 1 + C");
-    std::vector<FaceId> faces;
     for (const FaceId f : plane.solid().faces()) {
-        if (f == plane.unbounded()) continue;
-        if (plane.area(f) < 1e4 * snap * plane.perimeter(f)) return; // a place in it, or beside it, is on its edges
-        faces.push_back(f);
-    }
-    for (const FaceId f : faces)
+        const bool is_thin = plane.area(f) < 1e4 * snap * plane.perimeter(f); // a place in it is on its edges
+        if (f == plane.unbounded() || is_thin) continue;
         if (plane.face_at(plane.place_inside(f)) != f) fail("the place inside a face is in another");
+    }
 }
 
 } // namespace

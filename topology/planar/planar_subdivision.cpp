@@ -1,5 +1,6 @@
 #include "topology/planar/planar_subdivision.h"
 
+#include <algorithm>
 #include <numbers>
 #include <utility>
 
@@ -152,26 +153,42 @@ bool PlanarSubdivision::encloses(LoopId l, const FlatPoint& p) const
 /// That on this side of what a level line to the right meets first.
 FaceId PlanarSubdivision::face_at(const FlatPoint& p) const
 {
+    std::vector<Crossing> met; // no further than snap behind the first
     double nearest = std::numeric_limits<double>::infinity();
-    std::optional<HalfEdgeId> met; // with its face on the side of p
     const auto see = [&](EdgeId e) {
         if (!solid_.has(e)) return;
         at_height(solid_.plus(e), p.y, [&](double x, bool is_upward) {
-            if (x <= p.x || x >= nearest) return;
-            nearest = x;
-            met = is_upward ? solid_.plus(e) : solid_.minus(e);
+            if (x <= p.x || x > nearest + snap_) return;
+            nearest = std::min(nearest, x);
+            met.push_back({x, is_upward ? solid_.plus(e) : solid_.minus(e)});
         });
     };
     if (edges_.box().has(p))
         edges_.to_the_right(
-            p, [&](std::uint32_t number) { see(EdgeId{number}); }, [&](double end) { return nearest <= end; });
-    if (!met) return unbounded_;
-    for (const VertexId v : {solid_.start(*met), solid_.end(*met)}) // several edges are met at once
+            p, [&](std::uint32_t number) { see(EdgeId{number}); }, [&](double end) { return nearest + snap_ <= end; });
+    if (met.empty()) return unbounded_;
+    std::erase_if(met, [&](const Crossing& crossing) { return crossing.x > nearest + snap_; });
+    const HalfEdgeId first = first_of(met);
+    for (const VertexId v : {solid_.start(first), solid_.end(first)}) // several edges are met at once
         if (distance(at(v), {nearest, p.y}) <= snap_) {
             const VertexId seen = seen_from(p, v);
             return solid_.face(corner(seen, {{no_curve, {}}, at(seen), p}));
         }
-    return solid_.face(*met);
+    return solid_.face(first);
+}
+
+/// Which of the edges that are met within snap of each other comes first, rounding does not tell: it is the one whose face
+/// on this side lies behind none of the others.
+HalfEdgeId PlanarSubdivision::first_of(const std::vector<Crossing>& met) const
+{
+    const auto is_behind_another = [&](const Crossing& crossing) {
+        return std::ranges::any_of(met, [&](const Crossing& other) {
+            return solid_.face(solid_.mate(other.before)) == solid_.face(crossing.before);
+        });
+    };
+    const auto nearer = [](const Crossing& a, const Crossing& b) { return a.x < b.x; };
+    const auto first = std::ranges::find_if_not(met, is_behind_another);
+    return (first != met.end() ? first : std::ranges::min_element(met, nearer))->before;
 }
 
 /// The vertex that p sees where it looks at v along level edges, which the line to the right does not cross.

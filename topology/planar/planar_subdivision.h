@@ -161,6 +161,12 @@ private:
     /// Calls cross(x, whether upwards) wherever the half-edge crosses the height, each end's own height counted once.
     template <class Cross> void at_height(HalfEdgeId h, double y, const Cross& cross) const;
     VertexId seen_from(const FlatPoint& p, VertexId v) const;
+    /// Where a level line to the right meets an edge, whose half-edge here has its face before the place.
+    struct Crossing {
+        double x = 0.0;
+        HalfEdgeId before;
+    };
+    HalfEdgeId first_of(const std::vector<Crossing>& met) const;
     bool encloses(LoopId l, const FlatPoint& p) const;
     bool has_area(LoopId l) const;
 
