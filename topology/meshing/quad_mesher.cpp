@@ -24,6 +24,12 @@ double sine(const FlatVector& u, const FlatVector& v)
     return lengths > 0.0 ? cross(u, v) / lengths : 0.0;
 }
 
+/// How often cells are recut and moved before the rest is taken for hopeless: each is work for all cells around.
+std::size_t most_tries(std::size_t n_cells)
+{
+    return 40 + std::min(n_cells / 50, static_cast<std::size_t>(std::sqrt(static_cast<double>(n_cells))));
+}
+
 /// Whether a chain names a node twice: what it goes around meets itself.
 bool meets_itself(std::vector<CellNode> chain)
 {
@@ -377,7 +383,7 @@ bool QuadMesher::recut(const std::vector<CellIndex>& cells, const std::vector<Ch
 /// Puts a choice in place of cells and moves its nodes to their best places, if all cells around are better for it.
 bool QuadMesher::recut_and_move(const std::vector<CellIndex>& cells, const Choice& choice)
 {
-    if (++n_tries_ > 40 + cells_.size() / 50) return false; // where most is hopeless: it is work for each cell around
+    if (++n_tries_ > most_tries(cells_.size())) return false;
     Nodes moving;
     for (const Nodes& nodes : choice)
         for (const CellNode node : nodes)

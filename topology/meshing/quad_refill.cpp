@@ -84,8 +84,12 @@ void QuadMesher::refill()
     const auto nodes = nodes_;
     const auto cells = cells_;
     const auto edges = edges_;
-    for (std::size_t first = 0; first < 2; ++first) {
-        if (fill_halved(first) && n_triangles() <= n_wanted && worst(cells_) > least_of_filled) return;
+    constexpr std::size_t hopeless = 20; // triangles that are left, which another beginning would leave too
+    bool is_hopeless = false;
+    for (std::size_t first = 0; first < 2 && !is_hopeless; ++first) {
+        const bool is_filled = fill_halved(first);
+        is_hopeless = is_filled && n_triangles() > n_wanted + hopeless;
+        if (is_filled && n_triangles() <= n_wanted && worst(cells_) > least_of_filled) return;
         nodes_ = nodes;
         cells_ = cells;
         edges_ = edges;
