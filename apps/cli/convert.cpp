@@ -18,8 +18,10 @@
 #include "apps/cli/solid_file.h"
 #include "apps/plane/outline/outline.h"
 #include "femoop/io/any_model.h"
+#include "femoop/io/plane/plane_output.h"
 #include "femoop/io/results/results_csv.h"
 #include "femoop/model/quantity/in_units.h"
+#include "femoop/plane/analysis/plane_analysis.h"
 #include "femoop/plane/model/plane_in_units.h"
 #include "ui/text/language_manner.h"
 
@@ -38,6 +40,7 @@ private:
     ExitStatus to_json(const femoop::Model& model, Console& console) const;
     ExitStatus plane(femoop::plane::PlaneReading& reading, const std::string& kind, Console& console) const;
     ExitStatus to_csv(const femoop::Model& model, Console& console) const;
+    ExitStatus to_csv(femoop::plane::PlaneReading& reading, Console& console) const;
     ExitStatus solids(Console& console) const;
     ExitStatus outline(Console& console) const;
     void deliver(const std::string& text, Console& console) const;
@@ -55,8 +58,8 @@ HelpText Convert::help(const ui::Catalogue& tr) const
         tr("write a model in another form, chosen by the extension of OUT"),
         tr("From .json to .json the file is tidied (one node, member and load a line, keys in a fixed order; "
            "quantities stay as they were typed), and with --units its bare numbers are counted in other base units. "
-           "To .csv the model is solved and every result is written in one long table: case, "
-           "part, id, x, component, value, unit. To .svg, .pdf or .png it is drawn; render has more to choose from.") +
+           "To .csv the model is solved and every result is written in one long table, a value a row: case, "
+           "part, id, place, component, value, unit. To .svg, .pdf or .png it is drawn; render has more to choose from.") +
             "\n\n" +
             tr("The curves of a drawing of another program, .dxf or .svg, become the drawing of a plane model in .json: "
                "lines, arcs, circles, ellipses and splines as such. What is left out is told.") +
@@ -159,9 +162,7 @@ ExitStatus Convert::plane(femoop::plane::PlaneReading& reading, const std::strin
     if (combinations_ || bend_.is_asked())
         throw UsageError(tr("--combinations and --bend are for structures of members; this is a plane model"));
     if (units_ && kind != ".json") throw UsageError(tr("--units: only a .json file is written in other units"));
-    if (kind == ".csv")
-        throw UsageError(
-            tr("the results of a plane model fill several tables; cremona solve FILE --csv FOLDER writes them"));
+    if (kind == ".csv") return to_csv(reading, console);
     if (is_picture(out_)) {
         PlaneRender::Order order{.file = {.path = out_}, .model_file = in_ == "-" ? std::nullopt : std::optional(in_)};
         order.look.tr = tr;
@@ -188,6 +189,22 @@ ExitStatus Convert::to_csv(const femoop::Model& model, Console& console) const
     const femoop::Results& results = std::get<Solved>(solved).results;
     console.report(file, results.warnings());
     deliver(femoop::long_csv(model, results, all_cases(model), femoop::usual_n_stations), console);
+    return ExitStatus::Done;
+}
+
+ExitStatus Convert::to_csv(femoop::plane::PlaneReading& reading, Console& console) const
+{
+    const std::string file = display_name(in_, console.tr());
+    const PlaneInput input(reading);
+    console.report(file, reading.faults);
+    if (!reading.is_sound()) return ExitStatus::BadInput;
+    try {
+        const femoop::plane::PlaneResults results = femoop::plane::analyse(input.model(), {});
+        console.report(file, results.warnings());
+        deliver(femoop::plane::plane_long_csv(results), console);
+    } catch (const femoop::ModelError& error) {
+        return report_unsolved(error, file, console);
+    }
     return ExitStatus::Done;
 }
 

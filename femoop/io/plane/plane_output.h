@@ -74,4 +74,9 @@ std::string plane_cases_text(const PlaneResults& results, const PlaneSelection& 
 ///   stations.csv       case, cut, s, x, y, sx', sy', txy': along those
 std::vector<CsvFile> plane_results_csv(const PlaneResults& results, const PlaneSelection& selection);
 
+/// Every case but for places and cuts in one table, a value a row:
+///
+///   case, part (point, curve, largest, smallest, loads, reactions), id, region, x, y, component, value, unit
+std::string plane_long_csv(const PlaneResults& results);
+
 } // namespace femoop::plane

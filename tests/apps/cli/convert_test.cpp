@@ -122,6 +122,27 @@ TEST_CASE("To CSV every result stands in one long table with its unit")
     CHECK(has(table, "\nU,member,AB,4,"));
 }
 
+TEST_CASE("The one table of a plane model has the values that JSON has")
+{
+    const std::string model = "tests/cases/plane/PB-001-Q8.json";
+    const Folder folder;
+    REQUIRE(cremona({"convert", model, folder.path("out.csv")}).status == 0);
+    const std::string table = folder.read("out.csv");
+    CHECK(table.starts_with("case,part,id,region,x [m],y [m],component,value,unit\nM,point,A,,"));
+    const json M = json::parse(cremona({"solve", model, "--json"}).out)["cases"]["M"];
+    const auto value_of = [&](const std::string& row) {
+        const std::size_t at = table.find("\nM," + row);
+        REQUIRE_MESSAGE(at != std::string::npos, row);
+        return std::stod(table.substr(at + row.size() + 3));
+    };
+    const json& C = M["points"]["C"];
+    CHECK(value_of("point,C,,10,1,uy,") == doctest::Approx(C["u"]["uy"].get<double>()).epsilon(1e-14));
+    CHECK(value_of("point,C,plate,10,1,sx,") ==
+          doctest::Approx(C["stress"]["plate"]["sx"].get<double>()).epsilon(1e-14));
+    CHECK(has(table, "\nM,largest,,plate,"));
+    CHECK(has(table, "\nM,loads,,,,,fx,0,kN\n"));
+}
+
 TEST_CASE("What is doubtful about the results is told beside their table, too")
 {
     const Folder folder;
