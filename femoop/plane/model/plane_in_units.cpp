@@ -16,7 +16,9 @@ constexpr Dimension force_per_volume{.length = -3, .force = 1};
 /// Recounts every quantity of a plane model, part by part, in place.
 class PlaneRecount {
 public:
-    PlaneRecount(const Units& from, const Units& to) : from_(from), to_(to) {}
+    PlaneRecount(const PlaneModel& model, const Units& to)
+        : from_(model.units), to_(to), has_usual_thickness_(model.analysis == StressState::PlaneStrain)
+    {}
 
     void part(PlanePoint& point) const
     {
@@ -42,6 +44,7 @@ public:
     void part(PlaneRegion& region) const
     {
         for (auto& at : region.at) place(at);
+        if (!region.thickness && has_usual_thickness_ && !region.is_hole) region.thickness = Quantity(1.0);
         number(region.thickness, dimension::length);
         part(region.mesh);
     }
@@ -127,6 +130,7 @@ private:
     }
 
     Units from_, to_;
+    bool has_usual_thickness_; ///< a region without one is 1 thick, which is another thickness in other units
 };
 
 } // namespace
@@ -134,7 +138,7 @@ private:
 PlaneModel in_units(const PlaneModel& model, const Units& units)
 {
     PlaneModel other = model;
-    const PlaneRecount recount(model.units, units);
+    const PlaneRecount recount(model, units);
     recount.number(other.snap, dimension::length);
     recount.part(other.mesh);
     for (Material& material : other.materials) material = in_units(material, model.units, units);

@@ -71,6 +71,17 @@ TEST_CASE("Fields of a plane model are counted by the powers of their places")
     CHECK(table.rows[1].second.value() == 30.0);
 }
 
+TEST_CASE("A region of plane strain without a thickness is as thick in other units, which is then written")
+{
+    const plane::PlaneModel model = plane::read_plane_model(R"({"cremona": 1, "analysis": "plane_strain",
+      "units": {"length": "m", "force": "kN"}, "materials": [{"id": "s", "E": 205000000, "nu": 0.3}],
+      "curves": [{"id": "c", "kind": "circle", "center": [7, 5], "radius": 2}],
+      "regions": [{"id": "R", "material": "s"}]})");
+    const plane::PlaneModel other = plane::in_units(model, {LengthUnit::mm, ForceUnit::N});
+    CHECK(other.thickness(plane::RegionId(0)) == 1000.0);
+    CHECK(other.regions[0].thickness->value() == 1000.0);
+}
+
 TEST_CASE("From m and kN to mm and N a stress is divided by 1000 and a second moment multiplied by 1e12")
 {
     const Model model = in_units(every_dimension(), {LengthUnit::mm, ForceUnit::N});
