@@ -90,6 +90,7 @@ public:
         for (std::size_t i = 0; i < structure_.members.size(); ++i) add_member(MemberId(i));
         add_node_loads();
         if (!structure_.bodies.empty()) add_bodies();
+        if (!structure_.ties.empty()) give_back_to_tied();
         for (std::size_t s = 0; s < structure_.supports.size(); ++s) finish(s);
         if (result_.balance.imposed < negligible_loads * result_.balance.largest)
             result_.equilibrium.residual = result_.balance.out_of_balance / result_.balance.largest;
@@ -201,16 +202,63 @@ private:
     /// What a node needs to be held by. One that is tied hands it over to its leader, and the tie takes its moment.
     void add_at_support(NodeId node, Dof dof, double force)
     {
-        for (const Discretisation::Tie& tie : structure_.ties)
-            if (tie.node == node && tie.dof == dof) {
-                const Eigen::Vector3d F = force * Eigen::Vector3d::Unit(static_cast<int>(index(dof)) % 3);
-                const Eigen::Vector3d arm = structure_.positions[node.index] - structure_.positions[tie.leader.index];
-                sum_of_reactions_.moment += arm.cross(F);
-                node = tie.leader;
-                break;
-            }
+        if (const Discretisation::Tie* const tie = tie_of(node, dof)) {
+            hand_over(*tie, force);
+            node = tie->leader;
+        }
+        hold(node, dof, force);
+    }
+
+    const Discretisation::Tie* tie_of(NodeId node, Dof dof) const
+    {
+        const auto tie = std::ranges::find_if(
+            structure_.ties, [&](const Discretisation::Tie& each) { return each.node == node && each.dof == dof; });
+        return tie == structure_.ties.end() ? nullptr : &*tie;
+    }
+
+    /// The moment of a force that a node's tie takes to its leader.
+    void hand_over(const Discretisation::Tie& tie, double force)
+    {
+        const Eigen::Vector3d F = force * Eigen::Vector3d::Unit(static_cast<int>(index(tie.dof)) % 3);
+        const Eigen::Vector3d arm = structure_.positions[tie.node.index] - structure_.positions[tie.leader.index];
+        sum_of_reactions_.moment += arm.cross(F);
+    }
+
+    void hold(NodeId node, Dof dof, double force)
+    {
         const std::int32_t support = structure_.support_of_node[node.index];
         if (support >= 0) result_.reactions[static_cast<std::size_t>(support)][index(dof)] += force;
+    }
+
+    /// Tied nodes on springs: each is held by its own ground, which the tie does not take to the leader.
+    void give_back_to_tied()
+    {
+        const std::size_t first = structure_.members.size() + structure_.bodies.size();
+        ElementMatrix K;
+        for (const auto& ground : structure_.foundations) {
+            ground->stiffness(K);
+            give_back(ground->dofs(), -(K * displacements_of(ground->dofs())));
+        }
+        for (const CaseLoads::OnElement& on : loads_.elements) {
+            if (on.element < first) continue;
+            const Element& ground = *structure_.foundations[on.element - first];
+            ElementVector f;
+            ground.equivalent_forces(on.loads(), f);
+            give_back(ground.dofs(), f);
+        }
+    }
+
+    void give_back(const ElementDofs& dofs, const ElementVector& forces)
+    {
+        const std::size_t n = dofs.of_each_node.size();
+        for (std::size_t i = 0; i < dofs.n_of_nodes(); ++i) {
+            const Discretisation::Tie* const tie = tie_of(dofs.nodes[i / n], dofs.of_each_node[i % n]);
+            if (tie == nullptr) continue;
+            const double force = forces[static_cast<Eigen::Index>(i)];
+            hand_over(*tie, -force);
+            hold(tie->leader, tie->dof, -force);
+            hold(tie->node, tie->dof, force);
+        }
     }
 
     void add_node_loads()
