@@ -1,5 +1,7 @@
 #include "apps/cli/plane_input.h"
 
+#include <algorithm>
+
 #include "apps/cli/solid_file.h"
 #include "apps/plane/discretize/further_faults.h"
 #include "apps/plane/view/singular_notice.h"
@@ -45,7 +47,9 @@ PlaneInput::PlaneInput(femoop::plane::PlaneReading& reading, Depth depth)
 {
     if (depth == Depth::Drawing || !drawing_ || !drawing_->is_sound()) return;
     mesh_.emplace(*drawing_);
-    reading.faults.insert(reading.faults.end(), mesh_->faults().begin(), mesh_->faults().end());
+    const std::vector<femoop::Fault> of_drawing = reading.faults;
+    for (const femoop::Fault& fault : mesh_->faults()) // which has what the drawing is loaded by, and its faults again
+        if (std::ranges::find(of_drawing, fault) == of_drawing.end()) reading.faults.push_back(fault);
 }
 
 std::optional<femoop::plane::DrawnChecks> PlaneInput::checks() const

@@ -114,15 +114,25 @@ std::string Drawing::length_text(double length) const
     return femoop::number_text(length) + " " + std::string(femoop::name(model_.units.length));
 }
 
-double Drawing::snap_of(const std::vector<Drawn>& drawn)
+/// Around everything that is drawn, and the places of curves that could not be.
+FlatBox Drawing::box_around(const std::vector<Drawn>& drawn) const
 {
     FlatBox box;
-    for (const Drawn& curve : drawn)
-        for (const ShapePart& part : curve.parts) {
+    for (const auto& [curve, parts] : drawn) {
+        for (const ShapePart& part : parts) {
             const FlatBox of_part = part.curve.box({});
             for (const FlatPoint& p : {of_part.low, of_part.high, part.ends[0], part.ends[1]}) box.add(p);
         }
+        if (parts.empty())
+            for (const auto& at : model_[curve].shape->places) box.add(place_of(model_, at));
+    }
     for (const auto& point : model_.points) box.add({point.at[0], point.at[1]});
+    return box;
+}
+
+double Drawing::snap_of(const std::vector<Drawn>& drawn)
+{
+    const FlatBox box = box_around(drawn);
     if (box.is_empty()) return 1.0;
     const double largest = largest_coordinate(box);
     if (!model_.snap) return std::max({usual_snap * box.diagonal(), finest_snap * largest, least_snap});

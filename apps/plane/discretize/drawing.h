@@ -54,6 +54,7 @@ private:
         std::vector<ShapePart> parts;
     };
     std::vector<Drawn> draw_curves();
+    topology::FlatBox box_around(const std::vector<Drawn>& drawn) const;
     double snap_of(const std::vector<Drawn>& drawn);
     void require_right_of_axis(const std::vector<Drawn>& drawn);
     std::string length_text(double length) const;

@@ -23,6 +23,7 @@ public:
                   const std::vector<MeshSettings>& settings);
 
     const EdgeShares& shares(topology::EdgeId edge) const { return *shares_[edge.index]; } ///< in its plus direction
+    double length(topology::HalfEdgeId h) const { return lengths_[drawing_.subdivision().solid().edge(h)->index]; }
     const std::vector<femoop::Fault>& faults() const { return faults_; }
     /// The sides of outlines that are mapped, swept or trilateral, of each outline.
     const std::vector<std::optional<MappedOutline>>& mapped() const { return mapped_; }
@@ -52,7 +53,6 @@ private:
     std::size_t n_parts(const OutlineLoop& side) const; ///< with what is usual of edges that are not divided yet
     EdgeShares along(const OutlineLoop& side) const;    ///< the shares of a whole side. \pre known
     void set(topology::HalfEdgeId h, EdgeShares shares);
-    double length(topology::HalfEdgeId h) const { return lengths_[drawing_.subdivision().solid().edge(h)->index]; }
     EdgeShares usual(topology::EdgeId e, std::size_t n_more = 0) const;
     bool wants_even() const;
     void make_even(const OutlineLoop& side);

@@ -155,10 +155,22 @@ double RegionMesher::n_expected(std::size_t outline) const
         if (!settings.is_triangle()) return n_quadrilaterals;
         return (settings.diagonal == topology::Diagonal::Cross ? 4.0 : 2.0) * n_quadrilaterals;
     }
+    constexpr double equilateral = 0.25 * std::numbers::sqrt3; // its area by that of its side's square
+    double n = drawing_.faces()[outlines_[outline].face].area / (equilateral * settings.size * settings.size);
+    for (const OutlineLoop& loop : outlines_[outline].loops)
+        for (const HalfEdgeId h : loop) n += n_beside(h, settings.size) / (equilateral * topology::usual_growth);
+    return settings.is_triangle() ? n : 0.5 * n;
+}
+
+/// Along an edge that is divided finer than the size inside, triangles that grow with the distance from it, by the
+/// integral of 1 / (h + growth y)^2: parts of it, each by what it is smaller.
+double RegionMesher::n_beside(HalfEdgeId h, double size) const
+{
+    const EdgeShares& shares = divisions_.shares(*drawing_.subdivision().solid().edge(h));
     double n = 0.0;
-    for (const OutlineLoop& loop : outlines_[outline].loops) n += n_parts(loop);
-    const double of_equilateral = 0.25 * std::numbers::sqrt3 * settings.size * settings.size;
-    return n + drawing_.faces()[outlines_[outline].face].area / of_equilateral;
+    for (std::size_t i = 0; i + 1 < shares.size(); ++i)
+        n += std::max(0.0, 1.0 - (shares[i + 1] - shares[i]) * divisions_.length(h) / size);
+    return n;
 }
 
 /// By what an outline is meshed: what its region asks for, or what suits it.

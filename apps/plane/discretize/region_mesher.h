@@ -56,6 +56,7 @@ private:
     void require_one_order();
     void require_right_way_round();
     double n_expected(std::size_t outline) const;
+    double n_beside(topology::HalfEdgeId h, double size) const;
     void mesh(std::size_t outline);
     Chain side_nodes(const OutlineLoop& side, const MeshSettings& settings);
     std::vector<topology::Cell> cells_of_map(const MappedOutline& outline, const MeshSettings& settings);

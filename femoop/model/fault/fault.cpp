@@ -98,6 +98,7 @@ bool is_computed(FaultKind kind, std::size_t argument)
     case FaultKind::MeshAngleMissed: return argument == 1 || argument == 3;
     case FaultKind::PlacesMerged: return argument >= 2;
     case FaultKind::SettlementConflict: return argument == 2 || argument == 3;
+    case FaultKind::SettlementOffAxis: return argument == 2;
     case FaultKind::CheckOutside:
     case FaultKind::RegionMoves:
     case FaultKind::RegionTurns: return argument == 1;

@@ -323,6 +323,7 @@ enum class FaultKind : std::uint16_t {
     SettlementPlace,        ///< {0} place
     SettlementOfFreeCurve,  ///< {0} place, {1} direction, {2} curve
     SettlementConflict,     ///< {0} place, {1} point, {2} and {3} displacements
+    SettlementOffAxis,      ///< {0} place, {1} point, {2} displacement
     RegionWithoutDensity,   ///< {0} place, {1} material, {2} region
     RegionWithoutExpansion, ///< {0} place, {1} material, {2} region
     LineLoadOfRevolution,   ///< {0} place

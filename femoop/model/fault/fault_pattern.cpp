@@ -580,6 +580,8 @@ std::string_view pattern(FaultKind kind)
         return "{0}: {1} of curve \"{2}\" is free, so it cannot be made to settle; fix it, give it a spring, or use a load";
     case FaultKind::SettlementConflict:
         return "{0}: point \"{1}\" would settle by {2} and by {3} in one direction; give one of them";
+    case FaultKind::SettlementOffAxis:
+        return "{0}: point \"{1}\" is on the axis of revolution, where ux = 0, and would leave it by {2}; take this away";
     case FaultKind::RegionWithoutDensity:
         return "{0}: needs the density of material \"{1}\" (region \"{2}\"); add \"density\"";
     case FaultKind::RegionWithoutExpansion:

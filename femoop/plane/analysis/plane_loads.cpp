@@ -148,7 +148,7 @@ private:
     void add_displacement(NodeId node, const std::vector<ImposedMotion>& motions)
     {
         const Discretisation& structure = *structure_.discretisation();
-        const Eigen::Vector2d u = displacement(structure_.supports()[node], motions).value;
+        const Eigen::Vector2d u = structure_.supports().displacement(node, motions).value;
         const double angle = structure.support_of(node)->angle, c = std::cos(angle), s = std::sin(angle);
         CaseLoads::OnNode row{.node = node};
         row.value[0] = angle == 0.0 ? u.x() : c * u.x() + s * u.y();

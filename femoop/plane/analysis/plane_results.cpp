@@ -105,8 +105,7 @@ Eigen::Vector2d PlaneCase::reaction(NodeId node) const
     DofSet held = support.blocked();
     for (const Dof dof : all_dofs)
         if (support.sprung().contains(dof)) held.insert(dof);
-    const bool is_on_axis = structure_->model().analysis == StressState::Axisymmetric &&
-                            structure_->positions()[node.index].x() == 0.0;
+    const bool is_on_axis = structure_->supports().is_on_axis_of_revolution(node);
     return {is_on_axis && !held.contains(Dof::ux) ? 0.0 : force[0], force[1]};
 }
 
@@ -330,15 +329,17 @@ double PlaneCase::error_estimate() const
     return std::sqrt(sum);
 }
 
-/// sx', sy', txy' of the mean of the elements that hold a place of a cut, times no thickness.
-Eigen::Vector3d PlaneCase::stress_on(const Cut& cut, const CutPiece& piece, double s) const
+/// sx', sy', txy' at a place of a cut, the mean of the elements that hold it.
+Eigen::Vector3d PlaneCase::stress_on(const Cut& cut, const CutPiece& piece, double s, StressMeasure measure) const
 {
+    const PlaneModel& model = structure_->model();
     const Eigen::Vector2d at = cut.at(s), n = cut.normal(), t = cut.along();
     Values sum = Values::Zero();
     for (const ElementId element : piece.elements) {
-        const PlaneElement& e = structure_->model()[element];
-        const NaturalPlace place = natural_place(shape_of(e.kind), positions_of(structure_->model(), e), at);
-        sum += element_values({.element = element, .at = place.at});
+        const PlaneElement& e = model[element];
+        const NaturalPlace place = natural_place(shape_of(e.kind), positions_of(model, e), at);
+        const double depth = measure == StressMeasure::PerLength ? model.thickness(e.region) : 1.0;
+        sum += depth * element_values({.element = element, .at = place.at});
     }
     const PlaneStress mean = stress_in(sum / static_cast<double>(piece.elements.size()));
     Eigen::Matrix2d S;
@@ -367,8 +368,7 @@ std::vector<Eigen::Vector2d> PlaneCase::node_forces(ElementId id) const
 CutForces PlaneCase::forces(const Cut& cut) const
 {
     static const IntegrationRule rule = gauss_line(points_of_piece);
-    const PlaneModel& model = structure_->model();
-    const std::vector<CutPiece> pieces = pieces_along(model, structure_->locator(), cut);
+    const std::vector<CutPiece> pieces = pieces_along(structure_->model(), structure_->locator(), cut);
     double length = 0.0, first_moment = 0.0;
     for (const CutPiece& piece : pieces) {
         length += piece.to - piece.from;
@@ -376,19 +376,15 @@ CutForces PlaneCase::forces(const Cut& cut) const
     }
     const double middle = length > 0.0 ? first_moment / length : 0.0;
     CutForces sum;
-    for (const CutPiece& piece : pieces) {
-        double thickness = 0.0;
-        for (const ElementId element : piece.elements) thickness += model.thickness(model[element].region);
-        thickness /= static_cast<double>(piece.elements.size());
+    for (const CutPiece& piece : pieces)
         for (const IntegrationPoint& point : rule.points) {
             const double half = 0.5 * (piece.to - piece.from), s = piece.from + half * (1.0 + point.at.xi);
-            const Eigen::Vector3d stress = stress_on(cut, piece, s);
-            const double area = point.weight * half * thickness;
-            sum.N += area * stress[0];
-            sum.V -= area * stress[2];
-            sum.M -= area * stress[0] * (s - middle);
+            const Eigen::Vector3d flow = stress_on(cut, piece, s, StressMeasure::PerLength);
+            const double part = point.weight * half;
+            sum.N += part * flow[0];
+            sum.V -= part * flow[2];
+            sum.M -= part * flow[0] * (s - middle);
         }
-    }
     return sum;
 }
 
@@ -397,7 +393,7 @@ std::vector<CutStation> PlaneCase::stations(const Cut& cut) const
     std::vector<CutStation> stations;
     for (const CutPiece& piece : pieces_along(structure_->model(), structure_->locator(), cut))
         for (const double s : {piece.from, 0.5 * (piece.from + piece.to), piece.to}) {
-            const Eigen::Vector3d stress = stress_on(cut, piece, s);
+            const Eigen::Vector3d stress = stress_on(cut, piece, s, StressMeasure::PerArea);
             stations.push_back({.s = s, .at = cut.at(s), .sx = stress[0], .sy = stress[1], .txy = stress[2]});
         }
     return stations;

@@ -2,6 +2,7 @@
 
 #include <Eigen/Core>
 #include <cstddef>
+#include <cstdint>
 #include <functional>
 #include <map>
 #include <memory>
@@ -102,7 +103,8 @@ private:
     Eigen::Matrix<double, 8, 1> element_values(const Location& place) const;
     Eigen::Matrix<double, 8, 1> recovered_values(const Location& place) const;
     Eigen::Matrix<double, 8, 1> recovered_values(ElementId element, const Shape::Values& N) const;
-    Eigen::Vector3d stress_on(const Cut& cut, const CutPiece& piece, double s) const;
+    enum class StressMeasure : std::uint8_t { PerArea, PerLength }; ///< a force per area, or that times the thickness
+    Eigen::Vector3d stress_on(const Cut& cut, const CutPiece& piece, double s, StressMeasure measure) const;
 
     std::shared_ptr<const PlaneStructure> structure_;
     std::shared_ptr<const detail::Solution> solution_;

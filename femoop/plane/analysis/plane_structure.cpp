@@ -218,8 +218,8 @@ void PlaneStructure::add_supports(Discretisation& structure) const
 {
     for (std::size_t i = 0; i < positions_.size(); ++i) {
         NodeSupport support = (*supports_)[NodeId(i)];
-        const bool is_on_axis = model_.analysis == StressState::Axisymmetric && positions_[i].x() == 0.0;
-        if (is_on_axis) support.add({.direction = Eigen::Vector2d::UnitX(), .dof = Dof::ux, .is_blocked = true});
+        if (supports_->is_on_axis_of_revolution(NodeId(i)))
+            support.add({.direction = Eigen::Vector2d::UnitX(), .dof = Dof::ux, .is_blocked = true});
         if (!support.is_held()) continue;
         structure.support_of_node[i] = static_cast<std::int32_t>(structure.supports.size());
         structure.supports.push_back({.node = NodeId(i),

@@ -197,7 +197,17 @@ void PlaneChecker::check_regions()
             add(FaultKind::ThicknessOfRevolution, place, {});
         if (!region.thickness && !is_partial_ && model_.analysis == StressState::PlaneStress)
             add(FaultKind::RegionWithoutThickness, place, {});
+        const std::optional<ShapeKind> asked = region.mesh.element ? region.mesh.element : model_.mesh.element;
+        if (model_.is_drawn && asked) require_formulation(*asked, RegionId(i));
     }
+}
+
+void PlaneChecker::require_formulation(ShapeKind kind, RegionId region)
+{
+    const Formulation formulation = model_.formulation(region);
+    if (!has_formulation(kind, formulation, model_.analysis))
+        add(FaultKind::FormulationLacking, {"regions", region.index, model_[region].id},
+            {std::string(name(formulation)), std::string(femoop::name(kind)), analysis()});
 }
 
 bool PlaneChecker::is_flawless(const PlaneElement& element) const
@@ -223,7 +233,7 @@ std::vector<std::uint8_t> PlaneChecker::flawless_elements()
 void PlaneChecker::check_elements()
 {
     if (model_.elements.empty() && !unreadable_.is_incomplete) faults_.push_back({FaultKind::NoElements, {}});
-    std::vector<std::uint8_t> said(model_.regions.size()); // a bit for each kind of element whose formulation it lacks
+    std::vector<std::uint8_t> asked(model_.regions.size()); // a bit for each kind of element whose formulation was
     const std::vector<std::uint8_t> are_flawless = flawless_elements();
     for (std::size_t i = 0; i < model_.elements.size(); ++i) {
         if (are_flawless[i] != 0) continue;
@@ -231,13 +241,11 @@ void PlaneChecker::check_elements()
         is_partial_ = flag(unreadable_.elements, i);
         check_element(element, {"elements", i, element.id});
         if (element.region.index >= model_.regions.size()) continue;
-        const Formulation formulation = model_.formulation(element.region);
         const auto bit = static_cast<std::uint8_t>(1U << static_cast<unsigned>(element.kind));
-        std::uint8_t& of_region = said[element.region.index];
-        if (has_formulation(element.kind, formulation, model_.analysis) || (of_region & bit) != 0) continue;
+        std::uint8_t& of_region = asked[element.region.index];
+        if ((of_region & bit) != 0) continue;
         of_region = static_cast<std::uint8_t>(of_region | bit);
-        add(FaultKind::FormulationLacking, {"regions", element.region.index, model_[element.region].id},
-            {std::string(name(formulation)), std::string(femoop::name(element.kind)), analysis()});
+        require_formulation(element.kind, element.region);
     }
 }
 

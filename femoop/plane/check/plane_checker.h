@@ -55,6 +55,7 @@ private:
     void check_points();
     void check_support(const PlaneSupport& support, bool is_on_curve, const Entry& place);
     void check_regions();
+    void require_formulation(ShapeKind kind, RegionId region);
     void check_mesh_options(const MeshOptions& mesh, const Entry& place);
     void check_elements();
     std::vector<std::uint8_t> flawless_elements(); ///< 1 of those

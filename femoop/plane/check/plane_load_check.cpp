@@ -167,10 +167,13 @@ void PlaneChecker::check_settlements()
         for (const PlaneSettlement& settlement : model_.load_cases[i].settlements)
             for (const ImposedMotion& motion : supports_->motions(settlement)) of_node[motion.node].push_back(motion);
         for (const auto& [node, motions] : of_node)
-            if (const auto conflict = displacement((*supports_)[node], motions).conflict) {
-                const Quantity a((*conflict)[0]), b((*conflict)[1]);
-                add(FaultKind::SettlementConflict, {"load_cases", i, model_.load_cases[i].id},
-                    {model_[node].id, shown(a, dimension::length), shown(b, dimension::length)});
+            if (const auto conflict = supports_->displacement(node, motions).conflict) {
+                const auto text = [this](double length) { return shown(Quantity(length), dimension::length); };
+                const Entry place{"load_cases", i, model_.load_cases[i].id};
+                const auto [a, b] = *conflict;
+                if (a == 0.0 && supports_->is_on_axis_of_revolution(node))
+                    add(FaultKind::SettlementOffAxis, place, {model_[node].id, text(b)});
+                else add(FaultKind::SettlementConflict, place, {model_[node].id, text(a), text(b)});
                 break;
             }
     }

@@ -11,6 +11,8 @@ namespace {
 
 constexpr double parallel = 1e-6; // sine of the angle between directions that are one
 
+const HeldDirection across_axis{.direction = Eigen::Vector2d::UnitX(), .dof = Dof::ux, .is_blocked = true};
+
 double sine(const Eigen::Vector2d& a, const Eigen::Vector2d& b) { return a.x() * b.y() - a.y() * b.x(); }
 bool are_one(const HeldDirection& a, const HeldDirection& b)
 {
@@ -163,20 +165,27 @@ std::vector<ImposedMotion> NodeSupports::motions(const PlaneSettlement& settleme
     return all;
 }
 
-ImposedDisplacement displacement(const NodeSupport& support, std::vector<ImposedMotion> of_one_node)
+bool NodeSupports::is_on_axis_of_revolution(NodeId node) const
+{
+    return model_.analysis == StressState::Axisymmetric && position(model_[node]).x() == 0.0;
+}
+
+ImposedDisplacement NodeSupports::displacement(NodeId node, std::vector<ImposedMotion> motions) const
 {
     ImposedDisplacement found;
-    if (of_one_node.empty()) return found;
-    for (const HeldDirection& blocked : support.blocked_directions())
-        if (std::none_of(of_one_node.begin(), of_one_node.end(),
+    if (motions.empty()) return found;
+    if (is_on_axis_of_revolution(node))
+        motions.insert(motions.begin(), {.node = node, .held = across_axis, .value = 0.0});
+    for (const HeldDirection& blocked : (*this)[node].blocked_directions())
+        if (std::none_of(motions.begin(), motions.end(),
                          [&](const ImposedMotion& each) { return are_one(each.held, blocked); }))
-            of_one_node.push_back({.node = of_one_node.front().node, .held = blocked, .value = 0.0});
-    const ImposedMotion first = of_one_node.front();
+            motions.push_back({.node = node, .held = blocked, .value = 0.0});
+    const ImposedMotion first = motions.front();
     std::optional<ImposedMotion> second;
     const auto along = [](const ImposedMotion& of, const HeldDirection& direction) {
         return of.held.direction.dot(direction.direction) < 0.0 ? -of.value : of.value;
     };
-    for (const ImposedMotion& each : of_one_node) {
+    for (const ImposedMotion& each : motions) {
         const bool is_first = are_one(each.held, first.held);
         if (!is_first && !second) second = each;
         if (!is_first && !are_one(each.held, second->held)) continue; // a third direction of two says nothing new

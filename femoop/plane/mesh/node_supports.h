@@ -54,6 +54,13 @@ struct ImposedMotion {
     double value = 0.0;
 };
 
+/// The displacement of a node, global axes, that motions in one or more directions impose; other directions that are
+/// blocked stay at rest. Two motions of one direction that differ are a conflict.
+struct ImposedDisplacement {
+    Eigen::Vector2d value = Eigen::Vector2d::Zero();
+    std::optional<std::array<double, 2>> conflict{};
+};
+
 /// The supports of all nodes.
 class NodeSupports {
 public:
@@ -62,8 +69,14 @@ public:
     const NodeSupport& operator[](NodeId node) const { return of_node_[node.index]; }
     std::size_t size() const { return of_node_.size(); }
 
+    /// Such a node keeps ux = 0 by itself, besides what holds it.
+    bool is_on_axis_of_revolution(NodeId node) const;
+
     /// Everything that a settlement imposes, node by node.
     std::vector<ImposedMotion> motions(const PlaneSettlement& settlement) const;
+
+    /// What motions of one node impose on it.
+    ImposedDisplacement displacement(NodeId node, std::vector<ImposedMotion> motions) const;
 
 private:
     /// Supports that hold a node: that of the point first, then those of curves, with the node's place along them.
@@ -79,13 +92,5 @@ private:
     const CurveTable& curves_;
     std::vector<NodeSupport> of_node_;
 };
-
-/// The displacement of a node, global axes, that motions in one or more directions impose; other directions that are
-/// blocked stay at rest. Two motions of one direction that differ are a conflict.
-struct ImposedDisplacement {
-    Eigen::Vector2d value = Eigen::Vector2d::Zero();
-    std::optional<std::array<double, 2>> conflict{};
-};
-ImposedDisplacement displacement(const NodeSupport& support, std::vector<ImposedMotion> of_one_node);
 
 } // namespace femoop::plane

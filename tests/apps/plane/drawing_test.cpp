@@ -97,6 +97,16 @@ std::vector<BadDrawing> bad_drawings()
          "curves[2] \"c\": its three places lie in one line, so that no circle goes through them; move one, or draw a line"},
         {with_curve(R"({"id": "c", "kind": "arc", "center": "M", "points": [[7, 2], [2, 8]]})"),
          "curves[2] \"c\": its ends are 5 m and 6 m from the centre, wanted one radius; move an end or the centre"},
+        {DrawingText{.points = "[]",
+                     .curves = R"([{"id": "c", "kind": "arc", "center": [2, 2], "points": [[7, 2], [2, 7.1]]}])",
+                     .regions = "[]"}
+             .text(),
+         "curves[0] \"c\": its ends are 5 m and 5.1 m from the centre, wanted one radius; move an end or the centre"},
+        {DrawingText{.points = "[]",
+                     .curves = R"([{"id": "c", "kind": "arc", "points": [[0, 0], [1, 0], [2, 0]]}])",
+                     .regions = "[]"}
+             .text(),
+         "curves[0] \"c\": its three places lie in one line, so that no circle goes through them; move one, or draw a line"},
         {with_curve(
              R"({"id": "c", "kind": "ellipse", "center": [9, 9], "axes": [2, 1], "points": [[11, 9], [9, 12]]})"),
          "curves[2] \"c\": an end lies 2 m off the ellipse; move it, or change the axes"},
@@ -169,6 +179,8 @@ std::vector<BadDrawing> bad_drawings()
         {with_check(R"("quantity": "area", "which": 3)"), "expected[0]: asks for face 3 of 2; give a smaller number"},
         {with_check(R"("quantity": "area")"),
          "expected[0]: a check of area needs to know of what; give \"at\", \"region\" or \"which\""},
+        {with_more(R"(, "mesh": {"element": "T6", "formulation": "b_bar"})"),
+         "regions[0] \"plate\": the formulation b_bar is not made for a T6 in plane_stress; choose standard or other elements"},
         {DrawingText{.analysis = "axisymmetric",
                      .curves = R"([{"id": "c", "kind": "circle", "center": "M", "radius": 3}])",
                      .regions = R"([{"id": "plate", "material": "m"}])"}

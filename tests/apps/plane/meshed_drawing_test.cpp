@@ -141,6 +141,8 @@ std::vector<BadMesh> bad_meshes()
         {FaultKind::MeshTooLarge, RectangleText{.mesh = R"({"size": 1e-4})"}.text()},
         {FaultKind::MeshTooLarge,
          RectangleText{.mesh = R"({"size": 1e-90})", .points = R"(, {"id": "E", "at": [1, 1], "size": 0.3})"}.text()},
+        {FaultKind::MeshTooLarge,
+         RectangleText{.mesh = R"({"method": "delaunay"})", .bottom = R"(, "divide": 1000000)"}.text()},
         {FaultKind::MeshEdgesCross,
          RectangleText{.mesh = R"({"element": "T3"})",
                        .curves = R"(, {"id": "hole", "kind": "circle", "center": [2, 1], "radius": 0.999, "divide": 3},

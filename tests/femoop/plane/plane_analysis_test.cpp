@@ -224,6 +224,39 @@ TEST_CASE("An inclined roller lets the node move along it alone, and pushes squa
     CHECK((P.reaction(A) + P.reaction(C) + Eigen::Vector2d(11.0, -4.0)).norm() < 1e-11);
 }
 
+TEST_CASE("A cut along the border of two thicknesses carries what a cut beside it carries")
+{
+    const double q = 13.0, thin = 0.1;
+    const auto P = solved({.materials = R"([{"id": "m", "E": 71e3, "nu": 0}])",
+                           .regions = R"([{"id": "web", "material": "m", "thickness": 0.4},
+                                          {"id": "rib", "material": "m", "thickness": 0.1}])",
+                           .load_case = R"(, "curves": [{"curve": "right", "kind": "traction", "qx": 13}])"})
+                       .first;
+    for (const double x : {2.5, 3.0, 3.5}) {
+        CAPTURE(x);
+        const CutForces forces = P.forces({{x, 0.0}, {x, height}});
+        CHECK(forces.N == doctest::Approx(q * thin * height).epsilon(1e-11));
+        CHECK(std::abs(forces.V) + std::abs(forces.M) < 1e-11);
+    }
+}
+
+TEST_CASE("An inclined support that settles on the axis of revolution moves the node along the axis")
+{
+    const std::string points = R"([{"id": "A", "at": [0, 0], "support": {"fixed": ["uy"], "angle": 30}},
+        {"id": "B", "at": [3, 0]}, {"id": "C", "at": [7, 0]}, {"id": "D", "at": [0, 2]}, {"id": "E", "at": [3, 2]},
+        {"id": "F", "at": [7, 2]}])";
+    const auto [model, results,
+                P] = solved({.analysis = "axisymmetric",
+                             .points = points,
+                             .curves = "[]",
+                             .regions = R"([{"id": "web", "material": "m"}, {"id": "rib", "material": "m"}])",
+                             .load_case = R"(, "settlements": [{"point": "A", "uy": 0.01}])"});
+    // ux = 0 and -ux sin 30 + uy cos 30 = 0.01
+    CHECK(P.displacement(A).x() == 0.0);
+    for (const NodeId node : {A, C, F})
+        CHECK(P.displacement(node).y() == doctest::Approx(0.01 / std::sqrt(0.75)).epsilon(1e-12));
+}
+
 TEST_CASE("Springs along a curve and of points carry what their stiffness and their ground make of it")
 {
     const double k = 250.0; // N/mm^3
@@ -261,6 +294,21 @@ TEST_CASE("Tied nodes have one displacement, and what they hold is shared by the
     CHECK(P.displacement(C).x() == doctest::Approx(P.displacement(F).x()).epsilon(1e-13));
     CHECK(P.displacement(C).x() > 0.0);
     CHECK(P.reaction(everywhere(model)).x() == doctest::Approx(-13.0).epsilon(1e-11));
+}
+
+TEST_CASE("Each tied node is held by its own ground")
+{
+    constexpr std::string_view tied =
+        R"([{"id": "left", "kind": "edges", "points": ["D", "A"], "support": {"fixed": ["ux"]}},
+            {"id": "bottom", "kind": "edges", "points": ["A", "B", "C"], "support": {"springs": {"uy": 50}}, "tie": ["uy"]}])";
+    const auto [model, results, P] = solved(
+        {.curves = tied, .load_case = R"(, "points": [{"point": "D", "fy": -11}, {"point": "F", "fy": -3}])"});
+    const double all = 14.0 / length; // of an even bed, by its length
+    CHECK(P.reaction(A).y() == doctest::Approx(all * 1.5).epsilon(1e-11));
+    CHECK(P.reaction(B).y() == doctest::Approx(all * 3.5).epsilon(1e-11));
+    CHECK(P.reaction(C).y() == doctest::Approx(all * 2.0).epsilon(1e-11));
+    for (const std::size_t i : {1U, 5U})
+        CHECK(P.equilibrium().sum_reactions[i] == doctest::Approx(-P.equilibrium().sum_loads[i]).epsilon(1e-11));
 }
 
 TEST_CASE("An analysis that goes on finds what a new one finds, whether the equations stayed or not")

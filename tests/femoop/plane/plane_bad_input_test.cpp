@@ -217,6 +217,12 @@ std::vector<BadPlaneFile> files_with_bad_plane_loads()
          "or use a load"},
         {with_settlement(R"("curve": "left", "ux": 2}, {"point": "A", "ux": 3)"),
          "load_cases[0] \"P\": point \"A\" would settle by 2 mm and by 3 mm in one direction; give one of them"},
+        {PlaneText{.analysis = "axisymmetric",
+                   .regions = bare_regions,
+                   .load_case = R"(, "settlements": [{"curve": "left", "ux": 2}])"}
+             .text(),
+         "load_cases[0] \"P\": point \"A\" is on the axis of revolution, where ux = 0, and would leave it by 2 mm; take "
+         "this away"},
         {with_settlement(R"("curve": "left", "ux": true)"),
          "load_cases[0].settlements[0].ux: found true or false, wanted a number, two at the ends, a polynomial or a "
          "table; write it like [1.5, 3]"},
