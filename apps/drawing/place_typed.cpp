@@ -71,10 +71,11 @@ std::optional<double> length_typed(std::string_view text, const DrawingHand& han
 bool is_one_number(std::string_view text, bool has_begun, const ui::DisplayUnits& shown)
 {
     if (text.find_first_of("@<;") != std::string_view::npos) return false;
-    const auto n_commas = std::ranges::count(text, ',');
-    const bool has_decimal_comma = n_commas == 1 && has_begun && shown.format().mark == ui::DecimalMark::Comma &&
-                                   text.find(' ') == std::string_view::npos;
-    return n_commas == 0 || has_decimal_comma;
+    const std::size_t comma = text.find(',');
+    if (comma == std::string_view::npos) return true;
+    const bool is_alone = text.find(',', comma + 1) == std::string_view::npos;
+    const bool is_decimal = comma + 1 == text.size() || text[comma + 1] != ' '; // "1, 5" is a place
+    return is_alone && is_decimal && has_begun && shown.format().mark == ui::DecimalMark::Comma;
 }
 
 std::optional<Vector2d> place_typed(std::string_view text, const DrawingHand& hand)

@@ -49,15 +49,22 @@ float gap() { return 2.0F * ImGui::GetFontSize(); }
 
 using Columns = std::vector<std::span<const KeyLine>>;
 
-/// Columns of like length.
-Columns in_columns(std::span<const KeyLine> lines, std::size_t n_columns)
+Columns cut(std::span<const KeyLine> lines, std::size_t n_rows)
 {
-    const std::size_t n_rows = (lines.size() + n_columns - 1) / n_columns;
     Columns columns;
     while (!lines.empty()) {
         columns.push_back(next_column(lines, n_rows));
         lines = lines.subspan(columns.back().size());
     }
+    return columns;
+}
+
+/// The shortest columns that are no more than so many.
+Columns in_columns(std::span<const KeyLine> lines, std::size_t n_columns)
+{
+    std::size_t n_rows = (lines.size() + n_columns - 1) / n_columns;
+    Columns columns = cut(lines, n_rows);
+    while (columns.size() > n_columns) columns = cut(lines, ++n_rows);
     return columns;
 }
 

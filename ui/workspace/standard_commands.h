@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <concepts>
 #include <functional>
 #include <optional>
 #include <string_view>
@@ -84,12 +85,32 @@ inline Message named_step(std::string_view verb, std::string_view plain, const s
     return step ? Message(verb, {{"step", *step}}) : Message(plain);
 }
 
+/// Of apps whose hand draws by several places before there is a step: the last of them is what is undone.
+template <class Workspace>
+concept TakesPlacesBack = requires(Workspace& workspace) {
+    { workspace.hand.has_places_to_take_back() } -> std::same_as<bool>;
+    workspace.hand.take_place_back();
+};
+
+template <class Workspace> bool has_places_to_take_back(const Workspace& workspace)
+{
+    if constexpr (TakesPlacesBack<Workspace>) return workspace.hand.has_places_to_take_back();
+    else return false;
+}
+
+template <class Workspace> void undo(Workspace& workspace)
+{
+    if constexpr (TakesPlacesBack<Workspace>)
+        if (workspace.hand.has_places_to_take_back()) return workspace.hand.take_place_back();
+    workspace.session.undo();
+}
+
 /// Of apps whose session keeps a history: `undo()`, `redo()`, `history()`.
 template <class Workspace> void add_undo_and_redo(CommandTable<Workspace>& table)
 {
     MenuBuilder<Workspace> menu(table, edit_menu);
     const auto why_not_undo = [](const Workspace& workspace) -> Reason {
-        if (workspace.session.history().can_undo()) return std::nullopt;
+        if (has_places_to_take_back(workspace) || workspace.session.history().can_undo()) return std::nullopt;
         return translatable("nothing was changed yet");
     };
     const auto why_not_redo = [](const Workspace& workspace) -> Reason {
@@ -98,8 +119,9 @@ template <class Workspace> void add_undo_and_redo(CommandTable<Workspace>& table
     };
     menu.step(
             {"edit.undo", translatable("Undo"), {{Key::Z, ctrl}}},
-            [](Workspace& workspace) { workspace.session.undo(); }, why_not_undo)
+            [](Workspace& workspace) { undo(workspace); }, why_not_undo)
         .live_label = [](const Workspace& workspace) {
+        if (has_places_to_take_back(workspace)) return Message(translatable("Undo: the last place"));
         return named_step(translatable("Undo: {step}"), translatable("Undo"), workspace.session.history().undo_label());
     };
     menu.step(

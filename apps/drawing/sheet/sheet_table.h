@@ -37,7 +37,8 @@ class SheetTable {
 public:
     SheetTable(const TableOfRows& table, const TableRoom& room, const ui::Theme& theme, const ui::Fonts& fonts);
 
-    double height() const; ///< with a line free above it
+    double height() const;                  ///< with a line free above it
+    double width() const { return width_; } ///< more than there is room for where no type is small enough
     void draw(ui::Painter& painter, ui::Point corner) const;
 
 private:

@@ -1,7 +1,11 @@
 #include "apps/plane/document/points.h"
 
+#include <algorithm>
+#include <cmath>
 #include <utility>
 #include <vector>
+
+#include "femoop/edit/short_number.h"
 
 namespace plane {
 
@@ -72,6 +76,12 @@ private:
 };
 
 } // namespace
+
+FlatPoint short_place(const FlatPoint& place)
+{
+    const double size = std::max(std::abs(place.x), std::abs(place.y));
+    return {femoop::short_number(place.x, size), femoop::short_number(place.y, size)};
+}
 
 FlatPoint place_of(const PlaneModel& model, NodeId point) { return {model[point].at[0], model[point].at[1]}; }
 

@@ -91,6 +91,8 @@ void give_up(Workspace& workspace)
 
 Reason why_not_finish(const Workspace& workspace)
 {
+    const std::optional<CurveTool>& tool = workspace.hand.curve_tool();
+    if (tool && tool->lacks_places()) return translatable("the curve needs another place");
     if (workspace.hand.has_begun()) return std::nullopt;
     return translatable("no curve is begun");
 }

@@ -1,8 +1,11 @@
 #include "apps/plane/tools/curve_tool.h"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <utility>
+
+#include "femoop/edit/short_number.h"
 
 namespace plane {
 
@@ -33,17 +36,26 @@ std::optional<CurveDraft> arc_about_center(const std::vector<DraftPlace>& places
         .kind = DrawnKind::Arc, .places = {start, *end}, .center = center, .is_clockwise = is_left == takes_long_way};
 }
 
+/// The largest coordinate, by which lengths between the places are rounded.
+double size_of(const std::vector<DraftPlace>& places)
+{
+    double largest = 0.0;
+    for (const DraftPlace& place : places) largest = std::max({largest, std::abs(place.at.x), std::abs(place.at.y)});
+    return largest;
+}
+
 std::optional<CurveDraft> ellipse(const std::vector<DraftPlace>& places)
 {
     const topology::FlatVector a = places[1].at - places[0].at;
     const double length = topology::length(a);
     const double b = length > 0.0 ? std::abs(topology::cross(a, places[2].at - places[0].at)) / length : 0.0;
     if (!(b > 0.0)) return std::nullopt;
+    const double reach = size_of(places);
     return CurveDraft{.kind = DrawnKind::Ellipse,
                       .center = places[0],
-                      .a = length,
-                      .b = b,
-                      .angle = std::atan2(a.y, a.x) * 180.0 / std::numbers::pi};
+                      .a = femoop::short_number(length, reach),
+                      .b = femoop::short_number(b, reach),
+                      .angle = femoop::short_number(std::atan2(a.y, a.x) * 180.0 / std::numbers::pi, 180.0)};
 }
 
 } // namespace
@@ -71,8 +83,9 @@ std::optional<CurveDraft> CurveTool::whole(const std::vector<DraftPlace>& places
     case CurveToolKind::Arc: return CurveDraft{.kind = DrawnKind::Arc, .places = places};
     case CurveToolKind::ArcCenter: return arc_about_center(places, takes_long_way);
     case CurveToolKind::Circle:
-        return CurveDraft{
-            .kind = DrawnKind::Circle, .center = places[0], .radius = distance(places[0].at, places[1].at)};
+        return CurveDraft{.kind = DrawnKind::Circle,
+                          .center = places[0],
+                          .radius = femoop::short_number(distance(places[0].at, places[1].at), size_of(places))};
     case CurveToolKind::Ellipse: return ellipse(places);
     case CurveToolKind::Bezier: return CurveDraft{.kind = DrawnKind::Bezier, .places = places};
     case CurveToolKind::Spline: return CurveDraft{.kind = DrawnKind::Spline, .places = places};
@@ -117,6 +130,12 @@ std::optional<CurveDraft> CurveTool::finish()
     return whole(std::exchange(places_, {}), false);
 }
 
+bool CurveTool::lacks_places() const
+{
+    if (!has_begun() || kind_ == CurveToolKind::Line) return false; // lines end where the last one did
+    return !grows() || places_.size() < fewest();
+}
+
 bool CurveTool::escape()
 {
     const bool had_begun = has_begun();
@@ -138,6 +157,13 @@ std::optional<CurveDraft> CurveTool::preview(const FlatPoint& pointer, bool take
     if (places_.empty() || places_.back().at == pointer) return std::nullopt;
     std::vector<DraftPlace> places = places_;
     places.push_back({pointer});
+    return seen(std::move(places), takes_long_way);
+}
+
+std::optional<CurveDraft> CurveTool::begun() const { return places_.empty() ? std::nullopt : seen(places_, false); }
+
+std::optional<CurveDraft> CurveTool::seen(std::vector<DraftPlace> places, bool takes_long_way) const
+{
     const bool is_spline_to_be = kind_ == CurveToolKind::Spline && places.size() >= 3;
     const bool is_whole = grows() ? is_spline_to_be : places.size() == n_places();
     if (is_whole)

@@ -30,13 +30,16 @@ public:
     bool escape();
 
     bool has_begun() const { return !places_.empty(); }
+    bool lacks_places() const; ///< is begun, but cannot be ended yet
     const std::vector<DraftPlace>& places() const { return places_; }
     /// That typed places and lengths count from.
     std::optional<FlatPoint> from() const;
     /// The curve as it would be with a last place; until then what of it is seen.
     std::optional<CurveDraft> preview(const FlatPoint& pointer, bool takes_long_way = false) const;
+    std::optional<CurveDraft> begun() const; ///< what is seen of it without one
 
 private:
+    std::optional<CurveDraft> seen(std::vector<DraftPlace> places, bool takes_long_way) const;
     std::optional<CurveDraft> whole(const std::vector<DraftPlace>& places, bool takes_long_way) const;
     std::size_t n_places() const; ///< that end it by themselves; 0: as many as one likes
     bool grows() const { return n_places() == 0; }

@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "apps/drawing/place_typed.h"
+#include "apps/plane/document/points.h"
 
 namespace plane {
 
@@ -113,7 +114,7 @@ std::optional<FlatPoint> Hand::typed_place(const femoop::Units& file, const ui::
     }
     const auto place = drawing::place_typed(typed_, hand);
     if (!place || !place->allFinite()) return std::nullopt;
-    return FlatPoint{place->x(), place->y()};
+    return short_place({place->x(), place->y()});
 }
 
 std::optional<CurveDraft> Hand::preview() const

@@ -72,6 +72,9 @@ public:
     /// The same of a place that is typed: one that counts from the first place is where the second belongs.
     std::optional<Alignment> align_as_typed(const FlatPoint& place, const ui::DisplayUnits& shown);
     std::optional<CurveDraft> finish() { return curve_tool_ ? curve_tool_->finish() : std::nullopt; }
+    /// A curve of several places is begun, none of which is a step of the document yet.
+    bool has_places_to_take_back() const { return tool_ != ToolKind::Line && curve_tool_ && curve_tool_->has_begun(); }
+    void take_place_back() { curve_tool_->escape(); } ///< the last one. \pre there are some
     /// Gives up what is typed, else what is begun, else the tool. \returns false where there was none of these
     bool escape();
 
@@ -86,6 +89,8 @@ public:
     void point_at(const Aim& aim) { aim_ = aim; }
     const Aim& aim() const { return aim_; }
     std::optional<CurveDraft> preview() const;
+    /// What is drawn so far, wherever the pointer is.
+    std::optional<CurveDraft> begun() const { return curve_tool_ ? curve_tool_->begun() : std::nullopt; }
 
     bool snaps_to_grid = true, snaps_to_parts = true;
 

@@ -27,6 +27,8 @@ struct Readings {
     std::optional<ReadingPart> last{};          ///< that the hand had hold of
     bool is_selected = false;                   ///< the last one: Delete takes it away
 
+    friend bool operator==(const Readings&, const Readings&) = default;
+
     bool are_none() const { return probes.empty() && cuts.empty(); }
     /// The probe whose values are told at length: the last one.
     std::optional<std::size_t> told_probe() const;

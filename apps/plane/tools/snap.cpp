@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "apps/plane/document/points.h"
+#include "femoop/edit/short_number.h"
 
 namespace plane {
 
@@ -37,7 +38,10 @@ private:
 };
 
 /// Never -0, which a file would keep.
-double rounded(double x, double step) { return (step > 0.0 ? step * std::round(x / step) : x) + 0.0; }
+double rounded(double x, double step)
+{
+    return step > 0.0 ? femoop::short_number(step * std::round(x / step), x) : x + 0.0;
+}
 FlatPoint rounded(const FlatPoint& p, double step) { return {rounded(p.x, step), rounded(p.y, step)}; }
 
 bool is_drawn_by(const PlaneModel& model, CurveId curve, NodeId point)
@@ -116,7 +120,7 @@ private:
         if (line == nullptr || !(options_.fine > 0.0)) return curve.at(t);
         const topology::FlatVector arm = line->b - line->a;
         const double length = topology::length(arm), along = rounded(t * length, options_.fine);
-        return along > 0.0 && along < length ? line->a + (along / length) * arm : curve.at(t);
+        return along > 0.0 && along < length ? short_place(line->a + (along / length) * arm) : curve.at(t);
     }
 
     const Drawing& drawing_;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <string>
 #include <string_view>
 
 #include "apps/drawing/sheet/sheet_table.h"
@@ -10,6 +11,7 @@
 #include "apps/plane/view/mesh_marks.h"
 #include "apps/plane/view/plate_scene.h"
 #include "femoop/shape/shape.h"
+#include "ui/paint/wrapped_lines.h"
 
 namespace plane {
 
@@ -118,14 +120,23 @@ void draw_comparison(ui::Painter& painter, const PlateInput& input, const PlateO
     const ui::Theme theme(options.theme);
     ui::TextStyle title = theme.text(ui::Role::Label, ui::Anchor::TopLeft);
     title.weight = ui::Weight::Bold;
-    const ui::Point corner = box.min + ui::Point{14.0, 4.0};
-    painter.text(corner, options.tr("Compared with the results that were kept"), title);
-    const double top = 1.6 * title.size;
+    const ui::ClipScope clip(painter, box);
+    const double width = box.width() - 28.0;
+    ui::Point corner = box.min + ui::Point{14.0, 4.0};
+    const auto write = [&](const std::string& text, const ui::TextStyle& style, double line_height) {
+        for (const std::string& line : ui::wrapped_lines(painter.fonts(), text, style, width)) {
+            painter.text(corner, line, style);
+            corner.y += line_height * style.size;
+        }
+    };
+    write(options.tr("Compared with the results that were kept"), title, 1.6);
     const tabular::Table rows = comparison_table(input, options);
     const drawing::SheetTable table([&](std::size_t) { return rows; },
-                                    {.width = box.width() - 28.0, .height = box.height() - top - 8.0}, theme,
-                                    painter.fonts());
-    table.draw(painter, corner + ui::Point{0.0, top});
+                                    {.width = width, .height = box.max.y - corner.y - 8.0}, theme, painter.fonts());
+    if (table.width() <= width) return table.draw(painter, corner);
+    ui::TextStyle words = theme.text(ui::Role::Label, ui::Anchor::TopLeft);
+    words.size = theme.type().small;
+    for (const std::string& sentence : comparison_sentences(input, options)) write(sentence, words, 1.35);
 }
 
 void draw_kept_shape(const PlateScene& scene, const fp::PlaneModel& mesh, const std::vector<Eigen::Vector2d>& places)

@@ -17,10 +17,28 @@ using ui::translatable;
 
 constexpr double panel_height = 210.0, narrowest_panel = 380.0, words_share = 0.34; // [px]
 
+constexpr std::size_t stations_of_piece = 3; // of elements: its ends and its middle
+
 /// What stands at a place of a cut.
 struct CutValue {
     double s = 0.0, value = 0.0;
 };
+
+using CutValues = std::vector<CutValue>;
+
+/// Values piece after piece, parted where there is no material between two pieces.
+std::vector<CutValues> stretches(const CutValues& values, std::size_t n_of_piece)
+{
+    constexpr double apart = 1e-9; // of the whole
+    const double length = values.back().s - values.front().s;
+    std::vector<CutValues> parted;
+    for (std::size_t i = 0; i < values.size(); ++i) {
+        const bool begins_piece = i % n_of_piece == 0;
+        if (parted.empty() || (begins_piece && values[i].s > values[i - 1].s + apart * length)) parted.emplace_back();
+        parted.back().push_back(values[i]);
+    }
+    return parted;
+}
 
 ui::TextStyle small_words(const ui::Theme& theme, Role role, ui::Anchor anchor)
 {
@@ -36,7 +54,7 @@ public:
         : painter_(painter), theme_(theme), box_(box)
     {}
 
-    void fit(const std::vector<CutValue>& a, const std::vector<CutValue>& b)
+    void fit(const CutValues& a, const CutValues& b)
     {
         for (const auto* values : {&a, &b})
             for (const CutValue& v : *values) {
@@ -48,18 +66,20 @@ public:
         if (!(high_ > low_)) high_ = low_ + 1.0;
     }
 
-    void draw_area(const std::vector<CutValue>& values, const ui::RoleStyle& look)
+    void draw_area(const CutValues& values, std::size_t n_of_piece, const ui::RoleStyle& look)
     {
-        std::vector<Point> line = points(values), area = line;
-        area.push_back({x(0.0), y(values.back().s)});
-        area.push_back({x(0.0), y(values.front().s)});
-        painter_.polygon(area, look.fill);
-        painter_.polyline(line, look.stroke);
+        for (const CutValues& stretch : stretches(values, n_of_piece)) {
+            std::vector<Point> line = points(stretch), area = line;
+            area.push_back({x(0.0), y(stretch.back().s)});
+            area.push_back({x(0.0), y(stretch.front().s)});
+            painter_.polygon(area, look.fill);
+            painter_.polyline(line, look.stroke);
+        }
     }
 
-    void draw_line(const std::vector<CutValue>& values, const ui::Stroke& stroke)
+    void draw_line(const CutValues& values, std::size_t n_of_piece, const ui::Stroke& stroke)
     {
-        painter_.polyline(points(values), stroke);
+        for (const CutValues& stretch : stretches(values, n_of_piece)) painter_.polyline(points(stretch), stroke);
     }
 
     void draw_axis()
@@ -86,7 +106,7 @@ private:
         return left + (value - low_) / (high_ - low_) * (right - left);
     }
     double y(double s) const { return box_.max.y - 4.0 - (s - start_) / (end_ - start_) * (box_.height() - 8.0); }
-    std::vector<Point> points(const std::vector<CutValue>& values) const
+    std::vector<Point> points(const CutValues& values) const
     {
         std::vector<Point> line;
         for (const CutValue& v : values) line.push_back({x(v.value), y(v.s)});
@@ -220,7 +240,7 @@ private:
     void draw_plot(const ui::Box& box, const std::string& name, double fp::CutStation::*of_elements_at,
                    double fp::CutTheory::Station::*of_theory_at)
     {
-        std::vector<CutValue> elements, theory;
+        CutValues elements, theory;
         for (const fp::CutStation& station : picture_.stations)
             elements.push_back({station.s, station.*of_elements_at});
         for (const auto& station : picture_.theory.stations) theory.push_back({station.s, station.*of_theory_at});
@@ -235,8 +255,9 @@ private:
                       small_words(theme_, Role::Label, ui::Anchor::Top));
         StressPlot plot(painter_, theme_, box);
         plot.fit(elements, theory);
-        plot.draw_area(elements, of_elements());
-        plot.draw_line(theory, of_theory());
+        const std::size_t n_pieces = elements.size() / stations_of_piece;
+        plot.draw_area(elements, stations_of_piece, of_elements());
+        plot.draw_line(theory, theory.size() / n_pieces, of_theory());
         plot.draw_axis();
         const double step = 1e-9 * largest; // of two that differ by rounding always the same one is written
         const auto [low, high] = std::ranges::minmax(
@@ -266,7 +287,8 @@ CutPicture cut_picture(const fp::PlaneResults& results, const fp::PlaneCase& res
         return picture;
     }
     picture.forces = result.forces(cut);
-    picture.theory = fp::beam_theory(results, result, cut);
+    const auto n_pieces = static_cast<int>(picture.stations.size() / stations_of_piece);
+    picture.theory = fp::beam_theory(results, result, cut, std::max(9, 64 / n_pieces)); // a parabola looks like one
     picture.warning = fp::cut_warning(results, result, cut);
     return picture;
 }

@@ -1,7 +1,9 @@
 #include "apps/plane/view/field_picture.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <utility>
 
 #include "apps/plane/view/color_scale.h"
 #include "apps/plane/view/plate_scene.h"
@@ -97,25 +99,54 @@ void draw_lines(const PlateScene& scene, const FieldPicture& picture, const fp::
         }
 }
 
-void mark_extreme(const PlateScene& scene, const FieldPicture& picture, const fp::PlaneExtreme& extreme,
-                  femoop::ExtremeKind which)
+std::string extreme_text(femoop::ExtremeKind which, const std::string& value, bool is_of_nodes_alone,
+                         const ui::Catalogue& tr)
 {
-    Vector2d at = extreme.at;
+    const bool is_max = which == femoop::ExtremeKind::Max;
+    if (is_of_nodes_alone)
+        return is_max ? tr("max at nodes {value}", {{"value", value}}) : tr("min at nodes {value}", {{"value", value}});
+    return is_max ? tr("max {value}", {{"value", value}}) : tr("min {value}", {{"value", value}});
+}
+
+struct Range {
+    double low = 0.0, high = 0.0;
+};
+
+/// Of all that is drawn: between nodes, what is made of several stresses can be less or more than at any node.
+Range drawn_range(const fp::TriangulatedField& field, Range at_nodes)
+{
+    for (const std::array<double, 3>& values : field.values)
+        for (const double value : values) {
+            at_nodes.low = std::min(at_nodes.low, value);
+            at_nodes.high = std::max(at_nodes.high, value);
+        }
+    return at_nodes;
+}
+
+Point drawn_place(const PlateScene& scene, Vector2d at)
+{
     const auto places = scene.input.results->locator().find(at);
     if (scene.magnification != 0.0 && !places.empty())
         at += scene.magnification * scene.result->displacement(places.front());
-    const Point target = scene.place(at);
+    return scene.place(at);
+}
+
+/// Its words stand on the side where the other extreme is not, which they could be taken for.
+void mark_extreme(const PlateScene& scene, const FieldPicture& picture, femoop::ExtremeKind which)
+{
+    const fp::FieldExtremes& both = *picture.extremes;
+    const bool is_max = which == femoop::ExtremeKind::Max;
+    const fp::PlaneExtreme& extreme = is_max ? both.max : both.min;
+    const Point target = drawn_place(scene, extreme.at), other = drawn_place(scene, (is_max ? both.min : both.max).at);
     const ui::LayerScope layer(scene.sketch.painter(), ui::Layer::Symbols);
     scene.sketch.disc(target, scene.sketch.px(4.0), scene.sketch.theme().background());
     scene.sketch.ring(target, scene.sketch.px(4.0), scene.sketch.thin(Role::Edge));
     scene.sketch.disc(target, scene.sketch.px(1.8), scene.sketch.theme().stroke(Role::Edge).color);
     const std::string value = picture.number(extreme.value, scene.units) +
                               (picture.unit.empty() ? "" : " " + picture.unit);
-    const ui::Catalogue& tr = scene.options.tr;
-    const std::string text = which == femoop::ExtremeKind::Max ? tr("max {value}", {{"value", value}})
-                                                               : tr("min {value}", {{"value", value}});
-    scene.sketch.caption({.text = text,
+    scene.sketch.caption({.text = extreme_text(which, value, picture.goes_beyond_nodes, scene.options.tr),
                           .target = target,
+                          .toward = ui::distance(target, other) > 1.0 ? target - other : Point{0.0, -1.0},
                           .gap = scene.sketch.px(9.0),
                           .rank = drawing::Rank::Extreme,
                           .weight = ui::Weight::Bold});
@@ -180,11 +211,15 @@ FieldPicture field_picture(const FieldShow& show, const fp::PlaneCase& result, c
                          .symbol = symbol_of(show.component)};
     picture.unit = units.unit(picture.measure).name;
     const double low = picture.extremes->min.value, high = picture.extremes->max.value;
+    const Range drawn = drawn_range(picture.field, {low, high});
+    const double band = 0.1 * (drawn.high - drawn.low); // about one of the picture's: less has the colour of the last
+    picture.goes_beyond_nodes = drawn.low < low - band || drawn.high > high + band;
+    const Range banded = picture.goes_beyond_nodes ? drawn : Range{low, high};
     // levels are round as they are shown
     const double factor = units.unit(picture.measure).factor;
     if (options.range) picture.levels = fp::equal_levels((*options.range)[0], (*options.range)[1]);
     else {
-        picture.levels = fp::round_levels(low * factor, high * factor);
+        picture.levels = fp::round_levels(banded.low * factor, banded.high * factor);
         for (double& level : picture.levels) level /= factor;
     }
     picture.colors = band_colors(picture.levels, ui::Theme(options.theme));
@@ -194,8 +229,8 @@ FieldPicture field_picture(const FieldShow& show, const fp::PlaneCase& result, c
     if (show.style == FieldStyle::Contours)
         picture.notes.push_back(
             tr("lines every {step}", {{"step", picture.number(picture.levels[1] - picture.levels[0], units)}}));
-    picture.notes.push_back(tr("max {value}", {{"value", picture.number(high, units)}}));
-    picture.notes.push_back(tr("min {value}", {{"value", picture.number(low, units)}}));
+    for (const auto& [which, value] : {std::pair{femoop::ExtremeKind::Max, high}, {femoop::ExtremeKind::Min, low}})
+        picture.notes.push_back(extreme_text(which, picture.number(value, units), picture.goes_beyond_nodes, tr));
     return picture;
 }
 
@@ -230,9 +265,9 @@ void draw_field(const PlateScene& scene, const FieldPicture& picture)
     if (picture.style == FieldStyle::Bands) draw_bands(scene, picture, field);
     else draw_lines(scene, picture, field);
     if (!picture.extremes || !scene.shows(PlateShow::Values)) return;
-    mark_extreme(scene, picture, picture.extremes->max, femoop::ExtremeKind::Max);
+    mark_extreme(scene, picture, femoop::ExtremeKind::Max);
     if (picture.extremes->min.value < picture.extremes->max.value)
-        mark_extreme(scene, picture, picture.extremes->min, femoop::ExtremeKind::Min);
+        mark_extreme(scene, picture, femoop::ExtremeKind::Min);
 }
 
 double legend_width(const FieldPicture& picture, const ui::DisplayUnits& units, const ui::Theme& theme,

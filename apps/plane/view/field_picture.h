@@ -19,6 +19,7 @@ struct FieldPicture {
     std::vector<double> levels;
     std::vector<ui::Color> colors;                          ///< of the bands between levels
     std::optional<femoop::plane::FieldExtremes> extremes{}; ///< with their places; none of errors
+    bool goes_beyond_nodes = false;                         ///< it has values that no node has
     ui::Measure measure = ui::Measure::Stress;
     double shown = 1.0;       ///< what a value is multiplied by besides its unit: 100 of a share in percent
     std::string symbol, unit; ///< "σx", "kN/m²"

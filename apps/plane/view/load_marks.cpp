@@ -135,12 +135,18 @@ private:
         scene_.sketch.caption(std::move(caption));
     }
 
+    bool is_even() const
+    {
+        for (int i = 0; i <= PathLoad::samples; ++i)
+            if (largest_ - load_.at(load_.place(static_cast<double>(i) / PathLoad::samples)).norm() > 1e-6 * largest_)
+                return false;
+        return true;
+    }
+
     void write_values() const
     {
         const double start = load_.at(load_.place(0.0)).norm(), end = load_.at(load_.place(1.0)).norm();
-        const double tiny = 1e-6 * largest_;
-        const bool is_even = std::abs(start - end) <= tiny && largest_ - start <= tiny;
-        if (is_even) return write_value(0.5, {0.35, 0.65, 0.2, 0.8});
+        if (is_even()) return write_value(0.5, {0.35, 0.65, 0.2, 0.8});
         write_value(0.0);
         write_value(1.0);
         if (largest_ > 1.01 * std::max(start, end)) write_value(load_.share_of_largest());

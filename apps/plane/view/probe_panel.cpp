@@ -10,6 +10,7 @@ namespace plane {
 
 namespace {
 
+namespace fp = femoop::plane;
 using ui::Point;
 using ui::Role;
 
@@ -120,9 +121,21 @@ private:
         y_ += line_height * style_.size;
     }
 
+    void write_beyond()
+    {
+        const ProbeState& state = *panel_.state;
+        if (state.beyond.empty()) return;
+        write_note(options_.tr("on the border of regions: above is {region}", {{"region", state.region}}));
+        const auto stress = [&](double value) { return number_of(value, ui::Measure::Stress, units_); };
+        for (const auto& [region, s] : state.beyond)
+            write_note(region + ": σx " + stress(s.sx) + ", σy " + stress(s.sy) + ", τxy " + stress(s.txy) +
+                       ", σ Mises " + stress(fp::von_mises(s)));
+    }
+
     void write_notes()
     {
         y_ += 0.3 * style_.size;
+        write_beyond();
         const std::string stress = units_.unit(ui::Measure::Stress).name,
                           length = units_.unit(ui::Measure::Displacement).name;
         write_note(options_.tr("u [{length}], σ and τ [{stress}], θ1 [°] from x to σ1",

@@ -46,7 +46,13 @@ public:
         for (const fp::Location& place : places) of_elements_.push_back(result.element_stress(place));
     }
 
-    const fp::PlaneStress& smoothed() const { return smoothed_; }
+    fp::PlaneStress smoothed() const
+    {
+        return {.sx = rounded(smoothed_.sx),
+                .sy = rounded(smoothed_.sy),
+                .sz = rounded(smoothed_.sz),
+                .txy = rounded(smoothed_.txy)};
+    }
 
     ProbeValue stress(const char* symbol, const std::function<double(const fp::PlaneStress&)>& read) const
     {
@@ -82,7 +88,17 @@ std::optional<ProbeState> probe_state(const fp::PlaneResults& results, const fp:
     const auto places = of_first_region(results.model(), found);
     const StressReader reader(result, results.model(), places);
     const Eigen::Vector2d u = result.displacement(places.front());
-    ProbeState state{.values = {}, .smoothed = reader.smoothed(), .n_elements = places.size()};
+    const fp::PlaneModel& mesh = results.model();
+    const auto region_of = [&](const fp::Location& place) { return mesh[mesh[place.element].region].id; };
+    ProbeState state{
+        .values = {}, .smoothed = reader.smoothed(), .n_elements = places.size(), .region = region_of(places.front())};
+    for (const fp::Location& place : found) {
+        const std::string region = region_of(place);
+        const bool is_known = region == state.region ||
+                              std::ranges::find(state.beyond, region, &ProbeState::Beyond::region) !=
+                                  state.beyond.end();
+        if (!is_known) state.beyond.push_back({region, result.smoothed_stress(place)});
+    }
     auto& values = state.values;
     values.push_back({.symbol = "ux", .measure = ui::Measure::Displacement, .smoothed = u.x()});
     values.push_back({.symbol = "uy", .measure = ui::Measure::Displacement, .smoothed = u.y()});

@@ -21,12 +21,18 @@ struct ProbeValue {
     std::optional<double> jump{}; ///< largest less smallest of them, where the place is on a border of elements
 };
 
-/// What a probe reads.
+/// What a probe reads, of one region where several meet.
 struct ProbeState {
     std::vector<ProbeValue>
         values; ///< ux, uy, sx, sy, sz where it is not 0 by itself, txy, s1, s2, theta1 [degrees], mises
     femoop::plane::PlaneStress smoothed;
     std::size_t n_elements = 0; ///< of the region that hold the place
+    std::string region{};       ///< its name
+    struct Beyond {
+        std::string region;
+        femoop::plane::PlaneStress smoothed;
+    };
+    std::vector<Beyond> beyond{}; ///< other regions that meet here
 };
 
 /// The state at a place; nothing where the place is in no element. What is rounding beside the largest stress is 0.

@@ -166,6 +166,7 @@ void Canvas::follow(Workspace& workspace)
 {
     Session& session = workspace.session;
     session.hover.reset();
+    if (has_lost_its_hold(session)) let_go();
     if (!is_over() && !is_active() && !pressed_) return;
     move_camera(session);
     if (ImGui::IsMouseReleased(ImGuiMouseButton_Right) && is_over() && !is_moving_view()) end_by_right_click(workspace);
@@ -194,20 +195,22 @@ std::optional<ReadingPart> Canvas::reading_under(const Session& session, const F
 void Canvas::press(Workspace& workspace, const Aim& aim)
 {
     pressed_ = aim;
+    pressed_in_ = workspace.session.opening();
     Hand& hand = workspace.hand;
     Readings& readings = workspace.session.look.readings;
     if (hand.curve_tool()) return workspace.draw(hand.click(aim));
     if (hand.align_tool()) return workspace.align(hand.align(aim.snap.place));
     const bool holds = aim.reading && !hand.has_begun() && (hand.reads() || hand.tool() == ToolKind::Select);
     if (holds) {
-        held_reading_ = {*aim.reading, readings};
+        const Readings before = readings;
         readings.select(*aim.reading);
+        held_reading_ = {*aim.reading, before, readings};
         return workspace.session.select_nothing();
     }
     if (hand.reads()) {
         const Readings before = readings;
         read_at(workspace, aim.snap.place);
-        if (hand.tool() == ToolKind::Probe) held_reading_ = {*readings.last, before};
+        if (hand.tool() == ToolKind::Probe) held_reading_ = {*readings.last, before, readings};
         return;
     }
     if (hand.tool() == ToolKind::Erase && aim.reading) return readings.remove(*aim.reading);
@@ -221,10 +224,29 @@ void Canvas::press(Workspace& workspace, const Aim& aim)
     }
 }
 
+/// What the hand took hold of has gone meanwhile, by a key or a command.
+bool Canvas::has_lost_its_hold(const Session& session) const
+{
+    if (!pressed_) return false;
+    if (pressed_in_ != session.opening()) return true;
+    if (held_reading_ && !(held_reading_->as_left == session.look.readings)) return true;
+    const auto& points = session.model().points;
+    return grip_ && (grip_->index >= points.size() || points[grip_->index].id != gripped_);
+}
+
+void Canvas::let_go()
+{
+    pressed_.reset();
+    held_reading_.reset();
+    grip_.reset();
+    circle_frame_.reset();
+}
+
 void Canvas::drag_reading(Workspace& workspace)
 {
     const Session& session = workspace.session;
     workspace.session.look.readings.move(held_reading_->part, aim_at(workspace).snap.place);
+    held_reading_->as_left = session.look.readings;
     if (const auto fits = circle_frame(session.input(), session.options()))
         circle_frame_ = circle_frame_ ? mohr::united(*circle_frame_, *fits) : *fits;
 }
@@ -236,6 +258,7 @@ void Canvas::drag(Workspace& workspace)
     const auto* const point = pressed_->under ? std::get_if<NodeId>(&*pressed_->under) : nullptr;
     if (!grip_ && point != nullptr) {
         grip_ = *point;
+        gripped_ = workspace.session.model()[*point].id;
         workspace.session.select(*point);
     }
     if (!grip_) return;
@@ -295,14 +318,12 @@ void Canvas::end_by_right_click(Workspace& workspace)
 bool Canvas::cancel(Workspace& workspace)
 {
     if (held_reading_) {
-        workspace.session.look.readings = std::exchange(held_reading_, std::nullopt)->before;
-        circle_frame_.reset();
-        pressed_.reset();
+        workspace.session.look.readings = held_reading_->before;
+        let_go();
         return true;
     }
     if (!workspace.session.history().is_dragging()) return false;
-    grip_.reset();
-    pressed_.reset();
+    let_go();
     workspace.session.cancel();
     return true;
 }
@@ -328,7 +349,10 @@ ui::Box Canvas::paint_all(const Workspace& workspace, ui::Painter& painter) cons
     }
     const bool points = is_over() && !is_beside_body();
     if (points || is_active() || grip_) draw_hand(painter, workspace, camera_, room, grip_.has_value());
-    else if (!workspace.hand.typed().empty()) draw_typed_at_foot(painter, workspace);
+    else {
+        draw_begun(painter, workspace, camera_, room);
+        if (!workspace.hand.typed().empty()) draw_typed_at_foot(painter, workspace);
+    }
     return room;
 }
 

@@ -39,6 +39,8 @@ private:
     Aim aim_at(const Workspace& workspace) const;
     void follow(Workspace& workspace);
     void press(Workspace& workspace, const Aim& aim);
+    bool has_lost_its_hold(const Session& session) const;
+    void let_go();
     void drag(Workspace& workspace);
     void release(Workspace& workspace, const Aim& aim);
     void drag_reading(Workspace& workspace);
@@ -60,10 +62,13 @@ private:
     std::optional<FittedFor> fitted_for_;
     std::optional<ui::Box> fitted_room_; ///< that the picture left when it was fitted last
     std::optional<NodeId> grip_;         ///< the point that the hand drags
+    std::string gripped_;                ///< its name
     std::optional<Aim> pressed_;
+    std::size_t pressed_in_ = 0; ///< the document, by its opening
     struct HeldReading {
         ReadingPart part;
-        Readings before; ///< the drag, which Escape gives back
+        Readings before;    ///< the drag, which Escape gives back
+        Readings as_left{}; ///< by the hand
     };
     std::optional<HeldReading> held_reading_;
     std::optional<mohr::Frame> circle_frame_; ///< grows while a probe is dragged

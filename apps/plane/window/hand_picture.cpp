@@ -67,13 +67,18 @@ public:
 
     void preview(const CurveDraft& draft)
     {
+        begun(draft);
+        if (const std::string text = measure_text(draft, workspace_.session); !text.empty())
+            drawing::draw_note(painter_, theme_, meant(), text);
+    }
+
+    void begun(const CurveDraft& draft)
+    {
         const ui::Color ink = theme_.stroke(Role::Selection).color;
         const ui::Stroke dashed{.color = ink, .width = 2.5, .dash = {8.0, 5.0}};
         const auto made = discretize::curves_of(workspace_.session.model(), shape_of(draft), "", 0.0);
         for (const discretize::ShapePart& part : made.parts) painter_.polyline(traced(part.curve, camera_), dashed);
         for (const DraftPlace& place : draft.places) painter_.disc(at(place.at), 2.5 * theme_.symbol_scale(), ink);
-        if (const std::string text = measure_text(draft, workspace_.session); !text.empty())
-            drawing::draw_note(painter_, theme_, meant(), text);
     }
 
     void cut(const FlatPoint& start)
@@ -236,6 +241,15 @@ void draw_hand(ui::Painter& painter, const Workspace& workspace, const ui::Plane
     const ui::LayerScope layer(painter, ui::Layer::Overlay);
     if (hand.draws() || is_dragging) picture.place(is_dragging || !draft);
     if (!hand.typed().empty()) picture.typed();
+}
+
+void draw_begun(ui::Painter& painter, const Workspace& workspace, const ui::PlaneCamera& camera, const ui::Box& room)
+{
+    const auto draft = workspace.hand.begun();
+    if (!draft) return;
+    const ui::ClipScope clip(painter, room);
+    const ui::LayerScope layer(painter, ui::Layer::Overlay);
+    HandPicture(painter, workspace, camera).begun(*draft);
 }
 
 void draw_helpers(ui::Painter& painter, const Session& session, const ui::PlaneCamera& camera, const ui::Box& room)

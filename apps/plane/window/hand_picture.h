@@ -18,6 +18,8 @@ void draw_highlight(ui::Painter& painter, const Session& session, const ui::Plan
 /// What the hand is about to draw: the curve as it would be, the place that is meant, what is typed.
 void draw_hand(ui::Painter& painter, const Workspace& workspace, const ui::PlaneCamera& camera, const ui::Box& room,
                bool is_dragging);
+/// The places of a curve that is begun, where the pointer is not over the picture.
+void draw_begun(ui::Painter& painter, const Workspace& workspace, const ui::PlaneCamera& camera, const ui::Box& room);
 /// What is typed, where the pointer is not over the picture.
 void draw_typed_at_foot(ui::Painter& painter, const Workspace& workspace);
 /// Where the drawing has faults, and the gap of an open outline.

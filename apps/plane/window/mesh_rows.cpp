@@ -46,9 +46,8 @@ template <class Change> void change_mesh(Workspace& workspace, RegionId region, 
                       [=](Document& document) { change(document.model.regions[region.index].mesh); }});
 }
 
-constexpr std::array methods{std::string_view("mapped"),   std::string_view("trilateral"), std::string_view("sweep"),
-                             std::string_view("delaunay"), std::string_view("front"),      std::string_view("quadtree"),
-                             std::string_view("quads")};
+constexpr std::array<std::string_view, 8> methods{"auto",     "mapped", "trilateral", "sweep",
+                                                  "delaunay", "front",  "quadtree",   "quads"};
 constexpr std::array elements{ShapeKind::T3, ShapeKind::T6, ShapeKind::Q4, ShapeKind::Q8, ShapeKind::Q9};
 constexpr std::array formulations{Formulation::Standard, Formulation::Reduced, Formulation::BBar,
                                   Formulation::Incompatible};

@@ -67,6 +67,55 @@ TEST_CASE("An arc about a centre takes the short way, with Shift the long one, a
     }
 }
 
+TEST_CASE("What is begun of a curve is seen wherever the pointer is")
+{
+    CurveTool tool(CurveToolKind::Spline);
+    CHECK_FALSE(tool.begun());
+    tool.add({{150, 0}});
+    tool.add({{160, 10}});
+    CHECK(tool.begun()->kind == femoop::plane::DrawnKind::Line);
+    CHECK(tool.begun()->places.size() == 2);
+    tool.add({{190, -7}});
+    CHECK(tool.begun()->kind == femoop::plane::DrawnKind::Spline);
+    CHECK(tool.begun()->places.size() == 3);
+}
+
+TEST_CASE("Undo takes back the last place of a curve that is begun, then steps of the drawing")
+{
+    Workspace workspace{Session()};
+    const CommandTable table = command_table();
+    const auto undo = [&] { table.find("edit.undo")->run(workspace); };
+    workspace.draw(CurveDraft{.kind = DrawnKind::Line, .places = {{{0, 0}}, {{4, 1}}}});
+    workspace.hand.select(ToolKind::Spline);
+    type_place(workspace, {12, 5});
+    type_place(workspace, {17, 3});
+    CHECK(ui::why_not(*table.find("draw.finish"), workspace));
+    undo();
+    CHECK(workspace.hand.curve_tool()->places().size() == 1);
+    undo();
+    CHECK_FALSE(workspace.hand.has_begun());
+    CHECK(workspace.session.model().curves.size() == 1);
+    undo();
+    CHECK(workspace.session.model().curves.empty());
+}
+
+TEST_CASE("Places of the grid and lengths between them are as short as they are drawn")
+{
+    const Session session(gallery_document(0));
+    const SnapOptions options{.reach = 1.0, .grid = 0.2, .fine = 0.1};
+    const auto at = [&](FlatPoint p) { return snap(session.model(), session.drawing(), p, options).place; };
+    CHECK(at({87.63, -53.41}) == FlatPoint{87.6, -53.4});
+    CurveTool circle(CurveToolKind::Circle);
+    circle.add({{65.3, 31}});
+    CHECK(circle.add({{65.3 + 9.7, 31}})->radius == 9.7);
+    CurveTool ellipse(CurveToolKind::Ellipse);
+    ellipse.add({{65.3, 31}});
+    ellipse.add({{65.3 + 9.7, 31}});
+    const auto drawn = ellipse.add({{65.3, 31 + 4.1}});
+    CHECK(drawn->a == 9.7);
+    CHECK(drawn->b == 4.1);
+}
+
 TEST_CASE("A place is drawn to a point before a curve, to a curve before the grid, and to nothing with Alt")
 {
     const Session session(gallery_document(0));
