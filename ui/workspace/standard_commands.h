@@ -87,8 +87,11 @@ inline Message named_step(std::string_view verb, std::string_view plain, const s
 
 /// Of apps whose hand draws by several places before there is a step: the last of them is what is undone.
 template <class Workspace>
-concept TakesPlacesBack = requires(Workspace& workspace) {
-    { workspace.hand.has_places_to_take_back() } -> std::same_as<bool>;
+concept TakesPlacesBack = requires(Workspace& workspace)
+{
+    {
+        workspace.hand.has_places_to_take_back()
+        } -> std::same_as<bool>;
     workspace.hand.take_place_back();
 };
 
@@ -118,8 +121,8 @@ template <class Workspace> void add_undo_and_redo(CommandTable<Workspace>& table
         return translatable("nothing was undone");
     };
     menu.step(
-            {"edit.undo", translatable("Undo"), {{Key::Z, ctrl}}},
-            [](Workspace& workspace) { undo(workspace); }, why_not_undo)
+            {"edit.undo", translatable("Undo"), {{Key::Z, ctrl}}}, [](Workspace& workspace) { undo(workspace); },
+            why_not_undo)
         .live_label = [](const Workspace& workspace) {
         if (has_places_to_take_back(workspace)) return Message(translatable("Undo: the last place"));
         return named_step(translatable("Undo: {step}"), translatable("Undo"), workspace.session.history().undo_label());
