@@ -16,7 +16,9 @@ web_headers(CLI11::CLI11 CLI)
 web_headers(doctest::doctest doctest)
 web_headers(fast_float::fast_float fast_float)
 web_headers(stb::stb stb)
-include_directories(SYSTEM "${headers}") # of fast_float, which libcxx13/charconv reads by
+file(GLOB dragonbox RELATIVE /usr/include /usr/include/dragonbox-*/dragonbox)
+web_headers(dragonbox::dragonbox "${dragonbox}")
+include_directories(SYSTEM "${headers}") # of fast_float and Dragonbox, which libcxx13/charconv reads and writes by
 
 add_library(Threads::Threads INTERFACE IMPORTED GLOBAL)
 
