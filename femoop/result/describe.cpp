@@ -17,8 +17,8 @@ namespace femoop {
 
 namespace {
 
-constexpr double noise = 1.0e-9;     // of the largest of its kind
-constexpr double rounding = 1.0e-15; // of the structure's size
+constexpr double noise = 1.0e-9;             // of the largest of its kind
+constexpr double rounding_of_size = 1.0e-15; // of the structure's size
 
 std::string join(const std::vector<std::string>& parts, std::string_view separator)
 {
@@ -313,7 +313,7 @@ std::string largest_displacement(const Model& model, const CaseResult& result, c
             where = NodeId(i);
         }
     }
-    if (largest <= rounding * extent_of(model)) return words.tr("no node moves");
+    if (largest <= rounding_of_size * extent_of(model)) return words.tr("no node moves");
     const NodeVector u = result.displacement(where);
     std::vector<std::string> parts;
     for (const Dof dof : dof_list(model.analysis))

@@ -14,20 +14,20 @@ std::vector<CaseId> all_cases(const Results& results)
     return cases;
 }
 
-struct Place {
+struct StationPlace {
     double x = 0.0;
     Side side = Side::After;
 
-    friend bool operator==(const Place&, const Place&) = default;
-    friend bool operator<(const Place& a, const Place& b)
+    friend bool operator==(const StationPlace&, const StationPlace&) = default;
+    friend bool operator<(const StationPlace& a, const StationPlace& b)
     {
         return a.x != b.x ? a.x < b.x : a.side == Side::Before && b.side == Side::After;
     }
 };
 
-std::vector<Place> places(const std::vector<Curve>& curves, std::size_t n)
+std::vector<StationPlace> places(const std::vector<Curve>& curves, std::size_t n)
 {
-    std::vector<Place> all;
+    std::vector<StationPlace> all;
     for (const Curve& curve : curves)
         for (const Station& station : curve.stations(n)) all.push_back({station.x, station.side});
     std::sort(all.begin(), all.end());
@@ -83,7 +83,7 @@ std::vector<EnvelopeStation> Envelope::stations(MemberId member, const std::vect
     for (const CaseId id : cases_) curves.push_back(results_[id].curve(member));
 
     std::vector<EnvelopeStation> stations;
-    for (const Place& place : places(curves, n)) {
+    for (const StationPlace& place : places(curves, n)) {
         EnvelopeStation station{place.x, place.side, std::vector<GoverningRange>(components.size())};
         for (std::size_t i = 0; i < components.size(); ++i)
             station.ranges[i] = governing_range(

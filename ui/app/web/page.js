@@ -18,8 +18,8 @@ const allTexts = {
           large: 'The document in this link is too large, and was not opened.',
           over: 'The program has ended; load the page again to start it.',
           print: 'Print…', words: 'The document and its results in words', keys: 'Keys for numbers',
-          tooOld: 'This browser is too old: it needs WebAssembly with exceptions ' +
-                  '(Chrome or Edge 95, Firefox 100, Safari 15.2, or later).',
+          tooOld: 'This browser is too old: it needs WebAssembly with exceptions and vectors ' +
+                  '(Chrome or Edge 95, Firefox 100, Safari 16.4, or later).',
           old: 'This browser is too old for this: it cannot unpack it (DecompressionStream).' },
     pt: { open: 'Abrir um arquivo…', copy: 'Copiar link',
           copied: 'O link foi copiado. Contém o próprio documento: {n} caracteres.',
@@ -31,8 +31,8 @@ const allTexts = {
           large: 'O documento deste link é grande demais, e não foi aberto.',
           over: 'O programa terminou; recarregue a página para iniciá-lo.',
           print: 'Imprimir…', words: 'O documento e seus resultados em palavras', keys: 'Teclas para números',
-          tooOld: 'Este navegador é antigo demais: precisa de WebAssembly com exceções ' +
-                  '(Chrome ou Edge 95, Firefox 100, Safari 15.2, ou posterior).',
+          tooOld: 'Este navegador é antigo demais: precisa de WebAssembly com exceções e vetores ' +
+                  '(Chrome ou Edge 95, Firefox 100, Safari 16.4, ou posterior).',
           old: 'Este navegador é antigo demais para isto: não consegue descompactar (DecompressionStream).' },
 };
 const texts = allTexts[language.startsWith('pt') ? 'pt' : 'en'];
@@ -46,9 +46,10 @@ const options = ['lang', 'theme', ...({ frame: ['show', 'case'], euler: ['step']
 // Always as text: what a document holds is never read as HTML.
 function tell(...parts) { message.replaceChildren(...parts); }
 
-// A program of one function, which catches.
-function hasExceptions() {
-    const program = [0, 97, 115, 109, 1, 0, 0, 0, 1, 4, 1, 96, 0, 0, 3, 2, 1, 0, 10, 8, 1, 6, 0, 6, 64, 25, 11, 11];
+// A program of one function, which catches, and has a vector.
+function hasExceptionsAndVectors() {
+    const program = [0, 97, 115, 109, 1, 0, 0, 0, 1, 4, 1, 96, 0, 0, 3, 2, 1, 0,
+                     10, 13, 1, 11, 0, 6, 64, 65, 0, 253, 15, 26, 25, 11, 11];
     return typeof WebAssembly === 'object' && WebAssembly.validate(new Uint8Array(program));
 }
 
@@ -359,7 +360,7 @@ var Module = {
     stdin: () => null,
     printErr: (text) => {
         console.warn(text);
-        tell(hasExceptions() ? text : texts.tooOld);
+        tell(hasExceptionsAndVectors() ? text : texts.tooOld);
     },
     whenOver: () => {
         document.getElementById('copy').disabled = true;
