@@ -41,15 +41,17 @@ if(CREMONA_APPS)
   target_include_directories(pugixml SYSTEM PUBLIC "${CREMONA_PUGIXML_SOURCE}/src")
   add_library(pugixml::pugixml ALIAS pugixml)
 
-  # Of FreeType the modules that freetype/ftmodule.h names: outlines of TrueType, light hinting, grey pictures.
+  # Of FreeType the modules that freetype/ftmodule.h names: outlines of TrueType, light hinting, grey pictures;
+  # freetype/ftoption.h says what of these.
   set(CREMONA_FREETYPE_SOURCE "" CACHE PATH "The unpacked source package freetype")
-  set(parts base/ftbase base/ftbitmap base/ftdebug base/ftglyph base/ftinit base/ftsystem autofit/autofit gzip/ftgzip psnames/psnames
-    sfnt/sfnt smooth/smooth truetype/truetype)
+  set(parts base/ftbase base/ftbitmap base/ftdebug base/ftglyph base/ftinit base/ftsystem autofit/autofit sfnt/sfnt smooth/smooth
+    truetype/truetype)
   list(TRANSFORM parts PREPEND "${CREMONA_FREETYPE_SOURCE}/src/")
   list(TRANSFORM parts APPEND ".c")
   add_library(freetype STATIC EXCLUDE_FROM_ALL ${parts})
   target_compile_definitions(freetype PRIVATE FT2_BUILD_LIBRARY
-    "FT_CONFIG_MODULES_H=\"${CMAKE_CURRENT_LIST_DIR}/freetype/ftmodule.h\"")
+    "FT_CONFIG_MODULES_H=\"${CMAKE_CURRENT_LIST_DIR}/freetype/ftmodule.h\""
+    "FT_CONFIG_OPTIONS_H=\"${CMAKE_CURRENT_LIST_DIR}/freetype/ftoption.h\"")
   target_include_directories(freetype SYSTEM PUBLIC "${CREMONA_FREETYPE_SOURCE}/include")
   set_target_properties(imgui pugixml freetype PROPERTIES UNITY_BUILD OFF)
   add_library(PkgConfig::FREETYPE ALIAS freetype)

@@ -156,6 +156,13 @@ void replace_number(std::string& text, std::size_t end)
     text[begin] = '1';
 }
 
+/// As nlohmann::json::sax_parse, but without its readers of CBOR and the like, which a page would carry along.
+void read_json(std::string_view text, JsonBuilder& builder)
+{
+    auto input = nlohmann::detail::input_adapter(text.begin(), text.end());
+    nlohmann::detail::parser<nlohmann::json, decltype(input)>(std::move(input)).sax_parse(&builder);
+}
+
 /// A number too large is told like any other fault: reading goes on behind it.
 JsonReading parse_on(std::string_view text)
 {
@@ -164,7 +171,7 @@ JsonReading parse_on(std::string_view text)
     std::string mended;
     while (true) {
         JsonBuilder builder(text);
-        nlohmann::json::sax_parse(text.begin(), text.end(), &builder);
+        read_json(text, builder);
         const std::optional<std::size_t> overflow = builder.overflow();
         JsonReading reading = builder.result();
         if (!overflow || faults.size() >= most) {
