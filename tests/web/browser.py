@@ -9,7 +9,9 @@ import tempfile
 import time
 
 
-KEY_NUMBERS = {'Backspace': 8, 'Tab': 9, 'Enter': 13, 'Escape': 27, 'Delete': 46}  # without them Chromium waits for ever
+KEY_NUMBERS = {'Backspace': 8, 'Tab': 9, 'Enter': 13, 'Escape': 27, 'PageUp': 33, 'PageDown': 34, 'End': 35, 'Home': 36,
+               'ArrowLeft': 37, 'ArrowUp': 38, 'ArrowRight': 39, 'ArrowDown': 40, 'Delete': 46,
+               **{f'F{n}': 111 + n for n in range(1, 13)}}  # without them Chromium waits for ever
 
 
 class Browser:

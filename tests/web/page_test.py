@@ -5,6 +5,7 @@ import functools
 import http.server
 import json
 import pathlib
+import re
 import sys
 import tempfile
 import threading
@@ -13,11 +14,16 @@ import urllib.parse
 import zlib
 
 from browser import Browser
+from scenario import Player
 from well_formed import PageReader, leads_nowhere
 
 SITE = pathlib.Path(sys.argv.pop(1)) if len(sys.argv) > 1 else pathlib.Path('build/web/site')
 PICTURES = pathlib.Path(sys.argv.pop(1)) if len(sys.argv) > 1 else pathlib.Path(tempfile.mkdtemp())
 APPS = ('frame', 'plane', 'cross', 'mohr', 'euler')
+SCENARIOS = ('diagrams', 'thrust', 'zero_bars', 'counting', 'palette', 'keys_sheet', 'projector', 'typical_inserted',
+             'keyboard_only', 'plane/reactions', 'plane/range', 'cross/topics', 'cross/two_storeys_loads', 'mohr/exercise',
+             'euler/cube', 'euler/faulty_script')
+FARTHEST = 0.5  # of ten thousand pixels so many may differ from the picture of the desktop
 B, D = (392, 349), (774, 564)  # nodes of the portal frame in a page of 1280 x 800 [px]
 
 
@@ -44,13 +50,13 @@ class Pages(unittest.TestCase):
     @classmethod
     def setUpClass(cls):
         cls.server, cls.address = cls.serve()
+        PICTURES.mkdir(parents=True, exist_ok=True)
 
     @classmethod
     def tearDownClass(cls):
         cls.server.shutdown()
 
     def picture(self, page, name):
-        PICTURES.mkdir(parents=True, exist_ok=True)
         page.picture(PICTURES / f'{name}.png')
 
     def saved(self, page, name):
@@ -318,6 +324,47 @@ class Pages(unittest.TestCase):
             self.assertEqual(page.value('Module.copyOfDocument()[0]'), before)
             self.assertFalse(page.value("document.title.startsWith('*')"))
             self.assertEqual(page.complaints(), [])
+
+    def test_scenarios_look_as_they_do_on_the_desktop(self):
+        n_pictures = 0
+        for name in SCENARIOS:
+            app = name.split('/')[0] if '/' in name else 'frame'
+            with self.subTest(scenario=name), Browser(height=800) as page:
+                page.open(f'{self.address}{app}.html')
+                for picture, distance in Player(page, PICTURES).play(name).items():
+                    self.assertLess(distance, FARTHEST, picture)
+                    n_pictures += 1
+                self.assertEqual(page.complaints(), [])
+        self.assertGreaterEqual(n_pictures, 12)
+
+    def test_a_report_is_printed_to_paper(self):
+        with Browser() as page:
+            page.call('Page.addScriptToEvaluateOnNewDocument',  # in every frame
+                      source='window.print = () => { top.printed = document.documentElement.outerHTML; };')
+            page.open(f'{self.address}frame.html?open=/examples/portal.json')
+            page.wait_for('!!Module.runCommand')
+            page.value("Module.runCommand('file.export', '')")
+            page.wait(0.5)
+            page.key('a', ctrl=True)
+            page.type('/documents/report.html')
+            page.key('Enter', text='\r')
+            page.wait_for("!!document.querySelector('#message button')", 20)
+            page.value("document.querySelector('#message button').click()")
+            page.wait_for('!!window.printed', 10)
+            report = page.value('printed')
+            self.assertEqual(page.complaints(), [])
+        with Browser() as page:
+            frame = page.call('Page.getFrameTree')['frameTree']['frame']['id']
+            page.call('Page.setDocumentContent', frameId=frame, html=report)
+            page.wait(0.5)
+            pdf = base64.b64decode(page.call('Page.printToPDF', preferCSSPageSize=True)['data'])
+            (PICTURES / 'report.pdf').write_bytes(pdf)
+            self.assertTrue(pdf.startswith(b'%PDF'))
+            self.assertGreater(len(re.findall(rb'/Type\s*/Page\b', pdf)), 5)
+            widest = "Math.max(...[...document.querySelectorAll('table, svg')].map((part) => part.getBoundingClientRect().right))"
+            page.call('Emulation.setEmulatedMedia', media='print')
+            page.call('Emulation.setDeviceMetricsOverride', width=718, height=1000, deviceScaleFactor=1, mobile=False)
+            self.assertLess(page.value(widest), 1.1 * 718)  # A4 between its margins [px]; browsers shrink what is wider
 
     def test_the_document_stands_beside_the_picture_in_words(self):
         with Browser() as page:

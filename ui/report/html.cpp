@@ -17,8 +17,8 @@ th, td { padding: 0.2em 0.7em; border-bottom: 1px solid #ddd; text-align: left; 
 .n { text-align: right; font-variant-numeric: tabular-nums; }
 figure { margin: 1em 0; break-inside: avoid; } figure svg { max-width: 100%; height: auto; }
 figcaption { font-size: 0.87em; color: #555; }
-@media print { body { margin: 0; max-width: none; font-size: 11px; } h2 { break-before: page; } tr { break-inside: avoid; }
-               table { display: table; } h3, h4 { break-after: avoid; } }
+@media print { body { margin: 0; max-width: none; font-size: 11px; } h2 ~ h2 { break-before: page; }
+               tr { break-inside: avoid; } table { display: table; } h3, h4 { break-after: avoid; } }
 </style>
 )";
 
