@@ -1,5 +1,5 @@
-"""advances_alone.py FONT OUT: a font whose text can be measured, and not drawn: every letter with its width, the outline of H
-alone, whose height is that of capitals."""
+"""advances_alone.py FONT OUT: a font whose text can be measured, and not drawn: every letter with its width, the outline of
+H alone, whose height is that of capitals."""
 
 import sys
 

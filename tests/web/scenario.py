@@ -1,5 +1,6 @@
-"""Scenarios (courseware/reference/scenarios.md) played by the mouse and the keyboard of a browser, and how far their pictures
-lie from the golden ones. What a scenario expects of the app itself is left to the desktop: here pictures are compared."""
+"""Scenarios (courseware/reference/scenarios.md) played by the mouse and the keyboard of a browser, and how far their
+pictures lie from the golden ones. What a scenario expects of the app itself is left to the desktop: here pictures are
+compared."""
 
 import base64
 import json
@@ -12,7 +13,7 @@ KEYS = {'Esc': 'Escape', 'PageUp': 'PageUp', 'PageDown': 'PageDown', 'Enter': 'E
         'Home': 'Home', 'End': 'End', 'Left': 'ArrowLeft', 'Right': 'ArrowRight', 'Up': 'ArrowUp', 'Down': 'ArrowDown',
         'Backspace': 'Backspace', **{f'F{n}': f'F{n}' for n in range(1, 13)}}
 
-# The share of pixels, in ten thousand, that have no pixel of about their colour where the other picture has them or beside it.
+# How many of ten thousand pixels find none of about their colour at their place in the other picture, nor beside it.
 DISTANCE = '''(async (one, other) => {
     const across = 1280, down = 800, near = 1, alike = 64; // pixels, and of 255 in each channel
     const pixels = async (kind, data) => {
@@ -27,7 +28,6 @@ DISTANCE = '''(async (one, other) => {
     };
     const [a, b] = [await pixels('png', one), await pixels('webp', other)];
     const isAlike = (p, q) => [0, 1, 2].every((i) => Math.abs(a[p + i] - b[q + i]) <= alike);
-    const isAlikeReversed = (p, q) => [0, 1, 2].every((i) => Math.abs(b[p + i] - a[q + i]) <= alike);
     let n = 0;
     for (let y = near; y < down - near; ++y)
         for (let x = near; x < across - near; ++x) {
@@ -38,7 +38,7 @@ DISTANCE = '''(async (one, other) => {
                 for (let dx = -near; dx <= near; ++dx) {
                     const there = here + 4 * (dy * across + dx);
                     isThere ||= isAlike(here, there);
-                    isBack ||= isAlikeReversed(here, there);
+                    isBack ||= isAlike(there, here);
                 }
             if (!isThere || !isBack) ++n;
         }

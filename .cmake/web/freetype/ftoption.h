@@ -1,5 +1,5 @@
-/* FreeType's options, less what the fonts of a page do not have: TrueType instructions, variations, bitmaps, colours, names of
- * glyphs, compression, and scripts that are not European. */
+/* FreeType's options, less what the fonts of a page do not have: TrueType instructions, variations, bitmaps, colours,
+ * names of glyphs, compression, and scripts that are not European. */
 #pragma once
 #include <freetype/config/ftoption.h>
 

@@ -247,7 +247,7 @@ function printButton(path) {
     button.textContent = texts.print;
     button.onclick = () => {
         const frame = document.createElement('iframe');
-        frame.style = 'position: fixed; width: 0; height: 0; border: 0; visibility: hidden'; // out of sight, and laid out
+        frame.style = 'position: fixed; width: 0; height: 0; border: 0; visibility: hidden'; // laid out, and not seen
         frame.src = URL.createObjectURL(new Blob([FS.readFile(path)], { type: 'text/html' }));
         frame.onload = () => {
             frame.contentWindow.onafterprint = () => frame.remove();
