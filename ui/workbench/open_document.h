@@ -19,7 +19,11 @@ public:
     virtual ~OpenDocument() = default;
 
     /// False, with a notice, where it cannot be read; then nothing changes.
-    bool open(const std::filesystem::path& path) { return note_opened(path, read(path)); }
+    bool open(const std::filesystem::path& path)
+    {
+        notice.reset(); // of another file
+        return note_opened(path, read(path));
+    }
     bool open_copy(const std::filesystem::path& path) ///< the same as a document without a file
     {
         if (!open(path)) return false;

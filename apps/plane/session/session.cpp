@@ -8,6 +8,7 @@
 #include <future>
 #include <numbers>
 #include <utility>
+#include <variant>
 
 #include "apps/drawing/quantity_typed.h"
 #include "apps/plane/backdrop/view_file.h"
@@ -20,6 +21,7 @@
 #include "apps/plane/view/field_picture.h"
 #include "apps/plane/view/plate_scene.h"
 #include "femoop/files/whole_file.h"
+#include "femoop/io/any_model.h"
 #include "femoop/io/plane/plane_file.h"
 #include "femoop/plane/check/plane_check.h"
 #include "topology/text/line_error.h"
@@ -203,6 +205,10 @@ std::optional<ui::Notice> Session::read(const std::filesystem::path& path)
     if (file.hindrance) return ui::lasting(ui::not_opened(path, file.hindrance));
     femoop::plane::PlaneReading reading = femoop::plane::examine_plane_model(file.text);
     if (!is_understood(reading)) {
+        const femoop::AnyReading any = femoop::examine_any(file.text);
+        if (const auto* members = std::get_if<femoop::ModelReading>(&any); members && members->is_sound())
+            return ui::lasting(
+                ui::not_opened(path, Message(translatable("it holds a structure of members; the frame app opens it"))));
         std::erase_if(reading.faults, [](const Fault& fault) { return !is_error(fault); });
         return ui::lasting(ui::not_opened(path, sentences_of(reading.faults)));
     }

@@ -67,6 +67,22 @@ std::string entries(const Document& document)
 
 } // namespace
 
+TEST_CASE("A line that ends within straight sides stays on them where a corner of these is dragged")
+{
+    Document document = plate();
+    const std::size_t n_points = document.model.points.size();
+    draw_curve(document, {.kind = femoop::plane::DrawnKind::Line, .places = {{{35, 0}}, {{35, 30}}}});
+    REQUIRE(Drawing(document.model).faces().size() == 2);
+    move_point(document, NodeId(2U), {90, 41}); // C, from (70, 30)
+    const Drawing drawing(document.model);
+    REQUIRE(drawing.faces().size() == 2);
+    const auto lower = place_of(document.model, NodeId(n_points)),
+               upper = place_of(document.model, NodeId(n_points + 1));
+    CHECK(lower == FlatPoint{35, 0});
+    CHECK(upper.x == doctest::Approx(45.0)); // half of the side from (90, 41) to (0, 30)
+    CHECK(upper.y == doctest::Approx(35.5));
+}
+
 TEST_CASE("Lines that share a place share a point, so that dragging one moves the corner of both")
 {
     const Document document = plate();

@@ -9,6 +9,7 @@
 #include "apps/plane/tools/snap.h"
 #include "tests/apps/recovered.h"
 #include "tests/folder.h"
+#include "tests/source_folder.h"
 
 #include <doctest/doctest.h>
 
@@ -335,6 +336,16 @@ TEST_CASE("A click in a face without a region gives it one, which undo takes bac
     CHECK(workspace.session.selected_region() == RegionId(3U));
     workspace.session.undo();
     CHECK(workspace.session.model().regions.size() == 3);
+}
+
+TEST_CASE("A structure of members is told to be one, and nothing else")
+{
+    Session session;
+    CHECK_FALSE(session.open(source_folder() + "/examples/portal.json"));
+    REQUIRE(session.notice);
+    CHECK(session.tr()(session.notice->sentence).ends_with("it holds a structure of members; the frame app opens it"));
+    CHECK(session.open(source_folder() + "/examples/hole.json"));
+    CHECK_FALSE(session.notice);
 }
 
 TEST_CASE("What a crash has cost is recovered")
