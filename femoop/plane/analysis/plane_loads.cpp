@@ -153,6 +153,8 @@ private:
         CaseLoads::OnNode row{.node = node};
         row.value[0] = angle == 0.0 ? u.x() : c * u.x() + s * u.y();
         row.value[1] = angle == 0.0 ? u.y() : c * u.y() - s * u.x();
+        for (const Discretisation::Tie& tie : structure.ties)
+            if (tie.node == node) row.value[index(tie.dof)] = 0.0; // it goes where its leader goes
         loads_.settlements.push_back(row);
         for (const Discretisation::Tie& tie : structure.ties)
             if (tie.leader == node) {

@@ -91,6 +91,13 @@ private:
     void require_density(const std::vector<RegionId>& regions, const Entry& place);
     void require_expansion(const std::vector<RegionId>& regions, const Entry& place);
     void check_settlements(); ///< that agree at every node. \pre the mesh is sound
+    using MotionsOfNodes = std::map<NodeId, std::vector<ImposedMotion>>;
+    /// Two displacements of one direction of a node, in one load case.
+    struct Conflict {
+        NodeId node;
+        double a = 0.0, b = 0.0;
+    };
+    std::optional<Conflict> conflict_of(const MotionsOfNodes& of_node) const;
 
     // plane_expected_check.cpp
     void check_expected();

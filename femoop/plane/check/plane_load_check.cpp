@@ -163,20 +163,44 @@ void PlaneChecker::check_load(const PlaneSettlement& settlement, const Entry& pl
 void PlaneChecker::check_settlements()
 {
     for (std::size_t i = 0; i < model_.load_cases.size(); ++i) {
-        std::map<NodeId, std::vector<ImposedMotion>> of_node;
+        MotionsOfNodes of_node;
         for (const PlaneSettlement& settlement : model_.load_cases[i].settlements)
             for (const ImposedMotion& motion : supports_->motions(settlement)) of_node[motion.node].push_back(motion);
-        for (const auto& [node, motions] : of_node)
-            if (const auto conflict = supports_->displacement(node, motions).conflict) {
-                const auto text = [this](double length) { return shown(Quantity(length), dimension::length); };
-                const Entry place{"load_cases", i, model_.load_cases[i].id};
-                const auto [a, b] = *conflict;
-                if (a == 0.0 && supports_->is_on_axis_of_revolution(node))
-                    add(FaultKind::SettlementOffAxis, place, {model_[node].id, text(b)});
-                else add(FaultKind::SettlementConflict, place, {model_[node].id, text(a), text(b)});
-                break;
-            }
+        const auto conflict = conflict_of(of_node);
+        if (!conflict) continue;
+        const auto text = [this](double length) { return shown(Quantity(length), dimension::length); };
+        const Entry place{"load_cases", i, model_.load_cases[i].id};
+        const auto& [node, a, b] = *conflict;
+        if (a == 0.0 && supports_->is_on_axis_of_revolution(node))
+            add(FaultKind::SettlementOffAxis, place, {model_[node].id, text(b)});
+        else add(FaultKind::SettlementConflict, place, {model_[node].id, text(a), text(b)});
     }
+}
+
+/// Of one node, or of nodes that a curve ties.
+std::optional<PlaneChecker::Conflict> PlaneChecker::conflict_of(const MotionsOfNodes& of_node) const
+{
+    for (const auto& [node, motions] : of_node)
+        if (const auto conflict = supports_->displacement(node, motions).conflict)
+            return Conflict{node, (*conflict)[0], (*conflict)[1]};
+    if (of_node.empty()) return std::nullopt;
+    for (std::size_t i = 0; i < model_.curves.size(); ++i)
+        for (const Dof dof : {Dof::ux, Dof::uy}) {
+            if (!model_.curves[i].tie.contains(dof)) continue;
+            std::optional<double> first;
+            for (const CurveNode& each : curves_->geometry[i].nodes()) {
+                const NodeSupport& support = (*supports_)[each.node];
+                if (support.angle() != 0.0 || !support.blocked().contains(dof)) continue;
+                const auto found = of_node.find(each.node);
+                const double moved = found == of_node.end()
+                                         ? 0.0
+                                         : supports_->displacement(each.node, found->second).value[index(dof)];
+                if (first && std::abs(moved - *first) > 1e-9 * std::max(std::abs(moved), std::abs(*first)))
+                    return Conflict{each.node, *first, moved};
+                first = moved;
+            }
+        }
+    return std::nullopt;
 }
 
 } // namespace femoop::plane

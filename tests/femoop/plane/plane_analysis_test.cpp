@@ -296,6 +296,15 @@ TEST_CASE("Tied nodes have one displacement, and what they hold is shared by the
     CHECK(P.reaction(everywhere(model)).x() == doctest::Approx(-13.0).epsilon(1e-11));
 }
 
+TEST_CASE("A tied curve that is held settles as far as is said")
+{
+    constexpr std::string_view tied =
+        R"([{"id": "left", "kind": "edges", "points": ["D", "A"], "support": "fixed"},
+            {"id": "right", "kind": "edges", "points": ["C", "F"], "support": {"fixed": ["ux"]}, "tie": ["ux"]}])";
+    const auto P = solved({.curves = tied, .load_case = R"(, "settlements": [{"curve": "right", "ux": 0.2}])"}).first;
+    for (const NodeId node : {C, F}) CHECK(P.displacement(node).x() == 0.2);
+}
+
 TEST_CASE("Each tied node is held by its own ground")
 {
     constexpr std::string_view tied =

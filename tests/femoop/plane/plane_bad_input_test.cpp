@@ -217,6 +217,11 @@ std::vector<BadPlaneFile> files_with_bad_plane_loads()
          "or use a load"},
         {with_settlement(R"("curve": "left", "ux": 2}, {"point": "A", "ux": 3)"),
          "load_cases[0] \"P\": point \"A\" would settle by 2 mm and by 3 mm in one direction; give one of them"},
+        {PlaneText{.curves = R"([{"id": "left", "kind": "edges", "points": ["D", "A"], "support": "fixed"},
+                       {"id": "right", "kind": "edges", "points": ["C", "F"], "support": "fixed", "tie": ["ux"]}])",
+                   .load_case = R"(, "settlements": [{"curve": "right", "ux": [1, 2]}])"}
+             .text(),
+         "load_cases[0] \"P\": point \"F\" would settle by 1 mm and by 2 mm in one direction; give one of them"},
         {PlaneText{.analysis = "axisymmetric",
                    .regions = bare_regions,
                    .load_case = R"(, "settlements": [{"curve": "left", "ux": 2}])"}
