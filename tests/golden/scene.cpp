@@ -1,5 +1,6 @@
 #include "tests/golden/scene.h"
 
+#include "tests/browser_build.h"
 #include "tests/golden/gallery.h"
 #include "tests/golden/text_alone.h"
 #include "ui/context/gl.h"
@@ -31,12 +32,6 @@ std::string environment(const char* variable)
     const char* value = std::getenv(variable);
     return value ? value : "";
 }
-
-#if defined(__EMSCRIPTEN__)
-constexpr bool is_for_browser = true;
-#else
-constexpr bool is_for_browser = false;
-#endif
 
 bool is_text_alone() { return is_for_browser || environment("CREMONA_PICTURES") == "text"; }
 bool is_drawn_only() { return is_sanitized || environment("CREMONA_PICTURES") == "draw"; }

@@ -1,4 +1,5 @@
 #include "tests/scenarios/script_files.h"
+#include "tests/browser_build.h"
 #include "tests/text_of.h"
 
 #include <algorithm>
@@ -9,12 +10,6 @@ namespace fs = std::filesystem;
 fs::path repository() { return CREMONA_SOURCE_DIR; }
 
 namespace {
-
-#if defined(__EMSCRIPTEN__)
-constexpr bool is_for_browser = true;
-#else
-constexpr bool is_for_browser = false;
-#endif
 
 /// By rounding: which of six equal motions comes first, and which of many equal extremes is marked.
 constexpr std::string_view decided_by_rounding[] = {"scenarios/loose_in_space.scenario", "plane/compared.scenario"};
