@@ -169,7 +169,7 @@ private:
             for (const Eigen::Vector2d& end : {cut.start, cut.end})
                 json_.begin_array().value(end.x()).value(end.y()).end();
             json_.end().member("N", forces.N).member("V", forces.V).member("M", forces.M);
-            if (const auto balance = cut_balance(results_, result, cut)) {
+            if (const auto balance = cut_balance(results_, result, cut); balance && balance->is_exact(cut)) {
                 const CutForces by = balance->mean();
                 json_.key("balance").begin_object().member("N", by.N).member("V", by.V).member("M", by.M).end();
             }

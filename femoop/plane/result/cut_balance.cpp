@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <map>
 #include <utility>
 #include <vector>
 
@@ -108,42 +109,102 @@ double middle_of(const std::vector<CutPiece>& pieces)
     return moment / length;
 }
 
-/// The forces of crossed elements on those of one side, as N, V and M for the face whose outward normal is x'.
-std::optional<CutForces> forces_on_side(const PlaneCase& result, const Cut& cut, const CutSides& sides, Side side,
-                                        const Eigen::Vector2d& about)
-{
-    const PlaneModel& model = result.structure().model();
-    std::vector<bool> is_between(model.points.size(), false);
-    for (std::size_t e = 0; e < model.elements.size(); ++e)
-        if (sides[e] == Side::Crossed)
-            for (const NodeId node : model.elements[e].points) is_between[node.index] = true;
-    Eigen::Vector2d force = Eigen::Vector2d::Zero();
-    double moment = 0.0;
-    bool is_any = false;
-    for (std::size_t e = 0; e < model.elements.size(); ++e) {
-        const auto& points = model.elements[e].points;
-        const bool touches = sides[e] == side &&
-                             std::ranges::any_of(points, [&](NodeId node) { return is_between[node.index]; });
-        if (!touches) continue;
-        is_any = true;
-        const std::vector<Eigen::Vector2d> on_element = result.node_forces(ElementId(e));
+/// The forces at the nodes between the elements that a cut crosses and the others, as N, V and M on the cut.
+class ForcesBetween {
+public:
+    ForcesBetween(const PlaneCase& result, const Cut& cut, const CutSides& sides, const Eigen::Vector2d& about)
+        : result_(result), model_(result.structure().model()), cut_(cut), about_(about)
+    {
+        std::vector<bool> is_between(model_.points.size(), false);
+        for (std::size_t e = 0; e < model_.elements.size(); ++e)
+            if (sides[e] == Side::Crossed)
+                for (const NodeId node : model_.elements[e].points) is_between[node.index] = true;
+        for (std::size_t e = 0; e < model_.elements.size(); ++e) {
+            const auto& points = model_.elements[e].points;
+            if (std::ranges::any_of(points, [&](NodeId node) { return is_between[node.index]; }))
+                add(ElementId(e), sides[e], is_between);
+        }
+        for (const auto& [node, force] : at_nodes_) doubt(force, moment_of(node, force), reach_of(node));
+    }
+
+    /// On the elements of a side; nothing where there are none.
+    std::optional<CutForces> on(Side side) const
+    {
+        const Sum& sum = side == Side::Behind ? behind_ : before_;
+        if (!sum.is_any) return std::nullopt;
+        const double sense = side == Side::Behind ? 1.0 : -1.0;
+        return CutForces{.N = sense * sum.force.dot(cut_.normal()),
+                         .V = -sense * sum.force.dot(cut_.along()),
+                         .M = sense * sum.moment};
+    }
+    /// As much as what is applied to the crossed elements and their nodes, on whichever side of the cut it is.
+    const CutForces& applied() const { return applied_; }
+
+private:
+    struct Sum {
+        Eigen::Vector2d force = Eigen::Vector2d::Zero();
+        double moment = 0.0;
+        bool is_any = false;
+    };
+
+    void add(ElementId element, Side side, const std::vector<bool>& is_between)
+    {
+        const auto& points = model_[element].points;
+        const std::vector<Eigen::Vector2d> forces = result_.node_forces(element);
+        Sum whole;
+        double reach = 0.0;
         for (std::size_t i = 0; i < points.size(); ++i) {
             if (!is_between[points[i].index]) continue;
-            const Eigen::Vector2d arm = result.structure().positions()[points[i].index] - about;
-            force += on_element[i];
-            moment += arm.x() * on_element[i].y() - arm.y() * on_element[i].x();
+            whole.force += forces[i];
+            whole.moment += moment_of(points[i], forces[i]);
+            reach = std::max(reach, reach_of(points[i]));
+            const auto [at, is_new] = at_nodes_.try_emplace(points[i], Eigen::Vector2d::Zero());
+            at->second += forces[i];
         }
+        if (side == Side::Crossed) return doubt(whole.force, whole.moment, reach); // K u balances by itself
+        Sum& sum = side == Side::Behind ? behind_ : before_;
+        sum.force += whole.force;
+        sum.moment += whole.moment;
+        sum.is_any = true;
     }
-    if (!is_any) return std::nullopt;
-    const double sense = side == Side::Behind ? 1.0 : -1.0;
-    return CutForces{.N = sense * force.dot(cut.normal()), .V = -sense * force.dot(cut.along()), .M = sense * moment};
-}
 
-/// How far a value lies outside of what lies between two others.
-double outside(double value, double a, double b)
+    void doubt(const Eigen::Vector2d& force, double moment, double reach)
+    {
+        applied_.N += std::abs(force.dot(cut_.normal()));
+        applied_.V += std::abs(force.dot(cut_.along()));
+        applied_.M += std::abs(moment) + reach * force.norm();
+    }
+
+    const Eigen::Vector2d& place(NodeId node) const { return result_.structure().positions()[node.index]; }
+    double reach_of(NodeId node) const { return std::abs((place(node) - cut_.start).dot(cut_.normal())); }
+    double moment_of(NodeId node, const Eigen::Vector2d& force) const
+    {
+        const Eigen::Vector2d arm = place(node) - about_;
+        return arm.x() * force.y() - arm.y() * force.x();
+    }
+
+    const PlaneCase& result_;
+    const PlaneModel& model_;
+    const Cut& cut_;
+    Eigen::Vector2d about_;
+    Sum behind_, before_;
+    std::map<NodeId, Eigen::Vector2d> at_nodes_; ///< of all their elements: what loads and supports do there
+    CutForces applied_;
+};
+
+/// How far a value lies outside of what lies between two others, but for what they may miss.
+double outside(double value, double a, double b, double missed)
 {
     const auto [low, high] = std::minmax(a, b);
-    return std::max({0.0, low - value, value - high});
+    return std::max({0.0, low - missed - value, value - high - missed});
+}
+
+/// All that the supports do, without regard to directions.
+double sum_of_reactions(const PlaneCase& result)
+{
+    double sum = 0.0;
+    for (std::size_t i = 0; i < result.structure().positions().size(); ++i) sum += result.reaction(NodeId(i)).norm();
+    return sum;
 }
 
 double size_of(const CutForces& f, const Cut& cut)
@@ -152,6 +213,8 @@ double size_of(const CutForces& f, const Cut& cut)
 }
 
 } // namespace
+
+bool CutBalance::is_exact(const Cut& cut) const { return size_of(applied, cut) <= 1e-9 * size; }
 
 CutForces CutBalance::mean() const
 {
@@ -167,21 +230,24 @@ std::optional<CutBalance> cut_balance(const PlaneResults& results, const PlaneCa
     const CutSides sides(result.structure(), cut, pieces);
     if (!sides.part_the_body()) return std::nullopt;
     const Eigen::Vector2d about = cut.at(middle_of(pieces));
-    const auto first = forces_on_side(result, cut, sides, Side::Behind, about),
-               second = forces_on_side(result, cut, sides, Side::Before, about);
+    const ForcesBetween between(result, cut, sides, about);
+    const auto first = between.on(Side::Behind), second = between.on(Side::Before);
     if (!first && !second) return std::nullopt;
-    CutBalance balance{.by_first = first ? *first : *second, .by_second = second ? *second : *first};
-    balance.size = std::max(size_of(balance.by_first, cut), size_of(balance.by_second, cut));
+    CutBalance balance{
+        .by_first = first ? *first : *second, .by_second = second ? *second : *first, .applied = between.applied()};
+    constexpr double small = 1e-3; // of what the supports do: less is no size to measure by
+    balance.size = std::max(
+        {size_of(balance.by_first, cut), size_of(balance.by_second, cut), small * sum_of_reactions(result)});
     return balance;
 }
 
 CutForces missed(const CutForces& forces, const CutBalance& balance, const Cut& cut)
 {
     if (!(balance.size > 0.0)) return {};
-    const CutForces &a = balance.by_first, &b = balance.by_second;
-    return {.N = outside(forces.N, a.N, b.N) / balance.size,
-            .V = outside(forces.V, a.V, b.V) / balance.size,
-            .M = outside(forces.M, a.M, b.M) / (balance.size * cut.length())};
+    const CutForces &a = balance.by_first, &b = balance.by_second, &applied = balance.applied;
+    return {.N = outside(forces.N, a.N, b.N, applied.N) / balance.size,
+            .V = outside(forces.V, a.V, b.V, applied.V) / balance.size,
+            .M = outside(forces.M, a.M, b.M, applied.M) / (balance.size * cut.length())};
 }
 
 std::optional<CutWarning> cut_warning(const PlaneResults& results, const PlaneCase& result, const Cut& cut)
@@ -189,9 +255,11 @@ std::optional<CutWarning> cut_warning(const PlaneResults& results, const PlaneCa
     constexpr double tolerable = 0.02;
     const auto balance = cut_balance(results, result, cut);
     if (!balance) return std::nullopt;
-    const CutForces by = missed(result.forces(cut), *balance, cut);
+    const CutForces forces = result.forces(cut);
+    const CutForces by = missed(forces, *balance, cut);
     const double worst = std::max({by.N, by.V, by.M});
-    if (worst <= tolerable) return std::nullopt;
+    const bool is_known_better = size_of(balance->applied, cut) < worst * balance->size;
+    if (worst <= tolerable || !is_known_better) return std::nullopt;
     return CutWarning{.missed = worst,
                       .digits = static_cast<int>(std::max(0.0, std::floor(-std::log10(worst)))),
                       .balanced = balance->mean()};

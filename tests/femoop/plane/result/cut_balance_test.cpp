@@ -64,3 +64,31 @@ TEST_CASE("Elements that lock miss the shear on a cut, and what equilibrium give
         CHECK(warning->digits <= 1);
     }
 }
+
+TEST_CASE("What is applied to the elements that a cut crosses may be on either side, so that nothing is told of it")
+{
+    PlaneModel model = read_plane_model(plane_test::cantilever_text(7, 2));
+    BodyForce weight;
+    weight.by = Field{femoop::Quantity(-4.0)};
+    model.load_cases[0].regions.push_back({.regions = {RegionId(0)}, .load = weight});
+    const PlaneResults results = analyse(model);
+    for (const double x : {0.6, 5.1, 9.5}) {
+        CAPTURE(x);
+        const Cut cut{{x, -1.4}, {x, 1.3}};
+        const auto balance = cut_balance(results, results[femoop::CaseId{}], cut);
+        REQUIRE(balance);
+        CHECK_FALSE(balance->is_exact(cut));
+        CHECK_FALSE(cut_warning(results, results[femoop::CaseId{}], cut));
+    }
+}
+
+TEST_CASE("A part that nothing strains has no forces on a cut, whatever rounding leaves")
+{
+    std::string text = plane_test::cantilever_text(7, 2);
+    const std::string at_end = R"("curves": [{"curve": "right", "kind": "traction", "qy": -3}])";
+    text.replace(text.find(at_end), at_end.size(), R"("points": [{"point": "n6_4", "fx": 1, "fy": -3}])");
+    const PlaneResults results = analyse(read_plane_model(text));
+    const Cut before{{2.0, -1.4}, {2.0, 1.3}}, beyond{{7.7, -1.4}, {7.7, 1.3}};
+    CHECK(cut_balance(results, results[femoop::CaseId{}], before)->mean().V == doctest::Approx(3.0).epsilon(1e-9));
+    CHECK_FALSE(cut_warning(results, results[femoop::CaseId{}], beyond));
+}
