@@ -78,6 +78,17 @@ std::vector<Cross> crosses_of(const PlateScene& scene)
     return crosses;
 }
 
+/// Half the longer arm of a cross by the stress along it, as a share of the distance of crosses: one of a small stress is
+/// still long enough that its directions are seen, as at the neutral axis of a beam; both arms are to each other as the
+/// stresses are.
+double half_length(const fp::PrincipalStress& stress, double largest)
+{
+    constexpr double longest = 0.46, shortest = 0.14, nothing = 0.005;
+    const double here = std::max(std::abs(stress.s1), std::abs(stress.s2));
+    if (here <= nothing * largest) return 0.0;
+    return (shortest + (longest - shortest) * here / largest) / here;
+}
+
 void draw_arm(const PlateScene& scene, const Cross& cross, double stress, double angle, double unit)
 {
     const Vector2d d(std::cos(angle), std::sin(angle));
@@ -97,8 +108,8 @@ void draw_principal(const PlateScene& scene)
     for (const Cross& cross : crosses)
         largest = std::max({largest, std::abs(cross.stress.s1), std::abs(cross.stress.s2)});
     if (!(largest > 0.0)) return;
-    const double unit = 0.46 * scene.sketch.px(cross_distance) / largest;
     for (const Cross& cross : crosses) {
+        const double unit = scene.sketch.px(cross_distance) * half_length(cross.stress, largest);
         draw_arm(scene, cross, cross.stress.s1, cross.stress.angle, unit);
         draw_arm(scene, cross, cross.stress.s2, cross.stress.angle + 0.5 * std::numbers::pi, unit);
     }
