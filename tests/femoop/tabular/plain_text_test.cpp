@@ -37,11 +37,11 @@ TEST_CASE("Equal forces that a calculation left a bit apart at half of the last 
 TEST_CASE("Counts are written whole and stand to the right")
 {
     Table table({"order", "entries"});
-    table.add_row({"natural", std::size_t{1234567890123}});
+    table.add_row({"natural", std::size_t{1234567890}});
     table.add_row({"other", std::size_t{0}});
-    CHECK(plain_text(table) == "order          entries\n"
-                               "natural  1234567890123\n"
-                               "other                0\n");
+    CHECK(plain_text(table) == "order       entries\n"
+                               "natural  1234567890\n"
+                               "other             0\n");
 }
 
 TEST_CASE("Six digits are six, whatever the power of ten, and a number that rounds up to one counts as it")
