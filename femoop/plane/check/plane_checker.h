@@ -107,6 +107,7 @@ private:
     void check_place(const PlaneExpected& check, const Entry& place); ///< \pre the mesh is sound
     void check_cut(const PlaneExpected& check, const Entry& place);   ///< likewise
     void check_reaction(const PlaneExpected& check, const Entry& place);
+    void check_extreme(const PlaneExpected& check, const Entry& place);
     const Locator& locator();
     std::vector<RegionId> regions_at(const PlaneExpected& check);
 

@@ -85,6 +85,7 @@ void PlaneChecker::check_asked(const PlaneExpected& check, const Entry& place)
     if (is_at_place(check.quantity)) check_place(check, place);
     if (check.quantity == PlaneQuantity::Resultant) check_cut(check, place);
     if (check.quantity == PlaneQuantity::Reaction) check_reaction(check, place);
+    if (check.quantity == PlaneQuantity::Extreme) check_extreme(check, place);
 }
 
 const Locator& PlaneChecker::locator()
@@ -124,6 +125,18 @@ void PlaneChecker::check_cut(const PlaneExpected& check, const Entry& place)
     if (check.cut.empty()) return;
     const Cut cut{{check.cut[0], check.cut[1]}, {check.cut[2], check.cut[3]}};
     if (pieces_along(model_, locator(), cut).empty()) add(FaultKind::CutOutside, place, {});
+}
+
+/// Of a region along a curve that it does not touch there is nothing to be read.
+void PlaneChecker::check_extreme(const PlaneExpected& check, const Entry& place)
+{
+    if (!check.curve || !check.region) return;
+    const auto is_in_region = [&](const CurveNode& each) {
+        const std::vector<RegionId> regions = regions_of_point_->of(each.node);
+        return std::ranges::find(regions, *check.region) != regions.end();
+    };
+    if (std::ranges::none_of(curves_->geometry[check.curve->index].nodes(), is_in_region))
+        add(FaultKind::CheckRegionElsewhere, place, {model_[*check.region].id});
 }
 
 void PlaneChecker::check_reaction(const PlaneExpected& check, const Entry& place)

@@ -245,6 +245,9 @@ std::vector<BadPlaneFile> files_with_bad_plane_expectations()
          "expected[0]: regions web and rib meet here and their stresses differ; add \"region\""},
         {with_plane_check(R"("quantity": "stress", "component": "sx", "point": "A", "region": "rib")"),
          "expected[0]: region \"rib\" has no element here; name another"},
+        {with_plane_check(
+             R"("quantity": "extreme", "component": "sx", "which": "max", "curve": "left", "region": "rib")"),
+         "expected[0]: region \"rib\" has no element here; name another"},
         {with_plane_check(R"("quantity": "stress", "component": "sx", "point": "A", "read": "gauss")"),
          "expected[0]: \"gauss\" goes with an extreme, over all integration points; read a place smoothed or by element"},
         {with_plane_check(R"("quantity": "reaction", "component": "fx", "curve": "right")"),
