@@ -181,13 +181,13 @@ FaceId PlanarSubdivision::face_at(const FlatPoint& p) const
 /// on this side lies behind none of the others.
 HalfEdgeId PlanarSubdivision::first_of(const std::vector<Crossing>& met) const
 {
-    const auto is_behind_another = [&](const Crossing& crossing) {
-        return std::ranges::any_of(met, [&](const Crossing& other) {
+    const auto is_behind_none = [&](const Crossing& crossing) {
+        return std::ranges::none_of(met, [&](const Crossing& other) {
             return solid_.face(solid_.mate(other.before)) == solid_.face(crossing.before);
         });
     };
     const auto nearer = [](const Crossing& a, const Crossing& b) { return a.x < b.x; };
-    const auto first = std::ranges::find_if_not(met, is_behind_another);
+    const auto first = std::ranges::find_if(met, is_behind_none);
     return (first != met.end() ? first : std::ranges::min_element(met, nearer))->before;
 }
 
