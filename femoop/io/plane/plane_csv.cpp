@@ -133,8 +133,9 @@ private:
         for (std::size_t i = 0; i < model_.curves.size(); ++i) {
             if (!model_.curves[i].support) continue;
             const auto [fx, fy, mz] = curve_reaction(c, i);
-            add_rows(csv, cases_[c], {.part = "curve", .id = model_.curves[i].id},
-                     {{"fx", fx, force_}, {"fy", fy, force_}, {"mz", mz, moment_}});
+            const Subject curve{.part = "curve", .id = model_.curves[i].id};
+            add_rows(csv, cases_[c], curve, {{"fx", fx, force_}, {"fy", fy, force_}});
+            if (model_.analysis != StressState::Axisymmetric) add_rows(csv, cases_[c], curve, {{"mz", mz, moment_}});
         }
     }
 

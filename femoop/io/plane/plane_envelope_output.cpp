@@ -11,6 +11,7 @@
 
 #include "femoop/io/json/json_writer.h"
 #include "femoop/io/json/model_json.h"
+#include "femoop/io/plane/cut_sentences.h"
 #include "femoop/io/plane/mesh_json.h"
 #include "femoop/io/results/range_columns.h"
 #include "femoop/model/quantity/dimension.h"
@@ -141,6 +142,7 @@ private:
         const std::vector<NodeId> nodes = nodes_along(envelope_.cases().front().structure().curves().edges[c]);
         EnvelopeRow row{.part = EnvelopePart::Curve, .id = model_.curves[c].id, .kind = EnvelopeRow::Kind::Force};
         add_pair(row, {"fx", "fy"}, [&](const PlaneCase& result) { return result.reaction(nodes); });
+        if (model_.analysis == StressState::Axisymmetric) return; // around the axis moments cancel
         row.component = "mz";
         row.kind = EnvelopeRow::Kind::Moment;
         row.range = envelope_.range(
@@ -450,8 +452,12 @@ std::string plane_envelope_text(const PlaneResults& results, const PlaneSelectio
     for (const CaseId id : selection.cases) names += (names.empty() ? "" : ", ") + model.case_name(id);
     const std::string title = fill(tr("Envelope of {0}"), {names});
     const std::vector<EnvelopeRow> rows = EnvelopeRows(results, selection, false).all();
-    return "\n" + title + "\n" + std::string(tabular::shown_width(title), '=') + "\n" +
-           EnvelopeText(model, rows, units, tr).text();
+    std::string text = "\n" + title + "\n" + std::string(tabular::shown_width(title), '=') + "\n" +
+                       EnvelopeText(model, rows, units, tr).text();
+    for (const CaseId id : selection.cases)
+        for (const std::string& sentence : cut_sentences(results, results[id], selection.cuts, units, tr))
+            text += "  " + model.case_name(id) + ": " + sentence + "\n";
+    return text;
 }
 
 std::vector<CsvFile> plane_envelope_csv(const PlaneResults& results, const PlaneSelection& selection)

@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "femoop/io/plane/cut_sentences.h"
 #include "femoop/io/plane/plane_output.h"
 #include "femoop/io/plane/printed_sizes.h"
 #include "femoop/io/results/result_units.h"
@@ -16,7 +17,6 @@
 #include "femoop/plane/analysis/result_reader.h"
 #include "femoop/plane/mesh/mesh_geometry.h"
 #include "femoop/plane/mesh/mesh_quality.h"
-#include "femoop/plane/result/cut_balance.h"
 #include "femoop/result/magnitudes.h"
 #include "femoop/tabular/plain_text.h"
 #include "femoop/tabular/table.h"
@@ -60,7 +60,8 @@ public:
         text += titled(tr_("Extreme stresses of the regions (smoothed, tension positive)"), extremes(), tr_);
         text += titled(tr_("At the places asked for"), probes(selection.probes), tr_);
         text += titled(tr_("On the cuts (N positive in tension; V = dM/dx')"), cuts(selection.cuts), tr_);
-        text += cut_warnings(selection.cuts);
+        for (const std::string& sentence : cut_sentences(results_, result_, selection.cuts, units_, tr_))
+            text += "  " + sentence + "\n";
         text += titled(tr_("Equilibrium (moments about the origin)"), equilibrium(), tr_);
         const std::string energy = number_text(six_digits(result_.energy() * units_.moment.factor)),
                           error = number_text(six_digits(100.0 * result_.error_estimate()));
@@ -178,28 +179,6 @@ private:
             table.add_row(std::move(row));
         }
         return table;
-    }
-
-    /// What is to be said of cuts whose stresses do not balance what lies beyond them.
-    std::string cut_warnings(const std::vector<Cut>& all) const
-    {
-        std::string text;
-        for (std::size_t i = 0; i < all.size(); ++i) {
-            const auto warning = cut_warning(results_, result_, all[i]);
-            if (!warning) continue;
-            const CutForces by = without_rounding_of(warning->balanced, all[i]);
-            const auto value = [&](double v, const PrintedUnit& unit) {
-                return number_text(six_digits(v * unit.factor));
-            };
-            text += "  " +
-                    fill(tr_("cut {0}: the stresses of the elements miss equilibrium by {1} % (digits that hold: {2}); "
-                             "what lies beyond the cut gives N = {3}, V = {4}, M = {5}"),
-                         {std::to_string(i + 1), number_text(six_digits(100.0 * warning->missed)),
-                          std::to_string(warning->digits), value(by.N, units_.force), value(by.V, units_.force),
-                          value(by.M, units_.moment)}) +
-                    "\n";
-        }
-        return text;
     }
 
     tabular::Table equilibrium() const
