@@ -87,7 +87,15 @@ private:
     bool shows(PlateShow item) const { return options_.show.set.contains(item); }
     void line(const std::string& sentence) { text_ += sentence + "\n"; }
     std::string value(double v, ui::Measure measure) const { return ui::with_minus_signs(units_.text(v, measure)); }
-    std::string place(const Eigen::Vector2d& at) const { return units_.place(at.x(), at.y()); }
+    /// The number, or 0 where it is rounding beside another.
+    static double nothing(double v, double beside) { return std::abs(v) < 1e-9 * beside ? 0.0 : v; }
+    std::string place(const Eigen::Vector2d& at) const
+    {
+        double largest = 0.0;
+        for (const fp::PlanePoint& point : input_.model.points)
+            largest = std::max({largest, std::abs(point.at[0].value()), std::abs(point.at[1].value())});
+        return units_.place(nothing(at.x(), largest), nothing(at.y(), largest));
+    }
     std::string area_text(double area) const
     {
         const ui::DisplayUnit length = units_.unit(ui::Measure::Length);
@@ -273,7 +281,6 @@ private:
 
     void write_cut_warning(const fp::CutWarning& warning, double size, const fp::Cut& cut)
     {
-        const auto nothing = [](double v, double beside) { return std::abs(v) < 1e-9 * beside ? 0.0 : v; };
         const fp::CutForces& by = warning.balanced;
         const std::string percent = ui::number_text(100.0 * warning.missed,
                                                     {.digits = 2, .mark = options_.numbers.mark});
@@ -290,7 +297,6 @@ private:
         const CutPicture picture = cut_picture(*input_.results, *result_, cut);
         if (picture.hindrance)
             return line(tr_("cut {n}: {reason}", {{"n", std::to_string(n)}, {"reason", tr_(*picture.hindrance)}}));
-        const auto nothing = [](double v, double beside) { return std::abs(v) < 1e-9 * beside ? 0.0 : v; };
         const double size = std::max(
             {std::abs(picture.forces.N), std::abs(picture.forces.V), std::abs(picture.forces.M) / cut.length()});
         line(tr_("cut {n} from {start} to {end}: N = {N}, V = {V}, M = {M}",

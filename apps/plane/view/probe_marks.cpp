@@ -65,12 +65,14 @@ std::vector<std::string> state_lines(const fp::PlaneResults& results, const fp::
 {
     const auto state = probe_state(results, result, at);
     if (!state) return {};
-    std::vector<std::string> lines{units.place(at.x(), at.y())};
+    const bool is_on_border = !state->beyond.empty();
+    std::vector<std::string> lines{units.place(at.x(), at.y()) + (is_on_border ? " " + state->region : "")};
     const bool is_of_element = options.reading == fp::StressReading::Element;
     for (const ProbeValue& value : state->values) {
         const double shown = is_of_element ? value.element.value_or(value.smoothed) : value.smoothed;
         lines.push_back(value.symbol + " = " + ui::with_minus_signs(units.text(shown, value.measure)));
     }
+    for (const ProbeState::Beyond& beyond : state->beyond) lines.push_back(text_of(beyond, units));
     return lines;
 }
 

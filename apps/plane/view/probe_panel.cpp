@@ -10,7 +10,6 @@ namespace plane {
 
 namespace {
 
-namespace fp = femoop::plane;
 using ui::Point;
 using ui::Role;
 
@@ -126,10 +125,7 @@ private:
         const ProbeState& state = *panel_.state;
         if (state.beyond.empty()) return;
         write_note(options_.tr("on the border of regions: above is {region}", {{"region", state.region}}));
-        const auto stress = [&](double value) { return number_of(value, ui::Measure::Stress, units_); };
-        for (const auto& [region, s] : state.beyond)
-            write_note(region + ": σx " + stress(s.sx) + ", σy " + stress(s.sy) + ", τxy " + stress(s.txy) +
-                       ", σ Mises " + stress(fp::von_mises(s)));
+        for (const ProbeState::Beyond& beyond : state.beyond) write_note(text_of(beyond, units_));
     }
 
     void write_notes()

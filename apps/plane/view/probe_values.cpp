@@ -123,6 +123,14 @@ mohr::StressPoint stress_point(const ProbeState& state, const ui::DisplayUnits& 
             .unit = unit.name};
 }
 
+std::string text_of(const ProbeState::Beyond& beyond, const ui::DisplayUnits& units)
+{
+    const fp::PlaneStress& s = beyond.smoothed;
+    const auto stress = [&](double value) { return number_of(value, ui::Measure::Stress, units); };
+    return beyond.region + ": σx " + stress(s.sx) + ", σy " + stress(s.sy) + ", τxy " + stress(s.txy) + ", σ Mises " +
+           stress(fp::von_mises(s));
+}
+
 std::string number_of(double value, ui::Measure measure, const ui::DisplayUnits& units)
 {
     return ui::with_minus_signs(units.number(value, measure));

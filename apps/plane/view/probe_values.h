@@ -42,6 +42,9 @@ std::optional<ProbeState> probe_state(const femoop::plane::PlaneResults& results
 /// What Mohr's circle is drawn of: the smoothed stresses, in the unit that stresses are shown in.
 mohr::StressPoint stress_point(const ProbeState& state, const ui::DisplayUnits& units);
 
+/// "rim: σx 12.3, σy −4, τxy 0, σ Mises 14.7", without units.
+std::string text_of(const ProbeState::Beyond& beyond, const ui::DisplayUnits& units);
+
 /// "12.3", with a true minus sign and without its unit.
 std::string number_of(double value, ui::Measure measure, const ui::DisplayUnits& units);
 
