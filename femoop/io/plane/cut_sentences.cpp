@@ -15,7 +15,7 @@ std::vector<std::string> cut_sentences(const PlaneResults& results, const PlaneC
         const auto warning = cut_warning(results, result, cuts[i]);
         if (!warning) continue;
         const CutForces by = without_rounding_of(warning->balanced, cuts[i]);
-        const auto number = [&tr](double v) { return localized(number_text(six_digits(v)), tr); };
+        const auto number = [&tr](double v) { return localized(number_text(to_six_digits(v)), tr); };
         const auto value = [&number](double v, const PrintedUnit& unit) { return number(v * unit.factor); };
         sentences.push_back(
             fill(tr("cut {0}: the stresses of the elements miss equilibrium by {1} % (digits that hold: {2}); "

@@ -41,7 +41,7 @@ std::string natural_modes_text(const NaturalModes& found, const Translator& tr)
     text += "\n" + tr("Natural modes") + "\n" +
             tabular::plain_text(table_of_modes(found, tr), {table_indent, decimal_mark(tr)});
     return text + "  " +
-           fill(tr("total mass {0} {1}"), {localized(number_text(six_digits(found.total_mass)), tr),
+           fill(tr("total mass {0} {1}"), {localized(number_text(to_six_digits(found.total_mass)), tr),
                                            printed_unit(dimension::mass, found.model().units)}) +
            "\n";
 }

@@ -377,7 +377,7 @@ private:
         }
         return row.id;
     }
-    std::string number_of(double value) const { return localized(number_text(six_digits(value)), tr_); }
+    std::string number_of(double value) const { return localized(number_text(to_six_digits(value)), tr_); }
 
     template <class Wanted> std::string table(const std::string& title, std::string what, const Wanted& is_wanted) const
     {

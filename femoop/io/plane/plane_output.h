@@ -24,7 +24,7 @@ struct ShownPoint {
 /// The lines above results: title, analysis, units, size of the mesh. \param what  of the analysis, in the reader's words
 std::string heading(const PlaneModel& model, const std::string& what, const Translator& tr);
 
-double six_digits(double value); ///< as sentences below results have them
+double to_six_digits(double value); ///< as sentences below results have them
 
 /// Whose extremes programs are told.
 inline constexpr std::array shown_extremes{PlaneComponent::sx,   PlaneComponent::sy, PlaneComponent::sz,

@@ -63,8 +63,8 @@ public:
         for (const std::string& sentence : cut_sentences(results_, result_, selection.cuts, units_, tr_))
             text += "  " + sentence + "\n";
         text += titled(tr_("Equilibrium (moments about the origin)"), equilibrium(), tr_);
-        const std::string energy = number_text(six_digits(result_.energy() * units_.moment.factor)),
-                          error = number_text(six_digits(100.0 * result_.error_estimate()));
+        const std::string energy = number_text(to_six_digits(result_.energy() * units_.moment.factor)),
+                          error = number_text(to_six_digits(100.0 * result_.error_estimate()));
         return text + "  " +
                fill(tr_("strain energy {0} {1}; estimated error of the stresses {2} %"),
                     {localized(energy, tr_), units_.moment.name, localized(error, tr_)}) +
@@ -208,7 +208,7 @@ private:
 
 } // namespace
 
-double six_digits(double value)
+double to_six_digits(double value)
 {
     std::array<char, 32> text{};
     static_cast<void>(std::snprintf(text.data(), text.size(), "%.6g", value));
