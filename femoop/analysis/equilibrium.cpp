@@ -3,6 +3,7 @@
 #include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
+#include <unordered_map>
 
 #include "femoop/discretisation/equations.h"
 #include "femoop/discretisation/parts.h"
@@ -84,6 +85,7 @@ public:
 
     void run()
     {
+        for (const Discretisation::Tie& tie : structure_.ties) ties_.emplace(key(tie.node, tie.dof), &tie);
         result_.reactions.assign(structure_.supports.size(), NodeVector{});
         for (const Eigen::Vector3d& position : structure_.positions)
             result_.balance.reach = std::max(result_.balance.reach, position.norm());
@@ -178,8 +180,9 @@ private:
 
     bool meets_support(const ElementDofs& dofs) const
     {
-        return !structure_.ties.empty() || std::ranges::any_of(dofs.nodes, [&](NodeId node) {
-            return structure_.support_of_node[node.index] >= 0;
+        return std::ranges::any_of(dofs.nodes, [&](NodeId node) {
+            return structure_.support_of_node[node.index] >= 0 ||
+                   std::ranges::any_of(dofs.of_each_node, [&](Dof dof) { return tie_of(node, dof) != nullptr; });
         });
     }
 
@@ -211,10 +214,10 @@ private:
 
     const Discretisation::Tie* tie_of(NodeId node, Dof dof) const
     {
-        const auto tie = std::ranges::find_if(
-            structure_.ties, [&](const Discretisation::Tie& each) { return each.node == node && each.dof == dof; });
-        return tie == structure_.ties.end() ? nullptr : &*tie;
+        const auto tie = ties_.empty() ? ties_.end() : ties_.find(key(node, dof));
+        return tie == ties_.end() ? nullptr : tie->second;
     }
+    static std::size_t key(NodeId node, Dof dof) { return node.index * all_dofs.size() + index(dof); }
 
     /// The moment of a force that a node's tie takes to its leader.
     void hand_over(const Discretisation::Tie& tie, double force)
@@ -316,6 +319,7 @@ private:
     std::size_t case_;
     const CaseLoads& loads_;
     detail::CaseSolution& result_;
+    std::unordered_map<std::size_t, const Discretisation::Tie*> ties_; ///< of nodes that have one
     Wrench sum_of_loads_, sum_of_reactions_;
 };
 
