@@ -12,30 +12,13 @@ function(cremona_compile_quickly)
   endforeach()
 endfunction()
 
-# cremona_compile_folders_quickly(TARGET FOLDER...): of the sources of TARGET those in these folders of its own.
-function(cremona_compile_folders_quickly target)
-  get_target_property(sources ${target} SOURCES)
-  get_target_property(folder ${target} SOURCE_DIR)
-  get_target_property(libraries ${target} LINK_LIBRARIES)
-  list(TRANSFORM ARGN PREPEND "${folder}/" OUTPUT_VARIABLE folders)
-  list(JOIN folders "|" quick)
-  set(rest "${sources}")
-  list(FILTER sources INCLUDE REGEX "^(${quick})/.*[.]cpp$")
-  list(FILTER rest EXCLUDE REGEX "^(${quick})/.*[.]cpp$")
-  set_target_properties(${target} PROPERTIES SOURCES "${rest}")
-  add_library(${target}_quick OBJECT ${sources})
-  target_include_directories(${target}_quick PRIVATE "${PROJECT_SOURCE_DIR}")
-  target_link_libraries(${target}_quick PRIVATE ${libraries})
-  target_sources(${target} PRIVATE $<TARGET_OBJECTS:${target}_quick>)
-  cremona_precompile(${target}_quick model)
-  cremona_compile_quickly(${target}_quick)
-endfunction()
-
-cremona_compile_folders_quickly(femoop
+cremona_compile_apart(femoop quick
   edit io model/check model/fault methods/counting methods/cross methods/derivation methods/force_method methods/free_body methods/funicular methods/mohr
   methods/truss methods/virtual_work typical)
+cremona_precompile(femoop_quick model)
 
 cremona_compile_quickly(
+  femoop_quick
   cremona_pch_model # GCC takes how much is optimized from the precompiled header
   files tabular ui_base ui cremona_cli
   cross_model cross_view cross_report cross_session cross_app
