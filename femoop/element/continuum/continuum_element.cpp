@@ -5,6 +5,7 @@
 #include <array>
 #include <optional>
 #include <stdexcept>
+#include <utility>
 #include <vector>
 
 #include "femoop/element/continuum/continuum_model.h"
@@ -259,21 +260,43 @@ private:
 
     void add_edge_load(const EdgeLoad& load, const NodePositions& X, ElementVector& f) const
     {
-        const Shape::Edge edge = formulation().shape().edges()[static_cast<std::size_t>(load.edge)];
-        for (const ShapeAtPoint& point : formulation().edge_points()) {
-            Eigen::Vector2d at = Eigen::Vector2d::Zero(), tangent = Eigen::Vector2d::Zero();
-            for (std::size_t i = 0; i < edge.size(); ++i) {
-                at += point.N[static_cast<int>(i)] * X.row(edge[i]).transpose();
-                tangent += point.dN(static_cast<int>(i), 0) * X.row(edge[i]).transpose();
-            }
-            const double length = tangent.norm();
-            const Eigen::Vector2d along = tangent / length;
-            const Eigen::Vector2d traction = load.traction(
-                {.at = at, .along = along, .outward = {along.y(), -along.x()}, .xi = point.at.xi});
-            for (std::size_t i = 0; i < edge.size(); ++i)
-                f.segment<2>(2 * edge[i]) += point.weight * length * depth(at.x()) * point.N[static_cast<int>(i)] *
-                                             traction;
+        double begin = -1.0;
+        for (const double kink : load.kinks) add_between(std::exchange(begin, kink), kink, load, X, f);
+        add_between(begin, 1.0, load, X, f);
+    }
+
+    void add_between(double begin, double end, const EdgeLoad& load, const NodePositions& X, ElementVector& f) const
+    {
+        const Shape& line = shape_of(*formulation().shape().edge_kind());
+        for (ShapeAtPoint point : formulation().edge_points()) {
+            if (end - begin < 2.0) point = between(begin, end, point, line);
+            add_at(point, load, X, f);
         }
+    }
+
+    /// The point of a rule for a whole edge, as one for a part of it.
+    static ShapeAtPoint between(double begin, double end, const ShapeAtPoint& of_whole, const Shape& line)
+    {
+        const double half = 0.5 * (end - begin);
+        const NaturalPoint at{.xi = begin + half * (of_whole.at.xi + 1.0)};
+        return {.at = at, .N = line.values(at), .dN = line.derivatives(at), .weight = half * of_whole.weight};
+    }
+
+    void add_at(const ShapeAtPoint& point, const EdgeLoad& load, const NodePositions& X, ElementVector& f) const
+    {
+        const Shape::Edge edge = formulation().shape().edges()[static_cast<std::size_t>(load.edge)];
+        Eigen::Vector2d at = Eigen::Vector2d::Zero(), tangent = Eigen::Vector2d::Zero();
+        for (std::size_t i = 0; i < edge.size(); ++i) {
+            at += point.N[static_cast<int>(i)] * X.row(edge[i]).transpose();
+            tangent += point.dN(static_cast<int>(i), 0) * X.row(edge[i]).transpose();
+        }
+        const double length = tangent.norm();
+        const Eigen::Vector2d along = tangent / length;
+        const Eigen::Vector2d traction = load.traction(
+            {.at = at, .along = along, .outward = {along.y(), -along.x()}, .xi = point.at.xi});
+        for (std::size_t i = 0; i < edge.size(); ++i)
+            f.segment<2>(2 * edge[i]) += point.weight * length * depth(at.x()) * point.N[static_cast<int>(i)] *
+                                         traction;
     }
 
     void add_body_load(const BodyLoad& load, const NodePositions& X, ElementVector& f) const

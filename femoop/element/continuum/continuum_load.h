@@ -2,6 +2,7 @@
 
 #include <Eigen/Core>
 #include <functional>
+#include <vector>
 
 namespace femoop {
 
@@ -17,6 +18,7 @@ struct EdgePoint {
 struct EdgeLoad {
     int edge = 0; ///< of the element's shape
     std::function<Eigen::Vector2d(const EdgePoint&)> traction;
+    std::vector<double> kinks{}; ///< natural coordinates between the ends where it has one, ascending
 };
 
 /// Force per volume at a place, along the global axes.

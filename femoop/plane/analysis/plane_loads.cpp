@@ -2,6 +2,7 @@
 #include <map>
 #include <utility>
 
+#include "femoop/plane/analysis/edge_traction.h"
 #include "femoop/plane/analysis/plane_structure.h"
 #include "femoop/plane/mesh/mesh_geometry.h"
 
@@ -10,33 +11,6 @@ namespace femoop::plane {
 namespace {
 
 constexpr double standard_gravity_acceleration = 9.80665; // m/s^2
-
-FieldPlace place_of(const Eigen::Vector2d& at) { return {.x = at.x(), .y = at.y()}; }
-double value_or_zero(const std::optional<Field>& field, const FieldPlace& at)
-{
-    return field ? value(*field, at) : 0.0;
-}
-
-/// A load of a curve as an edge of an element feels it.
-struct EdgeTraction {
-    const CurveLoad* load;
-    const CurveGeometry* curve;
-    std::size_t edge;
-    bool is_reversed; ///< the element's edge runs against the curve
-    double per_area;  ///< what a force per length is multiplied by
-
-    Eigen::Vector2d operator()(const EdgePoint& point) const
-    {
-        FieldPlace at = place_of(point.at);
-        at.s = curve->s(edge, is_reversed ? -point.xi : point.xi);
-        at.length = curve->length();
-        if (load->kind == CurveLoadKind::Pressure) return -value_or_zero(load->value, at) * point.outward;
-        const Eigen::Vector2d q = per_area * Eigen::Vector2d(value_or_zero(load->qx, at), value_or_zero(load->qy, at));
-        if (load->axes == LoadAxes::Global) return q;
-        const Eigen::Vector2d along = is_reversed ? Eigen::Vector2d(-point.along) : point.along;
-        return q.x() * along + q.y() * Eigen::Vector2d(-along.y(), along.x());
-    }
-};
 
 } // namespace
 
@@ -82,7 +56,8 @@ private:
                                         .edge = i,
                                         .is_reversed = !edges[i].left,
                                         .per_area = load.kind == CurveLoadKind::Line ? 1.0 / thickness : 1.0};
-            on(side.element.index).edge_loads.push_back({.edge = side.edge, .traction = traction});
+            on(side.element.index)
+                .edge_loads.push_back({.edge = side.edge, .traction = traction, .kinks = traction.kinks()});
         }
     }
 

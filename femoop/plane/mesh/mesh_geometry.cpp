@@ -69,6 +69,12 @@ CurveGeometry::CurveGeometry(const PlaneModel& model, const std::vector<CurveEdg
     if (reach) length_ = reach->length;
 }
 
+Eigen::Vector2d CurveGeometry::at(std::size_t edge, double xi) const
+{
+    const EdgePositions& X = edges_[edge];
+    return X.transpose() * line_of(X.rows()).values({.xi = xi});
+}
+
 Eigen::Vector2d CurveGeometry::tangent(std::size_t edge, double xi) const
 {
     const EdgePositions& X = edges_[edge];

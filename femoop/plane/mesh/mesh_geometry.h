@@ -34,6 +34,7 @@ public:
     const std::vector<CurveNode>& nodes() const { return nodes_; } ///< as `nodes_along` lists them
     /// The length from the curve's start to a place of an edge, xi from -1 at its start to 1 at its end.
     double s(std::size_t edge, double xi) const;
+    Eigen::Vector2d at(std::size_t edge, double xi) const;
 
 private:
     using EdgePositions = Eigen::Matrix<double, Eigen::Dynamic, 2, 0, 3, 2>;

@@ -22,17 +22,6 @@ double value_of(const Field::Polynomial& terms, const FieldPlace& at)
     return sum;
 }
 
-double place_along(const Field::Table& table, const FieldPlace& at)
-{
-    switch (table.along) {
-    case Field::Along::x: return at.x;
-    case Field::Along::y: return at.y;
-    case Field::Along::s: return at.s;
-    case Field::Along::r: break;
-    }
-    return table.about.empty() ? std::hypot(at.x, at.y) : std::hypot(at.x - table.about[0], at.y - table.about[1]);
-}
-
 double value_of(const Field::Table& table, const FieldPlace& at)
 {
     const double place = place_along(table, at);
@@ -46,6 +35,17 @@ double value_of(const Field::Table& table, const FieldPlace& at)
 }
 
 } // namespace
+
+double place_along(const Field::Table& table, const FieldPlace& at)
+{
+    switch (table.along) {
+    case Field::Along::x: return at.x;
+    case Field::Along::y: return at.y;
+    case Field::Along::s: return at.s;
+    case Field::Along::r: break;
+    }
+    return table.about.empty() ? std::hypot(at.x, at.y) : std::hypot(at.x - table.about[0], at.y - table.about[1]);
+}
 
 double value(const Field& field, const FieldPlace& at)
 {

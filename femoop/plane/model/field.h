@@ -57,6 +57,9 @@ struct FieldPlace {
 
 double value(const Field& field, const FieldPlace& at);
 
+/// Where a place lies along a table.
+double place_along(const Field::Table& table, const FieldPlace& at);
+
 /// Does it vary along a curve, so that it means nothing without one?
 bool needs_curve(const Field& field);
 
