@@ -313,6 +313,7 @@ enum class FaultKind : std::uint16_t {
     CurveTooShort,          ///< {0} place, {1} points
     CurveWithoutEdge,       ///< {0} place, {1} point, {2} point
     PressureInside,         ///< {0} place, {1} curve
+    LoadOnTwoThicknesses,   ///< {0} place, {1} curve, {2} region whose thickness counts, {3} the other
     PointWithoutElements,   ///< {0} place, {1} point
     LonePoint,              ///< {0} place
     RegionWithoutElements,  ///< {0} place

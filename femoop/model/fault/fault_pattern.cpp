@@ -81,10 +81,12 @@ std::string_view pattern(FaultKind kind)
 
     case FaultKind::InaccurateBody:
         return "case {0}: loads and reactions balance to {1} digits only, and no more of any result is sure; slender "
-               "parts and elements that are very flat or of very unlike sizes bring that: make them less so";
+               "parts, materials of very unlike stiffness, and elements that are very flat or of very unlike sizes bring "
+               "that: make them less so";
     case FaultKind::IllConditionedBody:
-        return "case {0} cannot be solved: the body is held, but too slender or its elements too flat for its forces to "
-               "balance in 16 digits; use elements that are less flat, or a frame in place of a slender plate";
+        return "case {0} cannot be solved: the body is held, but too slender, its elements too flat or its materials too "
+               "unlike for its forces to balance in 16 digits; use elements that are less flat, materials that are less "
+               "unlike, or a frame in place of a slender plate";
 
     case FaultKind::InaccurateLines:
         return "influence lines: unit loads and their reactions balance to {0} digits only, and no more of any "
@@ -565,6 +567,9 @@ std::string_view pattern(FaultKind kind)
         return "{0}: no element has an edge from point \"{1}\" to point \"{2}\"; name the corners of consecutive element edges";
     case FaultKind::PressureInside:
         return "{0}: curve \"{1}\" has material on both sides, wanted one, into which a pressure pushes; give a traction";
+    case FaultKind::LoadOnTwoThicknesses:
+        return "{0}: curve \"{1}\" parts regions of unlike thickness; this force per area acts on that of region \"{2}\", not of "
+               "\"{3}\"; with kind \"line\" it is one per length, which needs none";
     case FaultKind::PointWithoutElements:
         return "{0}: no element meets point \"{1}\", so that nothing takes it; join an element or take it away";
     case FaultKind::LonePoint: return "{0}: no element meets this point; use it or delete it";
@@ -656,6 +661,7 @@ Severity severity(FaultKind kind)
     case FaultKind::MeshAngleMissed:
     case FaultKind::RegionWithoutElements:
     case FaultKind::NearlyIncompressible:
+    case FaultKind::LoadOnTwoThicknesses:
     case FaultKind::EmptyLoad: return Severity::Warning;
     default: return Severity::Error;
     }

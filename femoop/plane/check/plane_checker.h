@@ -85,7 +85,7 @@ private:
     void check_load(const RegionLoad& load, const Entry& place);
     void check_load(const PlaneSettlement& settlement, const Entry& place);
     void check_field(const std::optional<Field>& field, std::string_view key, bool is_on_curve, const Entry& place);
-    void check_pressure(CurveId curve, const Entry& place);
+    void check_sides(CurveLoadKind kind, CurveId curve, const Entry& place);
     /// Calls use(region, its material) for those that a load is on.
     template <class Use> void for_regions(const std::vector<RegionId>& regions, Use use) const;
     void require_density(const std::vector<RegionId>& regions, const Entry& place);

@@ -77,11 +77,8 @@ void PlaneChecker::check_load(const NodeLoad& load, const Entry& place)
 void PlaneChecker::check_load(const CurveLoad& load, const Entry& place)
 {
     for (const CurveId curve : load.curves) require_entry(place, "curves", curve.index, model_.curves.size());
-    if (load.kind == CurveLoadKind::Pressure) {
-        check_field(load.value, "value", true, place);
-        for (const CurveId curve : load.curves) check_pressure(curve, place);
-        return;
-    }
+    for (const CurveId curve : load.curves) check_sides(load.kind, curve, place);
+    if (load.kind == CurveLoadKind::Pressure) return check_field(load.value, "value", true, place);
     if (!load.qx && !load.qy) add(FaultKind::EmptyLoad, place, {});
     check_field(load.qx, "qx", true, place);
     check_field(load.qy, "qy", true, place);
@@ -89,14 +86,18 @@ void PlaneChecker::check_load(const CurveLoad& load, const Entry& place)
         add(FaultKind::LineLoadOfRevolution, place, {});
 }
 
-void PlaneChecker::check_pressure(CurveId curve, const Entry& place)
+/// What a force per area asks of a curve with material on both sides.
+void PlaneChecker::check_sides(CurveLoadKind kind, CurveId curve, const Entry& place)
 {
-    if (curve.index >= model_.curves.size() || unreadable_.is_incomplete) return;
-    for (const CurveEdge& edge : edges_along(model_, *edges_, model_[curve]).edges)
-        if (edge.left && edge.right) {
-            add(FaultKind::PressureInside, place, {model_[curve].id});
-            return;
-        }
+    if (kind == CurveLoadKind::Line || curve.index >= model_.curves.size() || unreadable_.is_incomplete) return;
+    for (const CurveEdge& edge : edges_along(model_, *edges_, model_[curve]).edges) {
+        if (!edge.left || !edge.right) continue;
+        if (kind == CurveLoadKind::Pressure) return add(FaultKind::PressureInside, place, {model_[curve].id});
+        const RegionId left = model_[edge.left->element].region, right = model_[edge.right->element].region;
+        if (model_.thickness(left) != model_.thickness(right))
+            return add(FaultKind::LoadOnTwoThicknesses, place,
+                       {model_[curve].id, model_[left].id, model_[right].id});
+    }
 }
 
 void PlaneChecker::check_load(const RegionLoad& load, const Entry& place)

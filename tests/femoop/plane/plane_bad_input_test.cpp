@@ -171,6 +171,12 @@ std::vector<BadPlaneFile> files_with_bad_plane_loads()
         {with_curve_load(R"("kind": "line", "qx": 2)", "axisymmetric", bare_regions),
          "load_cases[0].curves[0]: a force per length of the curve does not say how far it reaches around the axis; give "
          "a traction"},
+        {PlaneText{.regions = R"([{"id": "web", "material": "m", "thickness": 0.4},
+            {"id": "rib", "material": "m", "thickness": 0.9}])",
+                   .load_case = R"(, "curves": [{"curve": "middle", "kind": "traction", "qx": 2}])"}
+             .text(),
+         "load_cases[0].curves[0]: curve \"middle\" parts regions of unlike thickness; this force per area acts on that "
+         "of region \"web\", not of \"rib\"; with kind \"line\" it is one per length, which needs none"},
         {with_curve_load(R"("kind": "traction", "qx": [1, 2, 3])"),
          "load_cases[0].curves[0].qx: found a list of 3, wanted 2 values; give that at the start of the curve and that "
          "at its end"},
