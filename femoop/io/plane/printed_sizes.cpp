@@ -17,7 +17,11 @@ PlaneMagnitudes::PlaneMagnitudes(const PlaneResults& results, const PlaneCase& r
     }
 }
 
-double PlaneMagnitudes::moved(double u) const { return without_rounding(u, displacement); }
+double PlaneMagnitudes::moved(double u) const
+{
+    constexpr double digits_lost = 10.0; // in moving a body as a whole
+    return without_rounding(u, digits_lost * displacement);
+}
 
 SizeOfSums::SizeOfSums(const PlaneCase& result)
 {

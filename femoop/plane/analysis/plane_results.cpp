@@ -34,12 +34,22 @@ StressVector vector_of(const PlaneStress& s, StressState state)
 
 constexpr int points_of_piece = 8;                      // of Gauss's rule along a part of a cut
 constexpr std::size_t elements_sampled_at_once = 10000; // that a thread does
+constexpr double round_off = 1e-13; // of what a motion of the whole body would be if it were all strain
+
+/// The largest E.
+double stiffest(const PlaneModel& model)
+{
+    double most = 0.0;
+    for (const Material& material : model.materials) most = std::max(most, material.E.value());
+    return most;
+}
 
 } // namespace
 
 struct PlaneCase::Samples {
     SampleNumbers numbers;
     ValueTable values; ///< [recovery points x 8]
+    bool are_stressed = true;
 };
 
 struct PlaneCase::Recovered {
@@ -74,6 +84,26 @@ PlaneCase::PlaneCase(std::shared_ptr<const PlaneStructure> structure, std::share
                 heat_[on.element].push_back({[rise, times](const Eigen::Vector2d& at) { return times * (*rise)(at); }});
             }
     }
+    drop_round_off_of_reactions();
+}
+
+/// What springs under a body that moves with them do by rounding is nothing.
+void PlaneCase::drop_round_off_of_reactions()
+{
+    double force = 0.0, depth = 0.0;
+    for (const NodeVector& each : reactions_)
+        for (const double component : each) force = std::max(force, std::abs(component));
+    const PlaneModel& model = structure_->model();
+    for (std::size_t r = 0; r < model.regions.size(); ++r) depth = std::max(depth, model.thickness(RegionId(r)));
+    are_reactions_round_off_ = force <= round_off * stiffest(model) * depth * largest_motion();
+    if (are_reactions_round_off_) std::ranges::fill(reactions_, NodeVector{});
+}
+
+double PlaneCase::largest_motion() const
+{
+    double most = 0.0;
+    for (const double u : displacements_) most = std::max(most, std::abs(u));
+    return most;
 }
 
 Eigen::Vector2d PlaneCase::displacement(NodeId node) const
@@ -134,7 +164,7 @@ Equilibrium PlaneCase::equilibrium() const
         sum.residual = std::max(sum.residual, each.residual);
         for (std::size_t i = 0; i < n_dofs; ++i) {
             sum.sum_loads[i] += factor * each.sum_loads[i];
-            sum.sum_reactions[i] += factor * each.sum_reactions[i];
+            if (!are_reactions_round_off_) sum.sum_reactions[i] += factor * each.sum_reactions[i];
         }
     }
     return sum;
@@ -161,8 +191,30 @@ const PlaneCase::Samples& PlaneCase::samples() const
             }
         }
     });
+    drop_round_off(*made);
     samples_ = std::move(made);
     return *samples_;
+}
+
+/// A body that moves as a whole, or swells freely, has no stress; what it has by rounding is none.
+void PlaneCase::drop_round_off(Samples& samples) const
+{
+    const PlaneModel& model = structure_->model();
+    const double most = samples.values.leftCols<4>().cwiseAbs().maxCoeff();
+    constexpr double surely_none = 1e-7; // even where elements are a millionth of the body
+    if (most > surely_none * stiffest(model) * largest_motion() / extent(structure_->positions())) return;
+    double strain = 0.0, stress = 0.0; // if elements gave way by all of their displacements
+    for (std::size_t e = 0; e < model.elements.size(); ++e) {
+        const NodePositions at = positions_of(model, model.elements[e]);
+        const double extent = (at.colwise().maxCoeff() - at.colwise().minCoeff()).norm();
+        const double of_motion = field(ElementId(e)).node_displacements().cwiseAbs().maxCoeff() / extent;
+        strain = std::max(strain, of_motion);
+        stress = std::max(stress, model[model[model.elements[e].region].material].E * of_motion);
+    }
+    samples.are_stressed = most > round_off * stress;
+    if (!samples.are_stressed) samples.values.leftCols<4>().setZero();
+    if (samples.values.rightCols<4>().cwiseAbs().maxCoeff() <= round_off * strain)
+        samples.values.rightCols<4>().setZero();
 }
 
 Eigen::Matrix<double, 8, 1> PlaneCase::values_of(RegionId region, const StrainVector& total,
@@ -271,11 +323,12 @@ void PlaneCase::at_integration_points(
 {
     const ElementField inside = field(element);
     for (const IntegrationPoint& point : structure_->element(element).formulation().rule().points)
-        visit(inside.place(point.at), stress_of(inside.stress(point.at)));
+        visit(inside.place(point.at), samples().are_stressed ? stress_of(inside.stress(point.at)) : PlaneStress{});
 }
 
 double PlaneCase::energy() const
 {
+    if (!samples().are_stressed) return 0.0;
     double twice = 0.0;
     for (std::size_t e = 0; e < structure_->model().elements.size(); ++e) {
         const ContinuumElement& element = structure_->element(ElementId(e));

@@ -96,6 +96,9 @@ private:
 
     ElementField field(ElementId element) const;
     const Samples& samples() const;
+    void drop_round_off(Samples& samples) const;
+    void drop_round_off_of_reactions();
+    double largest_motion() const;
     Eigen::Matrix<double, 8, 1> values_of(RegionId region, const StrainVector& total,
                                           const StrainVector& mechanical) const;
     ValueTable sample_places() const;
@@ -111,6 +114,7 @@ private:
     CaseTerms terms_;
     std::vector<double> displacements_;
     std::vector<NodeVector> reactions_;
+    bool are_reactions_round_off_ = false;
     std::map<std::size_t, std::vector<ThermalLoad>> heat_; ///< of elements that are warmed
     mutable std::shared_ptr<const Samples> samples_;       ///< made when they are first asked for
     mutable std::shared_ptr<const Recovered> recovered_;

@@ -146,6 +146,54 @@ TEST_CASE("A field from end to end, a polynomial and a table of the same values 
     for (const double tip : tips) CHECK(tip == doctest::Approx(tips[0]).epsilon(1e-12));
 }
 
+TEST_CASE("A body that its springs carry along, or that swells freely, has neither stress nor reactions")
+{
+    constexpr std::string_view sprung =
+        R"([{"id": "left", "kind": "edges", "points": ["D", "A"], "support": "symmetry"},
+            {"id": "bottom", "kind": "edges", "points": ["A", "B", "C"], "support": {"springs": {"uy": 50}}}])";
+    for (const std::string_view load_case : {R"(, "settlements": [{"curve": "bottom", "uy": -0.37}])",
+                                             R"(, "regions": [{"kind": "temperature", "rise": 37}])"}) {
+        CAPTURE(load_case);
+        const bool settles = load_case.find("settlements") != std::string_view::npos;
+        const auto [model, results,
+                    P] = solved(settles ? PlaneText{.curves = sprung, .load_case = load_case} : narrowing(load_case));
+        CHECK(P.energy() == 0.0);
+        CHECK(P.equilibrium().sum_reactions[1] == 0.0);
+        for (std::size_t i = 0; i < model.points.size(); ++i) {
+            CHECK(P.reaction(NodeId(i)).norm() == 0.0);
+            if (settles) CHECK(P.displacement(NodeId(i)).y() == doctest::Approx(-0.37).epsilon(1e-12));
+        }
+        CHECK(von_mises(P.smoothed_stress(B, rib)) == 0.0);
+        CHECK(von_mises(P.element_stress(B, web)) == 0.0);
+        if (!settles) CHECK(P.smoothed_strain(B, web).ex == doctest::Approx(alpha * 37.0).epsilon(1e-12));
+    }
+}
+
+TEST_CASE("Water that reaches to within an edge presses by its triangle")
+{
+    // 9 at the foot of a side of height 2, nothing above the level.
+    for (const double level : {0.3, 1.3, 1.99})
+        for (const std::string_view points : {R"(["C", "F"])", R"(["F", "C"])"})
+            for (const std::string_view along : {R"("y")", R"("r", "about": [7, 0])"}) {
+                CAPTURE(level);
+                CAPTURE(points);
+                const std::string field = R"({"along": )" + std::string(along) + R"(, "table": [[0, 9], [)" +
+                                          std::to_string(level) + ", 0]]}";
+                const std::string curves =
+                    R"([{"id": "left", "kind": "edges", "points": ["D", "A"], "support": {"fixed": ["ux"]}},
+                {"id": "bottom", "kind": "edges", "points": ["A", "B", "C"], "support": "roller"},
+                {"id": "right", "kind": "edges", "points": )" +
+                    std::string(points) + "}]";
+                const std::string load_case = R"(, "curves": [{"curve": "right", "kind": "pressure", "value": )" +
+                                              field + "}]";
+                const auto [model, results, P] = solved({.curves = curves, .load_case = load_case});
+                const double force = 0.5 * 9.0 * level * thickness;
+                CHECK(P.reaction(everywhere(model)).x() == doctest::Approx(force).epsilon(1e-12));
+                CHECK(P.reaction_moment(everywhere(model), {0.0, 0.0}) ==
+                      doctest::Approx(-force * level / 3.0).epsilon(1e-12));
+            }
+}
+
 TEST_CASE("A body that is warmed and free strains by alpha T without stress; held, its stress is -E alpha T")
 {
     const double T = 40.0;
