@@ -100,7 +100,7 @@ void Render::declare(OptionParser& options, const ui::Catalogue& tr)
     options
         .add_option("--case", case_,
                     tr("the load case or combination that is drawn (default the first), or envelope: "
-                       "the largest and smallest of all"))
+                       "the largest and smallest of all (of members)"))
         .option_text("ID|envelope");
     options
         .add_option("--view", view_,

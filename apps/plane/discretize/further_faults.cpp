@@ -135,6 +135,7 @@ std::vector<Fault> further_faults(PlaneModel model, std::vector<Fault> known)
     };
     known = femoop::errors_among(std::move(known));
     if (!model.is_drawn || !std::ranges::all_of(known, is_of_entries)) return {};
+    known.insert(known.end(), of_entries.begin(), of_entries.end()); // reading excused what follows from another fault
     std::vector<Fault> further;
     Mend mend(model);
     const auto take = [&](const std::vector<Fault>& found) {

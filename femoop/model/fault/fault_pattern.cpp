@@ -176,7 +176,7 @@ std::string_view pattern(FaultKind kind)
                "leave out the others or add one";
     case FaultKind::BadPercentage: return "{0}: cannot read \"{1}\" as a percentage; write it like \"50%\"";
     case FaultKind::BadMode:
-        return "{0}: found {1}, wanted the number of a mode (1, 2, ...), \"max\" or \"min\"; write one of these";
+        return "{0}: found {1}, wanted the number of a mode or the rank of a face (1, 2, ...), \"max\" or \"min\"; write one of these";
     case FaultKind::SizeWithoutShape: return "{0}: \"{1}\" is the size of a shape; add \"shape\" or take \"{1}\" away";
     case FaultKind::NoSuchNode: return "{0}: no node \"{1}\"; add the node or name another";
     case FaultKind::NoSuchNodeNear: return "{0}: no node \"{1}\"; did you mean \"{2}\"?";

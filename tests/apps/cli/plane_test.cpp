@@ -217,6 +217,19 @@ TEST_CASE("Faults of fields, of places and of checks are told at once, as far as
     CHECK(has(run.err + run.out, "errors: 3"));
 }
 
+TEST_CASE("What names a point without a name is not told beside that")
+{
+    const Folder folder;
+    const std::string file = folder.write("empty.json", R"({"cremona": 1, "analysis": "plane_stress",
+        "units": {"length": "m", "force": "N"}, "materials": [{"id": "s", "E": 3e9, "nu": 0.3}], "mesh": {"size": 1},
+        "points": [{"id": "", "at": [0, 0]}],
+        "curves": [{"id": "o", "kind": "line", "points": ["", [3, 0], [3, 2], [0, 2]], "closed": true}],
+        "regions": [{"id": "R", "material": "s", "thickness": -1}]})");
+    const Run run = cli_test::cremona({"check", file});
+    CHECK(has(run.err + run.out, "points[0]: \"id\" is empty"));
+    CHECK(has(run.err + run.out, "errors: 2"));
+}
+
 TEST_CASE("A body that can move is drawn where a motion takes it, with status 3")
 {
     const Folder folder;

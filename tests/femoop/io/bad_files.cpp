@@ -221,7 +221,7 @@ std::vector<BadFile> files_with_bad_keys()
         {with_load(R"("kind": "point", "fy": -9, "at": "half%")"),
          "load_cases[0].members[0].at: cannot read \"half%\" as a percentage; write it like \"50%\""},
         {with_check(R"("quantity": "frequency", "analysis": "modal", "which": 1.5)"),
-         "expected[0].which: found 1.5, wanted the number of a mode (1, "
+         "expected[0].which: found 1.5, wanted the number of a mode or the rank of a face (1, "
          "2, ...), \"max\" or \"min\"; write one of these"},
         {with_section(R"([{"id": "s", "A": 0.012, "Iz": 2e-4, "bf": 0.2}])"),
          "sections[0] \"s\": \"bf\" is the size of a shape; add \"shape\" or take \"bf\" away"},
