@@ -3,6 +3,7 @@
 #include <array>
 
 #include "apps/plane/discretize/mesh_player.h"
+#include "apps/plane/view/mesh_words.h"
 
 namespace plane {
 
@@ -111,7 +112,7 @@ std::string mesher_note(const discretize::MeshPlayer& player, const PlateOptions
     const ui::Catalogue& tr = options.tr;
     return tr("step {n} of {total}",
               {{"n", std::to_string(player.place())}, {"total", std::to_string(player.n_steps())}}) +
-           "  ·  " + model[player.region()].id + ": " + player.method();
+           "  ·  " + model[player.region()].id + ": " + tr(method_word(player.method()));
 }
 
 std::string step_sentence(const discretize::MeshPlayer& player, const ui::Catalogue& tr)

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "apps/plane/view/mesh_words.h"
 #include "femoop/element/continuum/continuum_formulation.h"
 #include "femoop/shape/shape.h"
 #include "ui/widgets/item_label.h"
@@ -69,7 +70,7 @@ void mesh_rows(Workspace& workspace, RegionId region)
     ImGui::Spacing();
     ImGui::Separator();
     Combo method{translatable("Method of the mesh"), {usual}, place_in(methods, mesh.method)};
-    for (const std::string_view name : methods) method.names.emplace_back(name);
+    for (const std::string_view name : methods) method.names.push_back(tr(method_word(name)));
     if (const auto i = show(method, tr))
         change_mesh(workspace, region, [i](MeshOptions& m) { m.method = *i == 0 ? "" : std::string(methods[*i - 1]); });
     Combo element{translatable("Element"), {usual}, place_in(elements, mesh.element)};
@@ -78,7 +79,7 @@ void mesh_rows(Workspace& workspace, RegionId region)
         change_mesh(workspace, region,
                     [i](MeshOptions& m) { m.element = *i == 0 ? std::nullopt : std::optional(elements[*i - 1]); });
     Combo formulation{translatable("Formulation"), {usual}, place_in(formulations, mesh.formulation)};
-    for (const Formulation one : formulations) formulation.names.emplace_back(femoop::plane::name(one));
+    for (const Formulation one : formulations) formulation.names.push_back(tr(formulation_word(one)));
     if (const auto i = show(formulation, tr))
         change_mesh(workspace, region, [i](MeshOptions& m) {
             m.formulation = *i == 0 ? std::nullopt : std::optional(formulations[*i - 1]);
