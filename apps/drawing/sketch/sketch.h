@@ -138,6 +138,7 @@ public:
     void caption(Caption caption);
     /// Whether a caption would be left out without a look: see Setup::is_crowded.
     bool is_full_at(ui::Point target, Rank rank) const { return crowd_ && crowd_->is_full(target, rank); }
+    const ui::Box& room() const { return room_; }
     bool is_in_sight(ui::Point target) const { return room_.contains(target); }
     /// Counts one that is not even made.
     void leave_out(ui::Point target) { n_left_out_ += is_in_sight(target) ? 1 : 0; }

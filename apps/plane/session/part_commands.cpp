@@ -439,14 +439,14 @@ Change change_of(const Message& whose, const Number& number, const std::optional
             [set = number.set, value](Document& document) { set(document, value); }, step};
 }
 
-namespace {
-
 std::string reason_of(const Session& session, const femoop::Fault& fault)
 {
     std::string reason = femoop::message(fault, [&](std::string_view words) { return session.tr()(words); });
     if (reason.starts_with(": ")) reason.erase(0, 2); // the place, which the field itself shows
     return reason;
 }
+
+namespace {
 
 /// What is typed, or what is wrong with it.
 std::variant<std::optional<femoop::Quantity>, Message> read_number(const Session& session, const Number& number,
@@ -461,10 +461,6 @@ std::variant<std::optional<femoop::Quantity>, Message> read_number(const Session
     if (const auto* const quantity = std::get_if<femoop::Quantity>(&typed)) return std::optional(*quantity);
     return Message(reason_of(session, std::get<femoop::Fault>(typed)));
 }
-
-} // namespace
-
-namespace {
 
 /// What is typed as files have it: `[1, 3]` or an object.
 bool is_field_typed(const Number& number, std::string_view text)

@@ -23,6 +23,8 @@ std::vector<Number> numbers_of_loads(const Session& session, const Part& part);
 /// A change of a number, named after whose it is: a part, a material, a case.
 Change change_of(const ui::Message& whose, const Number& number, const std::optional<femoop::Quantity>& value,
                  Step step);
+/// What is wrong with what was typed into a field, which itself shows where.
+std::string reason_of(const Session& session, const femoop::Fault& fault);
 /// Reads a number as it is typed, empty where it is taken away, and changes it. \returns why not
 std::optional<ui::Message> set_typed(Workspace& workspace, const ui::Message& whose, const Number& number,
                                      std::string_view text);

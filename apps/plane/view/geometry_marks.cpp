@@ -15,9 +15,8 @@ using ui::Point;
 using ui::Role;
 
 constexpr double hatch_distance = 9.0, tick_length = 4.0, vertex_radius = 2.6; // [px]
-constexpr double most_hatches = 2000.0;
 
-/// Lines at 45 degrees through what lies inside an odd number of loops.
+/// Lines at 45 degrees through what lies inside an odd number of loops, as far as it may be seen.
 void draw_hatch(const PlateScene& scene, const std::vector<std::vector<Point>>& loops)
 {
     const double step = scene.sketch.px(hatch_distance) * std::sqrt(2.0);
@@ -27,7 +26,10 @@ void draw_hatch(const PlateScene& scene, const std::vector<std::vector<Point>>& 
             low = std::min(low, p.x + p.y);
             high = std::max(high, p.x + p.y);
         }
-    if (!((high - low) / step < most_hatches)) return;
+    const ui::Box& room = scene.sketch.room();
+    const double beyond = room.width() + room.height(); // under panels and legend
+    low = std::max(low, room.min.x + room.min.y - beyond);
+    high = std::min(high, room.max.x + room.max.y + beyond);
     ui::Stroke stroke = scene.sketch.thin(Role::Undeformed);
     for (double c = step * std::ceil(low / step); c < high; c += step) {
         std::vector<double> at; // x where the line x + y = c meets the loops

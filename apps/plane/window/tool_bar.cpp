@@ -5,8 +5,11 @@
 #include <algorithm>
 #include <cmath>
 #include <string>
+#include <variant>
 
+#include "apps/drawing/quantity_typed.h"
 #include "apps/plane/session/backdrop_commands.h"
+#include "apps/plane/session/part_commands.h"
 #include "apps/plane/view/field_picture.h"
 #include "apps/plane/window/tool_icon.h"
 #include "ui/widgets/command_combo.h"
@@ -67,9 +70,10 @@ void range_row(Workspace& workspace, ui::NumberFields& number_fields, const Kept
     KeptRange changed = range;
     if (event.kind == Kind::Dragged) changed.*end = units.stored(event.value, measure);
     else if (event.kind == Kind::Typed) {
-        const auto typed = ui::number_typed(event.text);
-        if (!typed) return number_fields.reject(event, session.tr()(translatable("a number is wanted here")));
-        changed.*end = units.stored(*typed, measure);
+        const auto typed = drawing::quantity_typed(event.text, measure, session.model().units, units);
+        if (const auto* fault = std::get_if<femoop::Fault>(&typed))
+            return number_fields.reject(event, reason_of(session, *fault));
+        changed.*end = std::get<femoop::Quantity>(typed);
     } else return;
     if (changed.low < changed.high) session.look.range = changed;
     else if (event.kind == Kind::Typed)
