@@ -3,6 +3,7 @@
 #include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 
 #include "femoop/plane/mesh/mesh_geometry.h"
@@ -28,6 +29,42 @@ NaturalPoint into_domain(Domain domain, NaturalPoint p)
         if (eta < 0.0) return {.xi = 1.0, .eta = 0.0};
     }
     return {.xi = xi, .eta = eta};
+}
+
+/// A side of an element, as the outline of the material has it.
+struct Side {
+    NodeId start, end;
+    Eigen::Vector2d a, b;
+    double bulge = 0.0; ///< of its middle node from the chord
+
+    Eigen::Vector2d chord() const { return b - a; }
+    double distance(const Eigen::Vector2d& at) const
+    {
+        const double share = std::clamp((at - a).dot(chord()) / chord().squaredNorm(), 0.0, 1.0);
+        return (at - a - share * chord()).norm();
+    }
+};
+
+std::vector<Side> sides_of(const PlaneModel& model, ElementId id)
+{
+    const PlaneElement& element = model[id];
+    std::vector<Side> sides;
+    for (const Shape::Edge edge : shape_of(element.kind).edges()) {
+        const auto node = [&](std::size_t i) { return element.points[static_cast<std::size_t>(edge[i])]; };
+        Side side{.start = node(0), .end = node(1), .a = position(model[node(0)]), .b = position(model[node(1)])};
+        if (edge.size() > 2) side.bulge = (position(model[node(2)]) - 0.5 * (side.a + side.b)).norm();
+        sides.push_back(side);
+    }
+    return sides;
+}
+
+/// How far the arc of a circle that a chord is of lies beyond it, by the angle to the next chord; 0 at a corner.
+double rise_of_arc(const Eigen::Vector2d& chord, const Eigen::Vector2d& next)
+{
+    constexpr double cosine_of_corner = 0.5, margin = 1.5; // curves are no circles
+    const double cosine = chord.normalized().dot(next.normalized());
+    if (cosine <= cosine_of_corner) return 0.0;
+    return margin * 0.5 * chord.norm() * std::tan(0.25 * std::acos(std::min(cosine, 1.0)));
 }
 
 double size_of(const NodePositions& X) { return (X.colwise().maxCoeff() - X.colwise().minCoeff()).norm(); }
@@ -138,10 +175,31 @@ std::optional<Location> Locator::nearest(const Eigen::Vector2d& at) const
         const PlaneElement& e = model_[element];
         const NaturalPlace place = natural_place(shape_of(e.kind), positions_of(model_, e), at);
         if (!(place.distance < least)) continue;
+        if (place.distance * size_of(positions_of(model_, e)) > curve_beyond(element, at)) continue;
         least = place.distance;
         found = Location{.element = element, .at = place.at};
     }
     return found;
+}
+
+/// How far the outline that a place beside an element's side was drawn in may lie beyond the side.
+double Locator::curve_beyond(ElementId element, const Eigen::Vector2d& at) const
+{
+    const std::vector<Side> sides = sides_of(model_, element);
+    const Side side = *std::ranges::min_element(sides, {}, [&](const Side& each) { return each.distance(at); });
+    std::vector<Side> around;
+    for (const ElementId other : in_box(boxes_[element.index].low, boxes_[element.index].high))
+        std::ranges::move(sides_of(model_, other), std::back_inserter(around));
+    const auto is_outline = [&](const Side& each) {
+        return std::ranges::none_of(
+            around, [&](const Side& other) { return other.start == each.end && other.end == each.start; });
+    };
+    double most = side.bulge;
+    for (const Side& each : around) {
+        const bool is_next = each.start == side.end, is_last = each.end == side.start;
+        if ((is_next || is_last) && is_outline(each)) most = std::max(most, rise_of_arc(side.chord(), each.chord()));
+    }
+    return most;
 }
 
 } // namespace femoop::plane

@@ -32,7 +32,7 @@ public:
     explicit Locator(const PlaneModel& model);
 
     /// All elements that hold the place: one inside, several on a border. Where elements' sides miss a curved outline,
-    /// the nearest one; nothing further away.
+    /// as neighbours that turn a little or a bent side show, the nearest one; nothing further away.
     std::vector<Location> find(const Eigen::Vector2d& at) const;
 
     /// Those whose boxes meet a box.
@@ -45,6 +45,7 @@ private:
     using Cell = Eigen::Matrix<int, 2, 1>;
     Cell cell_of(const Eigen::Vector2d& at) const;
     std::optional<Location> nearest(const Eigen::Vector2d& at) const;
+    double curve_beyond(ElementId element, const Eigen::Vector2d& at) const;
 
     const PlaneModel& model_;
     std::vector<Box> boxes_;

@@ -532,7 +532,7 @@ TEST_CASE("A uniform pull crosses a slanted cut as its projection says")
     CHECK(std::abs(forces.M) < 1e-10);
 }
 
-TEST_CASE("A place between nodes is found in its element, and one that the sides miss at the nearest")
+TEST_CASE("A place between nodes is found in its element, and one beyond its straight sides in none")
 {
     const auto [model, results,
                 P] = solved(narrowing(R"(, "curves": [{"curve": "right", "kind": "traction", "qx": 13}])"));
@@ -540,7 +540,7 @@ TEST_CASE("A place between nodes is found in its element, and one that the sides
     REQUIRE(at.size() == 1);
     CHECK(P.displacement(at[0]).x() == doctest::Approx(13.0 / E * 5.5).epsilon(1e-12));
     CHECK(results.locator().find({3.0, 1.0}).size() == 2);
-    CHECK(results.locator().find({7.2, 1.0}).size() == 1);
+    CHECK(results.locator().find({7.2, 1.0}).empty());
     CHECK(results.locator().find({17.0, 1.0}).empty());
 }
 
