@@ -226,15 +226,21 @@ private:
     void draw_key(double left, double y, const ui::TextStyle& style)
     {
         const ui::Catalogue& tr = options_.tr;
-        const double length = 22.0 * theme_.symbol_scale(), half = 0.6 * style.size;
-        painter_.line({left, y + half}, {left + length, y + half}, of_elements().stroke);
-        painter_.text({left + length + 6.0, y}, tr("elements"), style);
+        const double length = 22.0 * theme_.symbol_scale(), half = 0.6 * style.size, gap = 6.0;
+        const auto write = [&](double x, const ui::Stroke& stroke, const std::string& words) {
+            painter_.line({x, y + half}, {x + length, y + half}, stroke);
+            painter_.text({x + length + gap, y}, words, style);
+            return x + length + gap + painter_.fonts().measure(words, style.size).width;
+        };
+        const double end = write(left, of_elements().stroke, tr("elements"));
+        if (picture_.warning) { // which took the room
+            write(end + 2.0 * gap, of_theory(), tr("beam theory"));
+            return;
+        }
         y += 1.4 * style.size;
-        painter_.line({left, y + half}, {left + length, y + half}, of_theory());
-        painter_.text({left + length + 6.0, y}, tr("beam theory"), style);
-        if (picture_.warning) return; // which took the room
+        write(left, of_theory(), tr("beam theory"));
         y += 1.4 * style.size;
-        painter_.text({left + length + 6.0, y}, "N/A − My/I,  VQ/(It)", style);
+        painter_.text({left + length + gap, y}, "N/A − My/I,  VQ/(It)", style);
     }
 
     void draw_plot(const ui::Box& box, const std::string& name, double fp::CutStation::*of_elements_at,

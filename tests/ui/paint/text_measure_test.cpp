@@ -85,6 +85,23 @@ TEST_CASE("A number stays with its unit, and a sign with its term, on whatever l
     }
 }
 
+TEST_CASE(
+    "Neither a place nor a value and its name are broken, and an equation among parts of a head is not where it need not be")
+{
+    const ui::Fonts fonts;
+    const ui::TextStyle style{.size = 13.0};
+    const auto lines = [&](const std::string& text, const std::string& first) {
+        return ui::wrapped_lines(fonts, text, style, fonts.measure(first, style).width + 1.0);
+    };
+    CHECK(lines("at (0, 0), (5, 43), (40, 0)", "at (0, 0), (5, 43), (40,") ==
+          std::vector<std::string>{"at (0, 0), (5, 43),", "(40, 0)"});
+    CHECK(lines("by equilibrium N = 0 N, V = 2 N, M = −50 N·mm", "by equilibrium N = 0 N, V = 2 N, M") ==
+          std::vector<std::string>{"by equilibrium N = 0 N, V = 2 N,", "M = −50 N·mm"});
+    CHECK(lines("load case F  ·  ΣFx = 0 + 0 = 0 N  ·  ΣM = −6 + 6 = 0",
+                "load case F  ·  ΣFx = 0 + 0 = 0 N  ·  ΣM = −6 + 6") ==
+          std::vector<std::string>{"load case F  ·  ΣFx = 0 + 0 = 0 N  ·", "ΣM = −6 + 6 = 0"});
+}
+
 TEST_CASE("The font has the Greek, Portuguese and mathematical characters that the program writes")
 {
     const ui::Fonts fonts;
