@@ -162,6 +162,7 @@ protected:
     const Fonts& fonts() const { return fonts_; }
 
 private:
+    bool keeps_panels_still(const Input& input);
     void handle_keys(const Input& input);
     void run_command_of(const KeyEvent& event);
     void project_by(const Input& input); ///< with a window open, which is read from afar too
@@ -211,7 +212,8 @@ private:
     std::vector<KeyEvent> held_keys_; ///< of commands that wait for a field to give its text to the document
     bool wants_to_quit_ = false;
     bool is_bare_ = false, has_tools_ = true;
-    bool had_popup_ = false; ///< in the last frame: Escape, which has closed it since, was for it
+    std::optional<Key> commanding_key_; ///< that is held, and no panel's
+    bool had_popup_ = false;            ///< in the last frame: Escape, which has closed it since, was for it
 };
 
 /// Sessions of documents that another program can have a copy of.
@@ -239,7 +241,7 @@ template <class Workspace> void DocumentApp<Workspace>::frame(const Input& input
     if (std::exchange(theme_, workspace_.theme()) != workspace_.theme()) gui_.set_theme(Theme(theme_));
     go_on_with_export();
     workspace_.open_dropped(input.dropped_files);
-    gui_.begin_frame(input);
+    gui_.begin_frame(input, keeps_panels_still(input));
     handle_keys(input);
     workspace_.tick(input.seconds);
     follow_links(input.seconds);
@@ -258,6 +260,21 @@ template <class Workspace> void DocumentApp<Workspace>::frame(const Input& input
     session_store_.tick(workspace_, logical_size(context_), input.seconds);
     had_popup_ = ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopup);
     gui_.end_frame();
+}
+
+/// Arrows and the space bar are a command's, where it can run, until the key is let go: a panel that the mouse was last
+/// in does not move by them. One whose widget is framed, because Tab or a key led there, has them for itself.
+template <class Workspace> bool DocumentApp<Workspace>::keeps_panels_still(const Input& input)
+{
+    for (const KeyEvent& event : input.keys)
+        if (!event.is_down && commanding_key_ == event.key) commanding_key_.reset();
+    if (had_popup_ || gui_.is_widget_framed()) return commanding_key_.has_value();
+    for (const KeyEvent& event : input.keys) {
+        const auto* const command = event.is_down && is_of_panel(event.chord()) ? commands_.find(event.chord())
+                                                                                : nullptr;
+        if (command != nullptr && !why_not(*command, workspace_)) commanding_key_ = event.key;
+    }
+    return commanding_key_.has_value();
 }
 
 template <class Workspace> void DocumentApp<Workspace>::handle_keys(const Input& input)
@@ -281,7 +298,8 @@ template <class Workspace> void DocumentApp<Workspace>::handle_keys(const Input&
                                 !(is_undo_or_redo(event.chord()) && leaves_undo());
         const bool writes = !is_escape && !event.modifiers.ctrl && !is_function_key(event.key);
         const bool is_for_field = edits_text || (types && writes);
-        if (!event.is_down || is_for_field || (is_escape && close_topmost())) continue;
+        const bool is_for_panel = is_of_panel(event.chord()) && gui_.is_widget_framed();
+        if (!event.is_down || is_for_field || is_for_panel || (is_escape && close_topmost())) continue;
         const auto* const command = commands_.find(event.chord());
         if (types && command != nullptr && command->id.starts_with("file.")) { // saved, or left, with what is typed
             settle_fields();

@@ -59,6 +59,21 @@ bool is_edit_of_text(Chord chord)
     return chord.modifiers == ctrl && std::ranges::find(keys, chord.key) != keys.end();
 }
 
+bool is_of_panel(Chord chord)
+{
+    if (!(chord.modifiers == Modifiers{})) return false;
+    switch (chord.key) {
+    case Key::Left:
+    case Key::Right:
+    case Key::Up:
+    case Key::Down:
+    case Key::Home:
+    case Key::End:
+    case Key::Space: return true;
+    default: return false;
+    }
+}
+
 bool is_undo_or_redo(Chord chord) { return chord.modifiers == ctrl && (chord.key == Key::Y || chord.key == Key::Z); }
 
 std::optional<Chord> chord_typed(std::string_view text)

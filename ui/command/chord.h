@@ -106,6 +106,8 @@ std::optional<Chord> chord_typed(std::string_view text);
 bool is_edit_of_text(Chord chord);
 /// Those of them that a field in which nothing was typed may leave to the document.
 bool is_undo_or_redo(Chord chord);
+/// What moves between the widgets of a panel that has the keyboard, and presses them: arrows, Home, End, the space bar.
+bool is_of_panel(Chord chord);
 /// F1 to F12, which no field of text takes.
 constexpr bool is_function_key(Key key) { return key >= Key::F1 && key <= Key::F12; }
 

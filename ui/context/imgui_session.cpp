@@ -281,7 +281,9 @@ void unframe_panels(ImGuiContext& gui)
 
 } // namespace
 
-void ImGuiSession::begin_frame(const Input& input)
+bool ImGuiSession::is_widget_framed() const { return imgui_->NavId != 0 && !imgui_->NavDisableHighlight; }
+
+void ImGuiSession::begin_frame(const Input& input, bool keeps_panels_still)
 {
     ImGui::SetCurrentContext(imgui_);
     atlas_.trim();
@@ -292,7 +294,11 @@ void ImGuiSession::begin_frame(const Input& input)
         is_stale_ = false;
     }
     feed(input);
+    ImGuiIO& io = ImGui::GetIO();
+    const ImGuiConfigFlags flags = io.ConfigFlags;
+    if (keeps_panels_still) io.ConfigFlags &= ~ImGuiConfigFlags_NavEnableKeyboard;
     ImGui::NewFrame();
+    io.ConfigFlags = flags;
     unframe_panels(*imgui_);
 }
 

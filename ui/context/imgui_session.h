@@ -49,7 +49,10 @@ public:
     void set_theme(const Theme& theme);
     void set_clipboard(Clipboard clipboard) { clipboard_ = std::move(clipboard); }
 
-    void begin_frame(const Input& input);
+    /// \param keeps_panels_still  the arrows and the space bar are pressed for a command, and do nothing in panels
+    void begin_frame(const Input& input, bool keeps_panels_still = false);
+    /// Has a widget the keyboard, framed so that one sees it?
+    bool is_widget_framed() const;
     /// Draws the frame over the theme's background; `present` the context afterwards.
     void end_frame();
 
