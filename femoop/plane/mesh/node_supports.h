@@ -69,6 +69,9 @@ public:
     const NodeSupport& operator[](NodeId node) const { return of_node_[node.index]; }
     std::size_t size() const { return of_node_.size(); }
 
+    /// The directions in which one support holds a node: the node's own, or that of a curve with the node's place on it.
+    std::vector<HeldDirection> held_by(const PlaneSupport& support, const CurveNode* on_curve) const;
+
     /// Such a node keeps ux = 0 by itself, besides what holds it.
     bool is_on_axis_of_revolution(NodeId node) const;
 
@@ -86,7 +89,6 @@ private:
     };
     std::vector<Holder> holders(NodeId node) const;
     std::vector<ImposedMotion> motions_of_point(const PlaneSettlement& settlement) const;
-    std::vector<HeldDirection> held_by(const PlaneSupport& support, const CurveNode* on_curve) const;
 
     const PlaneModel& model_;
     const CurveTable& curves_;

@@ -1,5 +1,7 @@
 #include "femoop/plane/result/support_resultants.h"
 
+#include <cmath>
+
 namespace femoop::plane {
 
 namespace {
@@ -16,39 +18,82 @@ Eigen::Vector2d middle_along(const std::vector<CurveEdge>& edges, const std::vec
     return sum / length;
 }
 
+/// Gives every support its share of the reactions of its nodes.
+class Sharing {
+public:
+    explicit Sharing(const PlaneCase& result)
+        : result_(result), model_(result.structure().model()), n_to_come_(model_.points.size(), 0)
+    {
+        for (std::size_t i = 0; i < model_.points.size(); ++i) {
+            left_.push_back(result.reaction(NodeId(i)));
+            if (model_.points[i].support) ++n_to_come_[i];
+        }
+        for_held_curves([&](CurveId, const CurveNode& node) { ++n_to_come_[node.node.index]; });
+    }
+
+    std::vector<SupportResultant> run()
+    {
+        std::vector<SupportResultant> all;
+        for (std::size_t i = 0; i < model_.points.size(); ++i) {
+            if (!model_.points[i].support) continue;
+            SupportResultant& one = all.emplace_back();
+            one.point = NodeId(i);
+            one.at = place(NodeId(i));
+            add(one, NodeId(i), *model_.points[i].support, nullptr);
+        }
+        for_held_curves([&](CurveId curve, const CurveNode& node) {
+            if (all.empty() || all.back().curve != curve) {
+                SupportResultant& one = all.emplace_back();
+                one.curve = curve;
+                one.at = middle_along(result_.structure().curves().edges[curve.index], result_.structure().positions());
+            }
+            add(all.back(), node.node, *model_[curve].support, &node);
+        });
+        return all;
+    }
+
+private:
+    template <class Use> void for_held_curves(const Use& use) const
+    {
+        const CurveTable& curves = result_.structure().curves();
+        for (std::size_t c = 0; c < model_.curves.size(); ++c)
+            if (model_.curves[c].support)
+                for (const CurveNode& node : curves.geometry[c].nodes()) use(CurveId(c), node);
+    }
+
+    const Eigen::Vector2d& place(NodeId node) const { return result_.structure().positions()[node.index]; }
+
+    void add(SupportResultant& to, NodeId node, const PlaneSupport& support, const CurveNode* on_curve)
+    {
+        Eigen::Vector2d& left = left_[node.index];
+        const bool is_last = --n_to_come_[node.index] == 0;
+        const Eigen::Vector2d force = is_last ? left
+                                              : along(left, result_.structure().supports().held_by(support, on_curve));
+        left -= force;
+        const Eigen::Vector2d arm = place(node) - to.at;
+        to.force += force;
+        to.moment += arm.x() * force.y() - arm.y() * force.x();
+    }
+
+    /// What of a force acts along one direction; all of it where there are two.
+    static Eigen::Vector2d along(const Eigen::Vector2d& force, const std::vector<HeldDirection>& held)
+    {
+        constexpr double parallel = 1e-6; // sine of the angle between directions that are one
+        if (held.empty()) return Eigen::Vector2d::Zero();
+        const Eigen::Vector2d& first = held.front().direction;
+        for (const HeldDirection& other : held)
+            if (std::abs(first.x() * other.direction.y() - first.y() * other.direction.x()) > parallel) return force;
+        return force.dot(first) * first;
+    }
+
+    const PlaneCase& result_;
+    const PlaneModel& model_;
+    std::vector<Eigen::Vector2d> left_; ///< of the reactions of nodes
+    std::vector<int> n_to_come_;        ///< supports of nodes
+};
+
 } // namespace
 
-std::vector<SupportResultant> support_resultants(const PlaneCase& result)
-{
-    const PlaneModel& model = result.structure().model();
-    std::vector<bool> is_counted(model.points.size(), false);
-    const auto add_nodes = [&](SupportResultant& to, const std::vector<NodeId>& nodes) {
-        std::vector<NodeId> own;
-        for (const NodeId node : nodes)
-            if (!is_counted[node.index]) {
-                is_counted[node.index] = true;
-                own.push_back(node);
-            }
-        to.force = result.reaction(own);
-        to.moment = result.reaction_moment(own, to.at);
-    };
-    std::vector<SupportResultant> all;
-    for (std::size_t i = 0; i < model.points.size(); ++i) {
-        if (!model.points[i].support) continue;
-        SupportResultant& one = all.emplace_back();
-        one.point = NodeId(i);
-        one.at = result.structure().positions()[i];
-        add_nodes(one, {NodeId(i)});
-    }
-    for (std::size_t c = 0; c < model.curves.size(); ++c) {
-        const auto& edges = result.structure().curves().edges[c];
-        if (!model.curves[c].support || edges.empty()) continue;
-        SupportResultant& one = all.emplace_back();
-        one.curve = CurveId(c);
-        one.at = middle_along(edges, result.structure().positions());
-        add_nodes(one, nodes_along(edges));
-    }
-    return all;
-}
+std::vector<SupportResultant> support_resultants(const PlaneCase& result) { return Sharing(result).run(); }
 
 } // namespace femoop::plane

@@ -19,8 +19,8 @@ struct SupportResultant {
     double moment = 0.0;
 };
 
-/// Of all held points, then of all held curves. A node of several counts with the first of them, so that they sum to all
-/// reactions.
+/// Of all held points, then of all held curves; they sum to all reactions. Of what several do to one node each has what
+/// acts along the directions that it holds and none before it does, and the last one the rest.
 std::vector<SupportResultant> support_resultants(const PlaneCase& result);
 
 } // namespace femoop::plane
