@@ -258,9 +258,7 @@ FieldPicture error_picture(const fp::PlaneCase& result, const PlateOptions& opti
 
 void draw_field(const PlateScene& scene, const FieldPicture& picture)
 {
-    if (picture.style == FieldStyle::Bands)
-        for (const OutlinedFace& face : scene.outline.faces)
-            if (!face.loops.empty()) scene.sketch.shade(scene.on_sheet(face.loops.front()));
+    if (picture.style == FieldStyle::Bands) scene.shade_faces();
     const fp::TriangulatedField field = moved(scene, picture.field);
     if (picture.style == FieldStyle::Bands) draw_bands(scene, picture, field);
     else draw_lines(scene, picture, field);

@@ -125,6 +125,7 @@ void draw_mesh(const PlateScene& scene)
     stroke.color = ui::with_opacity(scene.sketch.theme().stroke(Role::FaintLabel).color, 0.75);
     stroke.join = ui::Join::Round;
     if (scene.mesh->elements.size() > 4000) stroke.width *= 0.6;
+    scene.shade_faces();
     draw_sides(scene, *scene.mesh, *scene.places, stroke);
 }
 

@@ -1,9 +1,12 @@
 #include "apps/plane/view/mesher_picture.h"
 
 #include <array>
+#include <string>
+#include <vector>
 
 #include "apps/plane/discretize/mesh_player.h"
 #include "apps/plane/view/mesh_words.h"
+#include "ui/paint/wrapped_lines.h"
 
 namespace plane {
 
@@ -12,7 +15,7 @@ namespace {
 using topology::MeshStep;
 using ui::Role;
 
-constexpr double made_opacity = 0.35, place_radius = 4.0; // [px]
+constexpr double made_opacity = 0.35, place_radius = 4.0, least_step_size = 5.0; // [px]
 
 ui::Point on_sheet(const PlateScene& scene, const topology::FlatPoint& at) { return scene.place({at.x, at.y}); }
 
@@ -88,6 +91,7 @@ std::string_view sentence_of(MeshStep step)
 void draw_mesher(const PlateScene& scene)
 {
     const topology::MeshMarks marks = scene.input.player->marks();
+    scene.shade_faces();
     draw_made_cells(scene, marks);
     draw_cells(scene);
     const ui::LayerScope layer(scene.sketch.painter(), ui::Layer::Symbols);
@@ -123,14 +127,26 @@ std::string step_sentence(const discretize::MeshPlayer& player, const ui::Catalo
 
 double step_foot_height(const ui::Theme& theme) { return 2.4 * theme.text(Role::Label, ui::Anchor::BottomLeft).size; }
 
-/// In one line or in two; what is longer is written smaller.
+/// In one line, a little smaller if need be, or in two; what is longer is written smaller.
 void draw_step_foot(ui::Painter& painter, const std::string& sentence, const ui::Theme& theme, const ui::Box& room)
 {
     ui::TextStyle style = theme.text(Role::Label, ui::Anchor::BottomLeft);
-    const double margin = 0.8 * style.size, width = room.width() - 2.0 * margin;
+    const double height = step_foot_height(theme), margin = 0.8 * style.size;
+    const double width = room.width() - 2.0 * margin;
     const double needed = painter.measure(sentence, style).width;
-    if (needed > width) style.size *= width / needed;
-    painter.text({room.min.x + margin, room.max.y + step_foot_height(theme) - margin}, sentence, style);
+    if (needed > width && needed < 1.15 * width) style.size *= width / needed;
+    const auto wrapped = [&] { return ui::wrapped_lines(painter.fonts(), sentence, style, 1.001 * width); };
+    std::vector<std::string> lines = wrapped();
+    while (lines.size() > 2 && style.size > least_step_size) {
+        style.size *= 0.95;
+        lines = wrapped();
+    }
+    const double line_height = 1.1 * style.size;
+    double y = room.max.y + (lines.size() > 1 ? height - 0.25 * style.size - line_height : height - margin);
+    for (const std::string& line : lines) {
+        painter.text({room.min.x + margin, y}, line, style);
+        y += line_height;
+    }
 }
 
 } // namespace plane

@@ -31,6 +31,12 @@ std::string case_text(const femoop::plane::PlaneModel& model, const PlateOptions
 
 } // namespace
 
+void PlateScene::shade_faces() const
+{
+    for (const OutlinedFace& face : outline.faces)
+        if (!face.loops.empty()) sketch.shade(on_sheet(face.loops.front()));
+}
+
 std::vector<ui::Point> PlateScene::on_sheet(const PlaceLine& line) const
 {
     std::vector<ui::Point> points;

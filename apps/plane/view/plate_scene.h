@@ -34,6 +34,7 @@ struct PlateScene {
     /// A direction of the model on the sheet, of the same length.
     static ui::Point direction(const Eigen::Vector2d& d) { return {d.x(), -d.y()}; }
     std::vector<ui::Point> on_sheet(const PlaceLine& line) const;
+    void shade_faces() const; ///< labels have a ground of their own there
     /// With a true minus sign and its unit.
     std::string text(double value, ui::Measure measure) const;
     std::string number(double value) const;

@@ -81,13 +81,10 @@ void Canvas::fit_if_needed(const Workspace& workspace)
         return;
     }
     const PlateOptions options = session.options();
-    const FittedFor wanted{session.opening(),
-                           sheet(),
-                           session.look.theme,
-                           options.show,
-                           options.circle.has_value(),
-                           !options.cuts.empty(),
-                           options.is_beside && session.input().is_compared()};
+    const FittedFor wanted{session.opening(),     sheet(),
+                           session.look.theme,    options.load_case,
+                           options.show,          options.circle.has_value(),
+                           !options.cuts.empty(), options.is_beside && session.input().is_compared()};
     if (fitted_for_ && fitted_for_->opening == wanted.opening && pressed_) return; // under a hand
     const bool rests = grip_ || workspace.hand.draws() || session.history().is_dragging();
     const bool is_another = !fitted_for_ || fitted_for_->opening != wanted.opening;

@@ -54,6 +54,7 @@ private:
         std::size_t opening;
         ui::Size sheet;
         ui::ThemeName theme;
+        femoop::CaseId load_case;  ///< whose loads take room
         PlateShown show;           ///< legends and marks take room
         bool has_circle, has_cuts; ///< and panels
         bool is_beside;            ///< another body, which takes half of it
