@@ -1,8 +1,11 @@
 #include "apps/drawing/quantity_typed.h"
 
 #include <algorithm>
+#include <cmath>
 #include <optional>
+#include <vector>
 
+#include "femoop/edit/short_number.h"
 #include "femoop/model/quantity/number_text.h"
 #include "femoop/model/quantity/quantity_parser.h"
 #include "femoop/model/quantity/unit_signs.h"
@@ -28,8 +31,40 @@ std::string as_in_file(std::string_view text)
     return plain + rest;
 }
 
-std::variant<Quantity, Fault> typed_quantity(std::string_view text, Dimension dimension, const Units& file,
-                                             const ui::DisplayUnit& unit, AngleUnit angle)
+struct Term {
+    double sign;
+    std::string_view text;
+};
+
+/// The terms of a sum: signs within parentheses, of exponents and of factors part none.
+std::vector<Term> terms_of(std::string_view text)
+{
+    std::vector<Term> terms;
+    std::size_t begin = 0;
+    double sign = 1.0;
+    int depth = 0;
+    char last = '\0', before_last = '\0'; // that are no spaces
+    for (std::size_t i = 0; i < text.size(); ++i) {
+        const char c = text[i];
+        if (c == ' ') continue;
+        if (c == '(') ++depth;
+        if (c == ')') --depth;
+        const bool is_exponent = (last == 'e' || last == 'E') && before_last >= '0' && before_last <= '9';
+        const bool follows_term = last != '\0' && std::string_view("+-*/^(").find(last) == std::string_view::npos;
+        if ((c == '+' || c == '-') && depth == 0 && follows_term && !is_exponent) {
+            terms.push_back({sign, text.substr(begin, i - begin)});
+            sign = c == '+' ? 1.0 : -1.0;
+            begin = i + 1;
+        }
+        before_last = last;
+        last = c;
+    }
+    terms.push_back({sign, text.substr(begin)});
+    return terms;
+}
+
+std::variant<Quantity, Fault> typed_term(std::string_view text, Dimension dimension, const Units& file,
+                                         const ui::DisplayUnit& unit, AngleUnit angle)
 {
     const std::optional<double> bare = ui::number_typed(text);
     if (bare && unit.factor == 1.0) return Quantity(*bare);
@@ -39,6 +74,23 @@ std::variant<Quantity, Fault> typed_quantity(std::string_view text, Dimension di
     if (auto* const fault = std::get_if<Fault>(&parsed)) return std::move(*fault);
     const double value = std::get<double>(parsed);
     return dimension == Dimension{} ? Quantity(value) : Quantity(value, full);
+}
+
+/// One term, or a sum of terms each with a unit of its own: `1.3 m + 10 cm`.
+std::variant<Quantity, Fault> typed_quantity(std::string_view text, Dimension dimension, const Units& file,
+                                             const ui::DisplayUnit& unit, AngleUnit angle)
+{
+    auto whole = typed_term(text, dimension, file, unit, angle);
+    const std::vector<Term> terms = terms_of(text);
+    if (std::holds_alternative<Quantity>(whole) || terms.size() < 2) return whole;
+    double sum = 0.0, largest = 0.0;
+    for (const Term& term : terms) {
+        const auto one = typed_term(term.text, dimension, file, unit, angle);
+        if (!std::holds_alternative<Quantity>(one)) return whole;
+        sum += term.sign * std::get<Quantity>(one);
+        largest = std::max(largest, std::abs(std::get<Quantity>(one).value()));
+    }
+    return Quantity(short_number(sum, largest));
 }
 
 } // namespace
@@ -59,6 +111,8 @@ Dimension dimension_measured(Measure measure)
     case Measure::MomentPerAngle: return dimension::moment_per_angle;
     case Measure::Stress:
     case Measure::FoundationModulus: return dimension::stress;
+    case Measure::AngularVelocity: return {.time = -1, .angle = 1};
+    case Measure::ForcePerVolume: return {.length = -3, .force = 1};
     case Measure::Area: return dimension::area;
     case Measure::SecondMoment: return dimension::second_moment;
     case Measure::Density: return dimension::density;

@@ -12,8 +12,8 @@
 namespace drawing {
 
 /// Reads what a person typed for a number: with a unit (`25 kN/m`), or without, then in the unit that the field shows.
-/// A decimal comma is understood. The quantity keeps the unit if it is not the file's own, so nothing converted is
-/// saved.
+/// A decimal comma is understood, and so are calculations and sums of terms with units (`1.3 m + 10 cm`). The quantity
+/// keeps the unit if it is not the file's own, so nothing converted is saved; a sum is in the file's.
 std::variant<femoop::Quantity, femoop::Fault> quantity_typed(std::string_view text, ui::Measure measure,
                                                              const femoop::Units& file, const ui::DisplayUnits& shown);
 

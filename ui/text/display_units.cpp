@@ -229,6 +229,10 @@ DisplayUnit DisplayUnits::undivided(Measure measure) const
         const DisplayUnit moment = undivided(Measure::Moment);
         return {moment.name + "/rad", moment.factor};
     }
+    if (measure == Measure::ForcePerVolume) {
+        const DisplayUnit force = undivided(Measure::Force), length = undivided(Measure::Length);
+        return {force.name + "/" + powered(length.name, 3), force.factor / std::pow(length.factor, 3)};
+    }
     const std::string_view chosen = choices_.of(measure);
     if (chosen.empty()) return unit_of_system(measure);
     return named(std::string(chosen), size_of(chosen), stored_size(measure, base_));
@@ -256,11 +260,13 @@ DisplayUnit DisplayUnits::unit_of_system(Measure measure) const
     const std::string f(force.name);
     const std::string l(length.name);
     switch (measure) {
-    case Measure::Plain: break;
+    case Measure::Plain:
+    case Measure::ForcePerVolume: break; // which `undivided` knows
     case Measure::Length: return named(l, length.si, L);
     case Measure::Displacement: return named(std::string(c.displacement.name), c.displacement.si, L);
     case Measure::Rotation: return {"rad", 1.0};
     case Measure::Angle: return {"°", 1.0};
+    case Measure::AngularVelocity: return {"rad/s", 1.0};
     case Measure::Force: return named(f, force.si, F);
     case Measure::Moment: return named(f + "·" + l, force.si * length.si, F * L);
     case Measure::ForcePerLength: return named(f + "/" + l, force.si / length.si, F / L);

@@ -27,6 +27,8 @@ enum class Measure : std::uint8_t {
     MomentPerAngle,
     Stress,
     FoundationModulus,
+    AngularVelocity, ///< rad/s
+    ForcePerVolume,  ///< follows from force and length
     Area,
     SecondMoment,
     SectionLength, ///< dimensions of a cross-section

@@ -86,7 +86,7 @@ Number force(const PlaneModel& model, NodeId point, std::size_t load_case, Dof d
 
 /// Angle and springs of a support of the object form. `holder` is where in a model the support is.
 template <class Holder>
-void add_support(std::vector<Number>& all, const PlaneModel& model, Holder holder, femoop::Dimension of_spring)
+void add_support(std::vector<Number>& all, const PlaneModel& model, Holder holder, Measure of_spring)
 {
     const auto& support = holder(model).support;
     if (!support || support->kind != PlaneSupportKind::Custom) return;
@@ -97,13 +97,11 @@ void add_support(std::vector<Number>& all, const PlaneModel& model, Holder holde
         const auto there = std::ranges::find(support->springs, dof, &femoop::Spring::dof);
         const Value stiffness = there != support->springs.end() ? Value(there->stiffness) : std::nullopt;
         const std::string name(femoop::name(dof));
-        all.push_back({"spring " + name, Message(translatable("Spring {dof}"), {{"dof", name}}), Measure::Plain,
-                       stiffness, true,
-                       [holder, dof](Document& document, const Value& value) -> Objection {
+        all.push_back({"spring " + name, Message(translatable("Spring {dof}"), {{"dof", name}}), of_spring, stiffness,
+                       true, [holder, dof](Document& document, const Value& value) -> Objection {
                            set_spring(*holder(document.model).support, dof, value);
                            return std::nullopt;
-                       },
-                       of_spring});
+                       }});
     }
 }
 
@@ -172,7 +170,6 @@ struct FieldName {
     std::string name; ///< in scenarios
     std::string q;    ///< its symbol
     Measure measure = Measure::Plain;
-    std::optional<femoop::Dimension> dimension{};
     bool has_ends = false; ///< along a curve: another value at its end can be given
     bool can_go = false;   ///< else what is taken away is 0
     std::string_view label = "{q}", end_label = translatable("{q} at the end, if another");
@@ -223,8 +220,7 @@ void add_field(std::vector<Number>& all, const FieldName& of, const std::optiona
                               else set_value(field, is_end, value);
                           });
                           return std::nullopt;
-                      },
-                      of.dimension};
+                      }};
         if (!is_end)
             number.set_field = [change](Document& document, const Field& given) {
                 change(document, [&](std::optional<Field>& field) { field = given; });
@@ -256,13 +252,12 @@ Number axis_coordinate(const SteadyRotation& shown, std::size_t axis,
 void add_rotation(std::vector<Number>& all, const PlaneModel& model, const SteadyRotation& shown,
                   const std::function<SteadyRotation&(Document&)>& own)
 {
-    all.push_back({"omega", translatable("Angular velocity ω"), Measure::Plain, shown.omega, false,
+    all.push_back({"omega", translatable("Angular velocity ω"), Measure::AngularVelocity, shown.omega, false,
                    [own](Document& document, const Value& value) -> Objection {
                        if (!value) return Message(translatable("a value is needed here"));
                        own(document).omega = *value;
                        return std::nullopt;
-                   },
-                   femoop::Dimension{.time = -1, .angle = 1}});
+                   }});
     // the axis of revolution is given; another place, which is a fault, can be taken away
     if (model.analysis == femoop::StressState::Axisymmetric && shown.about.empty()) return;
     for (const std::size_t axis : {0U, 1U}) all.push_back(axis_coordinate(shown, axis, own));
@@ -322,7 +317,7 @@ std::vector<Number> numbers(const PlaneModel& model, NodeId point, std::size_t l
 {
     std::vector<Number> all{coordinate(model, point, 0), coordinate(model, point, 1)};
     const auto holder = [point](auto& of) -> auto& { return of.points[point.index]; };
-    add_support(all, model, holder, femoop::dimension::force_per_length);
+    add_support(all, model, holder, Measure::ForcePerLength);
     add_settlements(all, model, point, load_case);
     if (is_case(model, load_case))
         for (const Dof dof : {Dof::ux, Dof::uy}) all.push_back(force(model, point, load_case, dof));
@@ -338,7 +333,8 @@ std::vector<Number> numbers(const PlaneModel& model, CurveId curve, std::size_t 
     add_shape(all, model, curve);
     all.push_back(parts_number(model, curve));
     all.push_back(ratio_number(model, curve));
-    add_support(all, model, [curve](auto& of) -> auto& { return of.curves[curve.index]; }, {.length = -3, .force = 1});
+    add_support(
+        all, model, [curve](auto& of) -> auto& { return of.curves[curve.index]; }, Measure::ForcePerVolume);
     add_settlements(all, model, curve, load_case);
     return all;
 }
@@ -408,10 +404,9 @@ std::vector<Number> numbers(const PlaneModel& model, std::size_t load_case, std:
                       edit(own(document).*member);
                   });
     };
-    constexpr femoop::Dimension body_force{.length = -3, .force = 1};
     if (const auto* const body = std::get_if<BodyForce>(&shown)) {
-        add({.name = "bx", .q = "bx", .dimension = body_force}, *body, &BodyForce::bx);
-        add({.name = "by", .q = "by", .dimension = body_force}, *body, &BodyForce::by);
+        add({.name = "bx", .q = "bx", .measure = Measure::ForcePerVolume}, *body, &BodyForce::bx);
+        add({.name = "by", .q = "by", .measure = Measure::ForcePerVolume}, *body, &BodyForce::by);
     }
     if (const auto* const heat = std::get_if<TemperatureRise>(&shown))
         add({.name = "rise", .q = "ΔT", .measure = Measure::Temperature}, *heat, &TemperatureRise::rise);

@@ -24,8 +24,6 @@ struct Number {
     bool is_optional = false;              ///< it can be taken away
     /// Changes it; nothing takes it away. \returns why it cannot be so
     std::function<std::optional<ui::Message>(Document&, const std::optional<femoop::Quantity>&)> set;
-    /// Of what has no measure: shown in the file's own units.
-    std::optional<femoop::Dimension> dimension{};
     /// Where a field may stand: gives it. Empty elsewhere.
     std::function<void(Document&, const femoop::plane::Field&)> set_field{};
     std::optional<femoop::plane::Field> field{}; ///< in place of the value: one that varies otherwise

@@ -454,10 +454,7 @@ std::variant<std::optional<femoop::Quantity>, Message> read_number(const Session
 {
     const bool is_empty = text.find_first_not_of(' ') == std::string_view::npos;
     if (is_empty) return std::optional<femoop::Quantity>();
-    const auto& units = session.model().units;
-    const auto typed = number.dimension ? drawing::quantity_typed(text, *number.dimension, units,
-                                                                  {femoop::unit_text(*number.dimension, units), 1.0})
-                                        : drawing::quantity_typed(text, number.measure, units, session.units());
+    const auto typed = drawing::quantity_typed(text, number.measure, session.model().units, session.units());
     if (const auto* const quantity = std::get_if<femoop::Quantity>(&typed)) return std::optional(*quantity);
     return Message(reason_of(session, std::get<femoop::Fault>(typed)));
 }
@@ -472,8 +469,8 @@ bool is_field_typed(const Number& number, std::string_view text)
 std::optional<Message> set_field_typed(Session& session, const Message& whose, const Number& number,
                                        std::string_view text)
 {
-    const femoop::Dimension dimension = number.dimension.value_or(drawing::dimension_measured(number.measure));
-    const auto read = femoop::plane::read_field(text, dimension, session.model().units);
+    const auto read = femoop::plane::read_field(text, drawing::dimension_measured(number.measure),
+                                                session.model().units);
     if (const auto* const faults = std::get_if<std::vector<femoop::Fault>>(&read))
         return Message(reason_of(session, faults->front()));
     return session.change(

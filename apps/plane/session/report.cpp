@@ -141,9 +141,7 @@ private:
     std::string value_of(const Number& number) const
     {
         if (number.field) return tr_(form_of(*number.field)) + " " + femoop::plane::field_text(*number.field);
-        if (!number.dimension) return units_.text(*number.value, number.measure);
-        return ui::number_text(number.value->value(), units_.format()) + " " +
-               femoop::unit_text(*number.dimension, model_.units);
+        return units_.text(*number.value, number.measure);
     }
 
     void tell_results()

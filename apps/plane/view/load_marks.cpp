@@ -283,8 +283,10 @@ private:
             const Point half = 0.5 * scene_.sketch.px(body_arrow) * d;
             drawing::draw(scene_.sketch, {.tail = beside - half, .head = beside + half});
         }
-        const NumberText volume = [&](double v) { return scene_.per_volume(v); };
-        const NumberText bare = [&](double v) { return scene_.number(v * scene_.volume_unit().factor); };
+        const NumberText volume = [&](double v) { return scene_.text(v, ui::Measure::ForcePerVolume); };
+        const NumberText bare = [&](double v) {
+            return ui::with_minus_signs(scene_.units.number(v, ui::Measure::ForcePerVolume));
+        };
         std::string text;
         if (body.bx) text = "bx = " + range_text(values_in(*body.bx, face, factor), volume, bare);
         if (body.by)

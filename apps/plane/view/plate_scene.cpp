@@ -62,18 +62,6 @@ std::string PlateScene::number(double value) const
     return ui::with_minus_signs(ui::number_text(value, options.numbers));
 }
 
-ui::DisplayUnit PlateScene::volume_unit() const
-{
-    const ui::DisplayUnit force = units.unit(ui::Measure::Force), length = units.unit(ui::Measure::Length);
-    return {force.name + "/" + length.name + "³", force.factor / (length.factor * length.factor * length.factor)};
-}
-
-std::string PlateScene::per_volume(double value) const
-{
-    const ui::DisplayUnit unit = volume_unit();
-    return number(value * unit.factor) + " " + unit.name;
-}
-
 const femoop::plane::PlaneModel* mesh_of(const PlateInput& input)
 {
     if (input.results != nullptr) return &input.results->model();

@@ -38,8 +38,6 @@ struct PlateScene {
     /// With a true minus sign and its unit.
     std::string text(double value, ui::Measure measure) const;
     std::string number(double value) const;
-    std::string per_volume(double value) const; ///< force over length cubed: "25 kN/m³"
-    ui::DisplayUnit volume_unit() const;        ///< of that
 };
 
 /// The mesh that is drawn and solved; null where there is none.

@@ -68,7 +68,7 @@ std::string held_text(const PlateScene& scene, const fp::PlaneSupport& support, 
 std::string spring_text(const PlateScene& scene, const femoop::Spring& spring, bool is_on_curve)
 {
     if (!is_on_curve) return "k = " + scene.text(spring.stiffness, ui::Measure::ForcePerLength);
-    return "k = " + scene.per_volume(spring.stiffness);
+    return "k = " + scene.text(spring.stiffness, ui::Measure::ForcePerVolume);
 }
 
 SymbolFrame frame_at(const PlateScene& scene, const Vector2d& at, const Vector2d& up)

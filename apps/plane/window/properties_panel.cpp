@@ -217,15 +217,14 @@ ShownNumber shown(const Session& session, const Number& number)
     const ui::DisplayUnits units = session.units();
     ShownNumber row;
     const std::string name = tr(number.label);
-    const std::string own_unit = number.dimension ? femoop::unit_text(*number.dimension, session.model().units) : "";
-    row.label = number.dimension ? name + " [" + own_unit + "]" : units.label(name, number.measure);
+    row.label = units.label(name, number.measure);
     row.text = tr(number.is_optional ? translatable("not given") : "");
     if (number.field) {
         row.text = tr(form_of(*number.field));
         row.exact = femoop::plane::field_text(*number.field);
     }
     if (!number.value) return row;
-    row.value = number.dimension ? number.value->value() : units.shown(*number.value, number.measure);
+    row.value = units.shown(*number.value, number.measure);
     row.text = ui::number_text(*row.value, units.format());
     row.exact = number.value->has_text() ? std::string(number.value->text())
                                          : ui::number_text(*row.value, {digits_to_edit, units.format().mark});
@@ -238,7 +237,7 @@ void take_number(Workspace& workspace, ui::NumberFields& fields, const ui::Messa
     Session& session = workspace.session;
     if (event.kind == Kind::Settled) session.settle();
     if (event.kind == Kind::Dragged) {
-        const double stored = number.dimension ? event.value : session.units().stored(event.value, number.measure);
+        const double stored = session.units().stored(event.value, number.measure);
         session.change(change_of(whose, number, femoop::Quantity(stored), Step::Drag));
     }
     if (event.kind != Kind::Typed) return;

@@ -118,13 +118,16 @@ TEST_SUITE("frame document")
         CHECK(typed("12.5 kN·m", ui::Measure::Moment) == femoop::Quantity(12.5e6, "12.5 kN*m"));
         CHECK(typed("1140 cm⁴", ui::Measure::SecondMoment) == femoop::Quantity(1.14e7, "1140 cm^4"));
         CHECK(typed("1/3", ui::Measure::Plain) == femoop::Quantity(1.0 / 3.0));
+        CHECK(typed("1,3 m + 100 mm", ui::Measure::Length) == femoop::Quantity(1400.0));
+        CHECK(typed("2*(0.5+0.1) m - 250 mm-0.05", ui::Measure::Length) == femoop::Quantity(900.0)); // the last in m
+        CHECK(typed("1e-3 m + -2e+1 mm", ui::Measure::Length) == femoop::Quantity(-19.0));
     }
 
     TEST_CASE("What is no quantity, or one of the wrong dimension, is refused with a reason")
     {
         const femoop::Units units;
         const ui::DisplayUnits shown;
-        for (const char* text : {"", "abc", "25 kN/m", "1e999", "5 furlong", "1,2,3"}) {
+        for (const char* text : {"", "abc", "25 kN/m", "1e999", "5 furlong", "1,2,3", "3 kN - 2 m", "3 kN +", "3 kN + (2 kN"}) {
             CAPTURE(text);
             const auto typed = frame::quantity_typed(text, ui::Measure::Force, units, shown);
             REQUIRE(std::holds_alternative<femoop::Fault>(typed));
