@@ -184,9 +184,19 @@ Reason why_no_case(const Workspace& workspace)
     return translatable("loads belong to a load case; a combination is shown");
 }
 
+/// The names of those that a case has a factor in.
+std::string combinations_with(const PlaneModel& model, femoop::CaseId id)
+{
+    std::string names;
+    for (const femoop::Combination& each : model.combinations)
+        if (std::ranges::any_of(each.terms, [id](const auto& term) { return term.of == id; }))
+            names += (names.empty() ? "" : ", ") + each.id;
+    return names;
+}
+
 Reason why_no_load(const Workspace& workspace)
 {
-    if (selected<CurveId>(workspace) == nullptr) return translatable("select a curve first");
+    if (selected<CurveId>(workspace) == nullptr) return translatable("select one curve first");
     return why_no_case(workspace);
 }
 
@@ -243,8 +253,12 @@ void add_load_commands(CommandTable& table)
             [](Workspace& workspace) {
                 const Session& session = workspace.session;
                 const femoop::CaseId shown(session.load_case);
+                const std::string combinations = combinations_with(session.model(), shown);
                 workspace.change({Message(translatable("Delete: {part}"), {{"part", title(session, shown)}}),
                                   [shown](Document& document) { erase_case(document, shown); }});
+                if (!combinations.empty())
+                    workspace.notify({translatable("These combinations are without it now: {names}"),
+                                      {{"names", combinations}}});
             },
             [](const Workspace& workspace) -> Reason {
                 if (workspace.session.load_case < workspace.session.model().n_cases()) return std::nullopt;
