@@ -30,7 +30,8 @@ bool is_name_of_value(std::string_view before, std::string_view word)
 {
     constexpr std::size_t longest = 4; // "ΣM"
     const std::size_t begin = before.find_last_of(",;:") + 1;
-    return begin > 0 && word.size() <= longest && !is_digit(word.back()) && before.find('=', begin) == std::string_view::npos;
+    return begin > 0 && word.size() <= longest && !is_digit(word.back()) &&
+           before.find('=', begin) == std::string_view::npos;
 }
 bool begins_with_number(std::string_view text) { return is_digit(text.front()) || text.starts_with("−"); }
 

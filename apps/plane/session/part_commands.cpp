@@ -257,8 +257,8 @@ void add_load_commands(CommandTable& table)
                 workspace.change({Message(translatable("Delete: {part}"), {{"part", title(session, shown)}}),
                                   [shown](Document& document) { erase_case(document, shown); }});
                 if (!combinations.empty())
-                    workspace.notify({translatable("These combinations are without it now: {names}"),
-                                      {{"names", combinations}}});
+                    workspace.notify(
+                        {translatable("These combinations are without it now: {names}"), {{"names", combinations}}});
             },
             [](const Workspace& workspace) -> Reason {
                 if (workspace.session.load_case < workspace.session.model().n_cases()) return std::nullopt;

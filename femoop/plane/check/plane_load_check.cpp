@@ -95,8 +95,7 @@ void PlaneChecker::check_sides(CurveLoadKind kind, CurveId curve, const Entry& p
         if (kind == CurveLoadKind::Pressure) return add(FaultKind::PressureInside, place, {model_[curve].id});
         const RegionId left = model_[edge.left->element].region, right = model_[edge.right->element].region;
         if (model_.thickness(left) != model_.thickness(right))
-            return add(FaultKind::LoadOnTwoThicknesses, place,
-                       {model_[curve].id, model_[left].id, model_[right].id});
+            return add(FaultKind::LoadOnTwoThicknesses, place, {model_[curve].id, model_[left].id, model_[right].id});
     }
 }
 

@@ -127,7 +127,8 @@ TEST_SUITE("frame document")
     {
         const femoop::Units units;
         const ui::DisplayUnits shown;
-        for (const char* text : {"", "abc", "25 kN/m", "1e999", "5 furlong", "1,2,3", "3 kN - 2 m", "3 kN +", "3 kN + (2 kN"}) {
+        for (const char* text :
+             {"", "abc", "25 kN/m", "1e999", "5 furlong", "1,2,3", "3 kN - 2 m", "3 kN +", "3 kN + (2 kN"}) {
             CAPTURE(text);
             const auto typed = frame::quantity_typed(text, ui::Measure::Force, units, shown);
             REQUIRE(std::holds_alternative<femoop::Fault>(typed));
