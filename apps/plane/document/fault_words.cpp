@@ -75,6 +75,10 @@ std::string_view own_words(FaultKind kind)
     case FaultKind::RegionWithoutExpansion:
         return ui::translatable(
             "{0}: needs the thermal expansion of material {1}; select a face of region {2} and type it");
+    case FaultKind::LoadOnTwoThicknesses:
+        return ui::translatable(
+            "{0}: curve {1} parts regions of unlike thickness; its traction acts on that of region {2}, "
+            "not of {3}; a force per length needs none");
     case FaultKind::MeshTooLarge:
         return ui::translatable("the mesh would have about {0} elements, {1} at most can be made; "
                                 "type a larger element size or fewer divisions");

@@ -98,6 +98,7 @@ bool Application::handle_typing(ui::Key key)
 bool Application::close_topmost()
 {
     if (DocumentApp::close_topmost() || unit_window_.close()) return true;
+    if (ImGui::GetIO().WantTextInput || is_typing()) return true; // the field gives up what is typed
     if (session().is_refining()) workspace().session.stop_refining();
     else if (session().run() != nullptr) workspace().session.give_up_analysis();
     else return canvas_.cancel(workspace());
