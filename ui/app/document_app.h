@@ -316,6 +316,7 @@ template <class Workspace> void DocumentApp<Workspace>::run_command_of(const Key
     if (command == nullptr) return;
     const auto reason = run(*command, workspace_);
     ImGui::GetIO().ClearInputCharacters(); // the letter was a command, and none for a field that this opens
+    if (!reason) gui_.unframe_widget();    // the next arrow may be that of what this begins
     if (reason && event.key != Key::Escape) workspace_.notify(*reason);
 }
 

@@ -283,6 +283,11 @@ void unframe_panels(ImGuiContext& gui)
 
 bool ImGuiSession::is_widget_framed() const { return imgui_->NavId != 0 && !imgui_->NavDisableHighlight; }
 
+void ImGuiSession::unframe_widget()
+{
+    if (is_widget_framed()) imgui_->NavDisableHighlight = true;
+}
+
 void ImGuiSession::begin_frame(const Input& input, bool keeps_panels_still)
 {
     ImGui::SetCurrentContext(imgui_);

@@ -53,6 +53,7 @@ public:
     void begin_frame(const Input& input, bool keeps_panels_still = false);
     /// Has a widget the keyboard, framed so that one sees it?
     bool is_widget_framed() const;
+    void unframe_widget(); ///< until a key moves on from it
     /// Draws the frame over the theme's background; `present` the context afterwards.
     void end_frame();
 
