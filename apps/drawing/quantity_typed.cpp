@@ -81,8 +81,9 @@ std::variant<Quantity, Fault> typed_quantity(std::string_view text, Dimension di
                                              const ui::DisplayUnit& unit, AngleUnit angle)
 {
     auto whole = typed_term(text, dimension, file, unit, angle);
+    if (std::holds_alternative<Quantity>(whole)) return whole;
     const std::vector<Term> terms = terms_of(text);
-    if (std::holds_alternative<Quantity>(whole) || terms.size() < 2) return whole;
+    if (terms.size() < 2) return whole;
     double sum = 0.0, largest = 0.0;
     for (const Term& term : terms) {
         const auto one = typed_term(term.text, dimension, file, unit, angle);

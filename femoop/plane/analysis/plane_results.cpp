@@ -95,8 +95,7 @@ void PlaneCase::drop_round_off_of_reactions()
         for (const double component : each) force = std::max(force, std::abs(component));
     const PlaneModel& model = structure_->model();
     for (std::size_t r = 0; r < model.regions.size(); ++r) depth = std::max(depth, model.thickness(RegionId(r)));
-    are_reactions_round_off_ = force <= round_off * stiffest(model) * depth * largest_motion();
-    if (are_reactions_round_off_) std::ranges::fill(reactions_, NodeVector{});
+    if (force <= round_off * stiffest(model) * depth * largest_motion()) std::ranges::fill(reactions_, NodeVector{});
 }
 
 double PlaneCase::largest_motion() const
@@ -104,6 +103,12 @@ double PlaneCase::largest_motion() const
     double most = 0.0;
     for (const double u : displacements_) most = std::max(most, std::abs(u));
     return most;
+}
+
+double PlaneCase::motion_as_strain(ElementId element) const
+{
+    const PlaneModel& model = structure_->model();
+    return field(element).node_displacements().cwiseAbs().maxCoeff() / extent(positions_of(model, model[element]));
 }
 
 Eigen::Vector2d PlaneCase::displacement(NodeId node) const
@@ -159,12 +164,14 @@ double PlaneCase::reaction_moment(const std::vector<NodeId>& nodes, const Eigen:
 Equilibrium PlaneCase::equilibrium() const
 {
     Equilibrium sum;
+    const bool has_reactions = std::ranges::any_of(reactions_,
+                                                   [](const NodeVector& each) { return each != NodeVector{}; });
     for (const auto& [load_case, factor] : terms_.terms) {
         const Equilibrium& each = solution_->solutions[load_case].equilibrium;
         sum.residual = std::max(sum.residual, each.residual);
         for (std::size_t i = 0; i < n_dofs; ++i) {
             sum.sum_loads[i] += factor * each.sum_loads[i];
-            if (!are_reactions_round_off_) sum.sum_reactions[i] += factor * each.sum_reactions[i];
+            if (has_reactions) sum.sum_reactions[i] += factor * each.sum_reactions[i];
         }
     }
     return sum;
@@ -205,9 +212,7 @@ void PlaneCase::drop_round_off(Samples& samples) const
     if (most > surely_none * stiffest(model) * largest_motion() / extent(structure_->positions())) return;
     double strain = 0.0, stress = 0.0; // if elements gave way by all of their displacements
     for (std::size_t e = 0; e < model.elements.size(); ++e) {
-        const NodePositions at = positions_of(model, model.elements[e]);
-        const double extent = (at.colwise().maxCoeff() - at.colwise().minCoeff()).norm();
-        const double of_motion = field(ElementId(e)).node_displacements().cwiseAbs().maxCoeff() / extent;
+        const double of_motion = motion_as_strain(ElementId(e));
         strain = std::max(strain, of_motion);
         stress = std::max(stress, model[model[model.elements[e].region].material].E * of_motion);
     }
@@ -354,9 +359,7 @@ const std::vector<double>& PlaneCase::element_errors() const
         const TangentMatrix D = element.formulation().material().tangent(
             {.strain = StrainVector::Zero(n_components(state))});
         const TangentMatrix compliance = dense_inverse(D);
-        const NodePositions at = positions_of(structure_->model(), structure_->model().elements[e]);
-        const double extent = (at.colwise().maxCoeff() - at.colwise().minCoeff()).norm();
-        const double motion = inside.node_displacements().cwiseAbs().maxCoeff() / extent;
+        const double motion = motion_as_strain(ElementId(e));
         double of_error = 0.0;
         for (const IntegrationPoint& point : element.formulation().rule().points) {
             const StressVector smooth = vector_of(smoothed_stress({.element = ElementId(e), .at = point.at}), state);

@@ -99,6 +99,7 @@ private:
     void drop_round_off(Samples& samples) const;
     void drop_round_off_of_reactions();
     double largest_motion() const;
+    double motion_as_strain(ElementId element) const; ///< as if the element gave way by all of its displacements
     Eigen::Matrix<double, 8, 1> values_of(RegionId region, const StrainVector& total,
                                           const StrainVector& mechanical) const;
     ValueTable sample_places() const;
@@ -114,7 +115,6 @@ private:
     CaseTerms terms_;
     std::vector<double> displacements_;
     std::vector<NodeVector> reactions_;
-    bool are_reactions_round_off_ = false;
     std::map<std::size_t, std::vector<ThermalLoad>> heat_; ///< of elements that are warmed
     mutable std::shared_ptr<const Samples> samples_;       ///< made when they are first asked for
     mutable std::shared_ptr<const Recovered> recovered_;

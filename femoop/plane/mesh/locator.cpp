@@ -61,13 +61,11 @@ std::vector<Side> sides_of(const PlaneModel& model, ElementId id)
 /// How far the arc of a circle that a chord is of lies beyond it, by the angle to the next chord; 0 at a corner.
 double rise_of_arc(const Eigen::Vector2d& chord, const Eigen::Vector2d& next)
 {
-    constexpr double cosine_of_corner = 0.5, margin = 1.5; // curves are no circles
+    constexpr double margin = 1.5; // curves are no circles
+    if (is_corner(chord, next)) return 0.0;
     const double cosine = chord.normalized().dot(next.normalized());
-    if (cosine <= cosine_of_corner) return 0.0;
     return margin * 0.5 * chord.norm() * std::tan(0.25 * std::acos(std::min(cosine, 1.0)));
 }
-
-double size_of(const NodePositions& X) { return (X.colwise().maxCoeff() - X.colwise().minCoeff()).norm(); }
 
 } // namespace
 
@@ -76,7 +74,7 @@ NaturalPlace natural_place(const Shape& shape, const NodePositions& X, const Eig
     const Eigen::RowVector2d origin = X.row(0);
     const NodePositions relative = X.rowwise() - origin;
     const Eigen::Vector2d wanted = at - origin.transpose();
-    const double size = size_of(X);
+    const double size = extent(X);
     NaturalPoint p = centroid(shape.domain());
     const auto miss = [&](NaturalPoint q) -> Eigen::Vector2d {
         return wanted - relative.transpose() * shape.values(q);
@@ -173,9 +171,10 @@ std::optional<Location> Locator::nearest(const Eigen::Vector2d& at) const
     double least = beside;
     for (const ElementId element : in_box(at, at)) {
         const PlaneElement& e = model_[element];
-        const NaturalPlace place = natural_place(shape_of(e.kind), positions_of(model_, e), at);
+        const NodePositions X = positions_of(model_, e);
+        const NaturalPlace place = natural_place(shape_of(e.kind), X, at);
         if (!(place.distance < least)) continue;
-        if (place.distance * size_of(positions_of(model_, e)) > curve_beyond(element, at)) continue;
+        if (place.distance * extent(X) > curve_beyond(element, at)) continue;
         least = place.distance;
         found = Location{.element = element, .at = place.at};
     }

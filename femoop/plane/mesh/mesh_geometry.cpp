@@ -8,7 +8,6 @@ namespace femoop::plane {
 
 namespace {
 
-constexpr double cosine_of_corner = 0.5; // of 60 degrees
 constexpr int points_of_length = 8;
 
 const Shape& line_of(Eigen::Index n_nodes) { return shape_of(n_nodes == 2 ? ShapeKind::Line2 : ShapeKind::Line3); }
@@ -16,7 +15,7 @@ const Shape& line_of(Eigen::Index n_nodes) { return shape_of(n_nodes == 2 ? Shap
 /// One direction where two are nearly the same.
 std::vector<Eigen::Vector2d> joined(const Eigen::Vector2d& before, const Eigen::Vector2d& behind)
 {
-    if (before.dot(behind) <= cosine_of_corner) return {before, behind};
+    if (is_corner(before, behind)) return {before, behind};
     return {(before + behind).normalized()};
 }
 
@@ -41,6 +40,14 @@ double extent(const std::vector<Eigen::Vector2d>& places)
         high = high.cwiseMax(at);
     }
     return (high - low).norm();
+}
+
+double extent(const NodePositions& X) { return (X.colwise().maxCoeff() - X.colwise().minCoeff()).norm(); }
+
+bool is_corner(const Eigen::Vector2d& before, const Eigen::Vector2d& behind)
+{
+    constexpr double cosine_of_corner = 0.5;
+    return before.dot(behind) <= cosine_of_corner * before.norm() * behind.norm();
 }
 
 NodePositions positions_of(const PlaneModel& model, const PlaneElement& element)

@@ -15,9 +15,13 @@ std::vector<Eigen::Vector2d> positions(const PlaneModel& model);                
 NodePositions positions_of(const PlaneModel& model, const PlaneElement& element); ///< \pre has_points
 /// The diagonal of the box around the places; 0 where there are none.
 double extent(const std::vector<Eigen::Vector2d>& places);
+double extent(const NodePositions& X);
 
-/// A node of a curve: how far along it lies, and in which direction the curve runs there. Where the curve turns by 60
-/// degrees or more it has a corner with two directions, elsewhere the mean of those before and behind.
+/// Whether an outline that leaves one direction for another has a corner: it turns by 60 degrees or more.
+bool is_corner(const Eigen::Vector2d& before, const Eigen::Vector2d& behind);
+
+/// A node of a curve: how far along it lies, and in which direction the curve runs there. Where the curve has a
+/// corner (`is_corner`) it has two directions, elsewhere the mean of those before and behind.
 struct CurveNode {
     NodeId node;
     double s = 0.0;

@@ -14,10 +14,6 @@ constexpr double parallel = 1e-6; // sine of the angle between directions that a
 const HeldDirection across_axis{.direction = Eigen::Vector2d::UnitX(), .dof = Dof::ux, .is_blocked = true};
 
 double sine(const Eigen::Vector2d& a, const Eigen::Vector2d& b) { return a.x() * b.y() - a.y() * b.x(); }
-bool are_one(const HeldDirection& a, const HeldDirection& b)
-{
-    return std::abs(sine(a.direction, b.direction)) <= parallel;
-}
 
 Eigen::Vector2d left_of(const Eigen::Vector2d& direction) { return {-direction.y(), direction.x()}; }
 
@@ -30,6 +26,11 @@ Eigen::Vector2d direction_at(double degrees)
 FieldPlace field_place(const Eigen::Vector2d& at) { return {.x = at.x(), .y = at.y()}; }
 
 } // namespace
+
+bool are_one(const HeldDirection& a, const HeldDirection& b)
+{
+    return std::abs(sine(a.direction, b.direction)) <= parallel;
+}
 
 CurveTable::CurveTable(const PlaneModel& model, const EdgeTable& table)
 {

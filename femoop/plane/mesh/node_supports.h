@@ -26,6 +26,9 @@ struct HeldDirection {
     double stiffness = 0.0;    ///< of the spring of a point
 };
 
+/// Whether two are one direction, but for its sense: within 1e-6 of the sine of their angle.
+bool are_one(const HeldDirection& a, const HeldDirection& b);
+
 /// What supports do to one node, put together: blocked directions add up, and two different ones block both.
 class NodeSupport {
 public:

@@ -1,6 +1,6 @@
 #include "femoop/plane/result/support_resultants.h"
 
-#include <cmath>
+#include <algorithm>
 
 namespace femoop::plane {
 
@@ -78,12 +78,10 @@ private:
     /// What of a force acts along one direction; all of it where there are two.
     static Eigen::Vector2d along(const Eigen::Vector2d& force, const std::vector<HeldDirection>& held)
     {
-        constexpr double parallel = 1e-6; // sine of the angle between directions that are one
         if (held.empty()) return Eigen::Vector2d::Zero();
-        const Eigen::Vector2d& first = held.front().direction;
-        for (const HeldDirection& other : held)
-            if (std::abs(first.x() * other.direction.y() - first.y() * other.direction.x()) > parallel) return force;
-        return force.dot(first) * first;
+        const HeldDirection& first = held.front();
+        if (!std::ranges::all_of(held, [&](const HeldDirection& other) { return are_one(first, other); })) return force;
+        return force.dot(first.direction) * first.direction;
     }
 
     const PlaneCase& result_;
