@@ -58,7 +58,7 @@ std::string faces_text(const Drawing& drawing, const ui::Catalogue& tr)
 {
     const topology::PlanarCounts counts = drawing.subdivision().counts();
     const femoop::Units& units = drawing.model().units;
-    std::string text = tr("{vertices} vertices, {edges} edges, {regions} regions, {components} components",
+    std::string text = tr("vertices: {vertices}, edges: {edges}, regions: {regions}, components: {components}",
                           {{"vertices", std::to_string(counts.vertices)},
                            {"edges", std::to_string(counts.edges)},
                            {"regions", std::to_string(counts.regions)},

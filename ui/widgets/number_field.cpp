@@ -143,7 +143,10 @@ void NumberFields::show_reason(bool is_in_row) const
     const ImGuiViewport& screen = *ImGui::GetMainViewport();
     const float right = screen.WorkPos.x + screen.WorkSize.x - width;
     const float left = std::max(std::min(ImGui::GetItemRectMin().x, right), screen.WorkPos.x);
-    ImGui::SetNextWindowPos({left, ImGui::GetItemRectMax().y + 0.3F * em});
+    const float height = ImGui::CalcTextSize(reason_.c_str(), nullptr, false, most).y + 2.0F * padding;
+    const float below = ImGui::GetItemRectMax().y + 0.3F * em, above = ImGui::GetItemRectMin().y - 0.3F * em - height;
+    const bool has_room_below = below + height <= screen.WorkPos.y + screen.WorkSize.y;
+    ImGui::SetNextWindowPos({left, has_room_below ? below : above});
     ImGui::BeginTooltip();
     wrapped_text(reason_, most);
     ImGui::EndTooltip();

@@ -173,9 +173,59 @@ std::vector<std::size_t> loads_on(const PlaneModel& model, std::size_t load_case
     });
 }
 
-std::size_t add_load(Document& document, std::size_t load_case, CurveId curve, CurveLoadKind kind)
+namespace {
+
+std::size_t kind_of(const CurveLoad& load) { return static_cast<std::size_t>(load.kind); }
+std::size_t kind_of(const RegionLoad& load) { return load.load.index(); }
+
+/// The kinds of the loads on a part, one after the other.
+template <class Id> std::vector<std::size_t> kinds_on(const PlaneModel& model, std::size_t load_case, Id part)
 {
-    CurveLoad load{.curves = {curve}, .kind = kind, .qx = {}, .qy = {}, .value = {}};
+    std::vector<std::size_t> kinds;
+    for (std::size_t nth = 0; nth < loads_on(model, load_case, part).size(); ++nth)
+        kinds.push_back(kind_of(load_on(model, load_case, nth, part)));
+    return kinds;
+}
+
+/// The first load of a kind on each part is one load that all have, so is the second.
+template <class Id>
+std::vector<LoadPlaces> common_loads(const PlaneModel& model, std::size_t load_case, const std::vector<Id>& parts)
+{
+    std::vector<LoadPlaces> all;
+    if (parts.empty()) return all;
+    const std::vector<std::size_t> of_first = kinds_on(model, load_case, parts.front());
+    for (std::size_t i = 0; i < of_first.size(); ++i) {
+        const auto n_before = std::ranges::count(of_first.begin(), of_first.begin() + static_cast<std::ptrdiff_t>(i),
+                                                 of_first[i]);
+        LoadPlaces places;
+        for (const Id part : parts) {
+            const std::vector<std::size_t> kinds = kinds_on(model, load_case, part);
+            auto n_to_pass = n_before;
+            const auto it = std::ranges::find_if(
+                kinds, [&](std::size_t kind) { return kind == of_first[i] && n_to_pass-- == 0; });
+            if (it != kinds.end()) places.push_back(static_cast<std::size_t>(it - kinds.begin()));
+        }
+        if (places.size() == parts.size()) all.push_back(std::move(places));
+    }
+    return all;
+}
+
+} // namespace
+
+std::vector<LoadPlaces> loads_of_all(const PlaneModel& model, std::size_t load_case, const std::vector<CurveId>& curves)
+{
+    return common_loads(model, load_case, curves);
+}
+
+std::vector<LoadPlaces> loads_of_all(const PlaneModel& model, std::size_t load_case,
+                                     const std::vector<RegionId>& regions)
+{
+    return common_loads(model, load_case, regions);
+}
+
+std::size_t add_load(Document& document, std::size_t load_case, const std::vector<CurveId>& curves, CurveLoadKind kind)
+{
+    CurveLoad load{.curves = curves, .kind = kind, .qx = {}, .qy = {}, .value = {}};
     if (kind == CurveLoadKind::Pressure) load.value = Field{Quantity(0.0)};
     else load.qx = load.qy = Field{Quantity(0.0)};
     auto& loads = document.model.load_cases[some_case(document, load_case)].curves;
@@ -183,10 +233,11 @@ std::size_t add_load(Document& document, std::size_t load_case, CurveId curve, C
     return loads.size() - 1;
 }
 
-std::size_t add_load(Document& document, std::size_t load_case, RegionId region, RegionLoadKind kind)
+std::size_t add_load(Document& document, std::size_t load_case, const std::vector<RegionId>& regions,
+                     RegionLoadKind kind)
 {
     const Field nothing{Quantity(0.0)};
-    RegionLoad load{.regions = {region}, .load = femoop::plane::BodyForce{.bx = nothing, .by = nothing}};
+    RegionLoad load{.regions = regions, .load = femoop::plane::BodyForce{.bx = nothing, .by = nothing}};
     if (kind == RegionLoadKind::Temperature) load.load = femoop::plane::TemperatureRise{.rise = nothing};
     if (kind == RegionLoadKind::Rotation)
         load.load = femoop::plane::SteadyRotation{.omega = Quantity(0.0), .about = {}};
@@ -195,31 +246,41 @@ std::size_t add_load(Document& document, std::size_t load_case, RegionId region,
     return loads.size() - 1;
 }
 
-CurveLoad& own_load(Document& document, std::size_t load_case, std::size_t load, CurveId curve)
+const CurveLoad& load_on(const PlaneModel& model, std::size_t load_case, std::size_t nth, CurveId curve)
 {
-    return parted(document.model.load_cases.at(load_case).curves, load, &CurveLoad::curves, curve);
+    return model.load_cases[load_case].curves[loads_on(model, load_case, curve).at(nth)];
 }
 
-RegionLoad& own_load(Document& document, std::size_t load_case, std::size_t load, RegionId region)
+const RegionLoad& load_on(const PlaneModel& model, std::size_t load_case, std::size_t nth, RegionId region)
+{
+    return model.load_cases[load_case].regions[loads_on(model, load_case, region).at(nth)];
+}
+
+CurveLoad& own_load(Document& document, std::size_t load_case, std::size_t nth, CurveId curve)
+{
+    return parted(document.model.load_cases.at(load_case).curves, loads_on(document.model, load_case, curve).at(nth),
+                  &CurveLoad::curves, curve);
+}
+
+RegionLoad& own_load(Document& document, std::size_t load_case, std::size_t nth, RegionId region)
 {
     auto& loads = document.model.load_cases.at(load_case).regions;
+    const std::size_t load = loads_on(document.model, load_case, region).at(nth);
     const std::vector<RegionId> all = regions_of_material(document.model);
-    if (loads.at(load).regions.empty() && all.size() > 1) loads[load].regions = all;
+    if (loads[load].regions.empty() && all.size() > 1) loads[load].regions = all;
     return parted(loads, load, &RegionLoad::regions, region);
 }
 
-void erase_load(Document& document, std::size_t load_case, std::size_t load, CurveId curve)
+void erase_load(Document& document, std::size_t load_case, std::size_t nth, CurveId curve)
 {
-    own_load(document, load_case, load, curve);
-    auto& loads = document.model.load_cases[load_case].curves;
-    loads.erase(loads.begin() + static_cast<std::ptrdiff_t>(load));
+    auto& loads = document.model.load_cases.at(load_case).curves;
+    loads.erase(loads.begin() + (&own_load(document, load_case, nth, curve) - loads.data()));
 }
 
-void erase_load(Document& document, std::size_t load_case, std::size_t load, RegionId region)
+void erase_load(Document& document, std::size_t load_case, std::size_t nth, RegionId region)
 {
-    own_load(document, load_case, load, region);
-    auto& loads = document.model.load_cases[load_case].regions;
-    loads.erase(loads.begin() + static_cast<std::ptrdiff_t>(load));
+    auto& loads = document.model.load_cases.at(load_case).regions;
+    loads.erase(loads.begin() + (&own_load(document, load_case, nth, region) - loads.data()));
 }
 
 namespace {

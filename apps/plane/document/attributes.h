@@ -43,14 +43,26 @@ enum class RegionLoadKind : std::uint8_t { Body, Temperature, Rotation }; ///< i
 /// The loads of a case on a curve or a region, by their places in the case's list. One that names no region is of all.
 std::vector<std::size_t> loads_on(const PlaneModel& model, std::size_t load_case, CurveId curve);
 std::vector<std::size_t> loads_on(const PlaneModel& model, std::size_t load_case, RegionId region);
-/// Adds a load of no value on a curve: of a pressure 0, of the others qx and qy 0. \returns its place in the list
-std::size_t add_load(Document& document, std::size_t load_case, CurveId curve, femoop::plane::CurveLoadKind kind);
-std::size_t add_load(Document& document, std::size_t load_case, RegionId region, RegionLoadKind kind);
-/// The load for this part alone: one that other parts have too is parted from theirs.
-femoop::plane::CurveLoad& own_load(Document& document, std::size_t load_case, std::size_t load, CurveId curve);
-femoop::plane::RegionLoad& own_load(Document& document, std::size_t load_case, std::size_t load, RegionId region);
-void erase_load(Document& document, std::size_t load_case, std::size_t load, CurveId curve);
-void erase_load(Document& document, std::size_t load_case, std::size_t load, RegionId region);
+/// A load that all of several parts have, of one kind: for each part which one it is of those on it, from 0.
+using LoadPlaces = std::vector<std::size_t>;
+std::vector<LoadPlaces> loads_of_all(const PlaneModel& model, std::size_t load_case,
+                                     const std::vector<CurveId>& curves);
+std::vector<LoadPlaces> loads_of_all(const PlaneModel& model, std::size_t load_case,
+                                     const std::vector<RegionId>& regions);
+/// Adds a load of no value: of a pressure 0, of the others qx and qy 0. \returns its place in the case's list
+std::size_t add_load(Document& document, std::size_t load_case, const std::vector<CurveId>& curves,
+                     femoop::plane::CurveLoadKind kind);
+std::size_t add_load(Document& document, std::size_t load_case, const std::vector<RegionId>& regions,
+                     RegionLoadKind kind);
+/// A part's load, the first of which is 0.
+const femoop::plane::CurveLoad& load_on(const PlaneModel& model, std::size_t load_case, std::size_t nth, CurveId curve);
+const femoop::plane::RegionLoad& load_on(const PlaneModel& model, std::size_t load_case, std::size_t nth,
+                                         RegionId region);
+/// That load for this part alone: one that other parts have too is parted from theirs.
+femoop::plane::CurveLoad& own_load(Document& document, std::size_t load_case, std::size_t nth, CurveId curve);
+femoop::plane::RegionLoad& own_load(Document& document, std::size_t load_case, std::size_t nth, RegionId region);
+void erase_load(Document& document, std::size_t load_case, std::size_t nth, CurveId curve);
+void erase_load(Document& document, std::size_t load_case, std::size_t nth, RegionId region);
 
 /// How a support moves in a direction of its axes; nothing: not at all.
 std::optional<femoop::plane::Field> settlement_of(const PlaneModel& model, std::size_t load_case, NodeId point,

@@ -366,18 +366,17 @@ std::vector<Number> numbers(const PlaneModel& model, MaterialId material)
             at("alpha", translatable("Thermal expansion α"), Measure::Expansion, &Material::alpha)};
 }
 
-std::vector<Number> numbers(const PlaneModel& model, std::size_t load_case, std::size_t load, CurveId curve)
+std::vector<Number> numbers(const PlaneModel& model, std::size_t load_case, std::size_t nth, CurveId curve)
 {
-    const CurveLoad& shown = model.load_cases[load_case].curves[load];
+    const CurveLoad& shown = load_on(model, load_case, nth, curve);
     const bool is_line = shown.kind == CurveLoadKind::Line;
     std::vector<Number> all;
     const auto add = [&](const char* name, std::optional<Field> CurveLoad::*field) {
         add_field(
             all,
             {.name = name, .q = name, .measure = is_line ? Measure::ForcePerLength : Measure::Stress, .has_ends = true},
-            shown.*field, [=](Document& document, const FieldEdit& edit) {
-                edit(own_load(document, load_case, load, curve).*field);
-            });
+            shown.*field,
+            [=](Document& document, const FieldEdit& edit) { edit(own_load(document, load_case, nth, curve).*field); });
     };
     if (shown.kind == CurveLoadKind::Pressure) {
         add("p", &CurveLoad::value);
@@ -388,12 +387,12 @@ std::vector<Number> numbers(const PlaneModel& model, std::size_t load_case, std:
     return all;
 }
 
-std::vector<Number> numbers(const PlaneModel& model, std::size_t load_case, std::size_t load, RegionId region)
+std::vector<Number> numbers(const PlaneModel& model, std::size_t load_case, std::size_t nth, RegionId region)
 {
-    const auto& shown = model.load_cases[load_case].regions[load].load;
+    const auto& shown = load_on(model, load_case, nth, region).load;
     const auto form = [=]<class Form>(Form* /*of*/) {
         return [=](Document& document) -> Form& {
-            return std::get<Form>(own_load(document, load_case, load, region).load);
+            return std::get<Form>(own_load(document, load_case, nth, region).load);
         };
     };
     std::vector<Number> all;
@@ -412,6 +411,47 @@ std::vector<Number> numbers(const PlaneModel& model, std::size_t load_case, std:
         add({.name = "rise", .q = "ΔT", .measure = Measure::Temperature}, *heat, &TemperatureRise::rise);
     if (const auto* const rotation = std::get_if<SteadyRotation>(&shown))
         add_rotation(all, model, *rotation, form(static_cast<SteadyRotation*>(nullptr)));
+    return all;
+}
+
+namespace {
+
+Number joined(const std::vector<Number>& each)
+{
+    Number all = each.front();
+    for (const Number& other : each) {
+        all.differs = all.differs || other.value != all.value || other.field != all.field;
+        all.is_optional = all.is_optional && other.is_optional;
+    }
+    if (all.differs) {
+        all.value.reset();
+        all.field.reset();
+    }
+    all.set = [each](Document& document, const Value& value) {
+        Objection objection;
+        for (std::size_t i = 0; i < each.size() && !objection; ++i) objection = each[i].set(document, value);
+        return objection;
+    };
+    if (all.set_field)
+        all.set_field = [each](Document& document, const Field& field) {
+            for (const Number& number : each) number.set_field(document, field);
+        };
+    return all;
+}
+
+} // namespace
+
+std::vector<Number> numbers_of_all(const std::vector<std::vector<Number>>& of_parts)
+{
+    std::vector<Number> all;
+    if (of_parts.empty()) return all;
+    for (const Number& first : of_parts.front()) {
+        std::vector<Number> each;
+        for (const std::vector<Number>& of_part : of_parts)
+            if (const auto same = std::ranges::find(of_part, first.id, &Number::id); same != of_part.end())
+                each.push_back(*same);
+        if (each.size() == of_parts.size()) all.push_back(joined(each));
+    }
     return all;
 }
 

@@ -27,6 +27,7 @@ struct Number {
     /// Where a field may stand: gives it. Empty elsewhere.
     std::function<void(Document&, const femoop::plane::Field&)> set_field{};
     std::optional<femoop::plane::Field> field{}; ///< in place of the value: one that varies otherwise
+    bool differs = false;                        ///< of several parts, which have not the same
 };
 
 /// "polynomial, terms: 2": how a field varies, to be translated.
@@ -38,9 +39,11 @@ std::vector<Number> numbers(const PlaneModel& model, NodeId point, std::size_t l
 std::vector<Number> numbers(const PlaneModel& model, CurveId curve, std::size_t load_case);
 std::vector<Number> numbers(const PlaneModel& model, RegionId region);
 std::vector<Number> numbers(const PlaneModel& model, MaterialId material);
-/// Of a load on a curve.
-std::vector<Number> numbers(const PlaneModel& model, std::size_t load_case, std::size_t load, CurveId curve);
-/// Of a load on a region.
-std::vector<Number> numbers(const PlaneModel& model, std::size_t load_case, std::size_t load, RegionId region);
+/// Of a load on a curve or a region, the first of which is 0.
+std::vector<Number> numbers(const PlaneModel& model, std::size_t load_case, std::size_t nth, CurveId curve);
+std::vector<Number> numbers(const PlaneModel& model, std::size_t load_case, std::size_t nth, RegionId region);
+
+/// The numbers that several parts have all, to be changed in all of them at once.
+std::vector<Number> numbers_of_all(const std::vector<std::vector<Number>>& of_parts);
 
 } // namespace plane

@@ -40,6 +40,20 @@ constexpr std::array table_entries{
     TableEntry{TableKind::Modes, "table.modes", translatable("Natural modes")},
 };
 
+/// What a table tells is found where it is shown; it is shown no longer than the table that asked for it.
+void show_table(Workspace& workspace, std::optional<TableKind> kind)
+{
+    Look& look = workspace.session.look;
+    if (bool Look::*const came = std::exchange(workspace.shown_by_table, nullptr)) look.*came = false;
+    workspace.table = kind;
+    bool Look::*const told = kind == TableKind::Reactions ? &Look::reactions
+                             : kind == TableKind::Modes   ? &Look::modes
+                                                          : nullptr;
+    if (told == nullptr || look.*told) return;
+    look.*told = true;
+    workspace.shown_by_table = told;
+}
+
 void add_tables(CommandTable& table)
 {
     Menu menu(table, translatable("Tables"));
@@ -47,15 +61,10 @@ void add_tables(CommandTable& table)
         {"table.show", translatable("Show the tables"), {{Key::T, {}}}},
         [](const Workspace& workspace) { return workspace.table.has_value(); },
         [](Workspace& workspace, bool is_on) {
-            workspace.table = is_on ? std::optional(TableKind::Points) : std::nullopt;
+            show_table(workspace, is_on ? std::optional(TableKind::Points) : std::nullopt);
         });
     menu.choices(
-        table_entries, [](const Workspace& workspace) { return workspace.table; },
-        [](Workspace& workspace, TableKind kind) {
-            workspace.table = kind;
-            if (kind == TableKind::Reactions) workspace.session.look.reactions = true; // which finds them
-            if (kind == TableKind::Modes) workspace.session.look.modes = true;
-        });
+        table_entries, [](const Workspace& workspace) { return workspace.table; }, show_table);
 }
 
 using LookEntry = ui::Choice<bool Look::*>;

@@ -46,7 +46,8 @@ struct Workspace : ui::DocumentWorkspace<Workspace, Session> {
     bool asks_for_backdrop = false; ///< likewise, for an image
     bool asks_for_units = false;    ///< likewise, and shows the units quantity by quantity or hides them
     Topic topic = Topic::Properties;
-    std::optional<TableKind> table{}; ///< that is shown; none while the tables are closed
+    std::optional<TableKind> table{};     ///< that is shown; none while the tables are closed
+    bool Look::*shown_by_table = nullptr; ///< what the open table has switched on, for as long as it is open
 };
 
 using CommandTable = ui::CommandTable<Workspace>;

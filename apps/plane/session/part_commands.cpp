@@ -22,24 +22,17 @@ using Menu = ui::MenuBuilder<Workspace>;
 
 namespace {
 
-const Part* only_part(const Workspace& workspace)
+template <class Kind> std::vector<Kind> selected(const Workspace& workspace)
 {
-    const auto& parts = workspace.session.selection();
-    return parts.size() == 1 ? &parts.front() : nullptr;
-}
-
-template <class Kind> const Kind* selected(const Workspace& workspace)
-{
-    const Part* const part = only_part(workspace);
-    return part != nullptr ? std::get_if<Kind>(part) : nullptr;
+    return all_of_kind<Kind>(workspace.session.selection());
 }
 
 // ---- regions
 
 std::optional<std::size_t> selected_face(const Workspace& workspace)
 {
-    const auto* const place = selected<FacePlace>(workspace);
-    return place != nullptr ? workspace.session.face_of(*place) : std::nullopt;
+    const std::vector<FacePlace> places = selected<FacePlace>(workspace);
+    return places.size() == 1 ? workspace.session.face_of(places.front()) : std::nullopt;
 }
 
 Reason needs_face(const Workspace& workspace)
@@ -88,13 +81,20 @@ void add_region_commands(CommandTable& table)
 
 // ---- supports
 
-using SupportEntry = ui::Choice<std::optional<PlaneSupportKind>>;
+/// How all of the selection is held.
+struct Held {
+    std::optional<PlaneSupportKind> kind{}; ///< nothing: it is free
+    bool differs = false;                   ///< some are held otherwise than others
+    friend bool operator==(const Held&, const Held&) = default;
+};
+
+using SupportEntry = ui::Choice<Held>;
 constexpr std::array support_entries{
-    SupportEntry{std::nullopt, "support.none", translatable("Free"), {{Key::Digit0, {}}}},
-    SupportEntry{PlaneSupportKind::Fixed, "support.fixed", translatable("Fixed"), {{Key::Digit1, {}}}},
-    SupportEntry{PlaneSupportKind::Roller, "support.roller", translatable("Roller"), {{Key::Digit2, {}}}},
-    SupportEntry{PlaneSupportKind::Symmetry, "support.symmetry", translatable("Symmetry"), {{Key::Digit3, {}}}},
-    SupportEntry{PlaneSupportKind::Custom, "support.own", translatable("Own axes and springs"), {{Key::Digit4, {}}}},
+    SupportEntry{{}, "support.none", translatable("Free"), {{Key::Digit0, {}}}},
+    SupportEntry{{PlaneSupportKind::Fixed}, "support.fixed", translatable("Fixed"), {{Key::Digit1, {}}}},
+    SupportEntry{{PlaneSupportKind::Roller}, "support.roller", translatable("Roller"), {{Key::Digit2, {}}}},
+    SupportEntry{{PlaneSupportKind::Symmetry}, "support.symmetry", translatable("Symmetry"), {{Key::Digit3, {}}}},
+    SupportEntry{{PlaneSupportKind::Custom}, "support.own", translatable("Own axes and springs"), {{Key::Digit4, {}}}},
 };
 
 Reason why_no_support(const Workspace& workspace)
@@ -106,18 +106,26 @@ Reason why_no_support(const Workspace& workspace)
     return translatable("select points or curves first");
 }
 
-std::optional<PlaneSupportKind> support_kind(const Workspace& workspace)
+Held how_held(const Session& session, const Part& part)
 {
-    const Part* const part = only_part(workspace);
-    const auto* const support = part != nullptr ? support_of(workspace.session, *part) : nullptr;
-    if (support == nullptr) return std::nullopt;
-    return support->kind == PlaneSupportKind::Pin ? PlaneSupportKind::Fixed : support->kind;
+    const PlaneSupport* const support = support_of(session, part);
+    if (support == nullptr) return {};
+    return {support->kind == PlaneSupportKind::Pin ? PlaneSupportKind::Fixed : support->kind};
 }
 
-void choose_support(Workspace& workspace, std::optional<PlaneSupportKind> kind)
+Held how_selection_is_held(const Workspace& workspace)
+{
+    const std::vector<Part>& parts = workspace.session.selection();
+    if (parts.empty()) return {};
+    Held held = how_held(workspace.session, parts.front());
+    for (const Part& part : parts) held.differs = held.differs || how_held(workspace.session, part) != Held{held.kind};
+    return held;
+}
+
+void choose_support(Workspace& workspace, const Held& held)
 {
     const std::vector<Part> parts = workspace.session.selection();
-    workspace.change({translatable("Change the support"), [=](Document& document) {
+    workspace.change({translatable("Change the support"), [parts, kind = held.kind](Document& document) {
                           for (const Part& part : parts) {
                               if (const auto* const point = std::get_if<NodeId>(&part))
                                   set_support(document, *point, kind);
@@ -135,26 +143,23 @@ constexpr std::array tie_entries{
 
 Reason why_no_tie(const Workspace& workspace)
 {
-    const auto& parts = workspace.session.selection();
-    const bool are_curves = std::ranges::all_of(parts,
-                                                [](const Part& part) { return std::holds_alternative<CurveId>(part); });
-    if (!parts.empty() && are_curves) return std::nullopt;
+    if (!selected<CurveId>(workspace).empty()) return std::nullopt;
     return translatable("select curves first");
 }
 
 bool are_tied(const Workspace& workspace, femoop::Dof dof)
 {
-    return !why_no_tie(workspace) && std::ranges::all_of(workspace.session.selection(), [&](const Part& part) {
-        return workspace.session.model()[std::get<CurveId>(part)].tie.contains(dof);
+    return !why_no_tie(workspace) && std::ranges::all_of(selected<CurveId>(workspace), [&](CurveId curve) {
+        return workspace.session.model()[curve].tie.contains(dof);
     });
 }
 
 void tie(Workspace& workspace, femoop::Dof dof, bool is_tied)
 {
     workspace.change(
-        {translatable("Change the support"), [=, parts = workspace.session.selection()](Document& document) {
-             for (const Part& part : parts) {
-                 femoop::DofSet& tied = document.model.curves[std::get<CurveId>(part).index].tie;
+        {translatable("Change the support"), [=, curves = selected<CurveId>(workspace)](Document& document) {
+             for (const CurveId curve : curves) {
+                 femoop::DofSet& tied = document.model.curves[curve.index].tie;
                  if (is_tied) tied.insert(dof);
                  else tied.erase(dof);
              }
@@ -196,30 +201,22 @@ std::string combinations_with(const PlaneModel& model, femoop::CaseId id)
 
 Reason why_no_load(const Workspace& workspace)
 {
-    if (selected<CurveId>(workspace) == nullptr) return translatable("select one curve first");
+    if (selected<CurveId>(workspace).empty()) return translatable("select curves first");
     return why_no_case(workspace);
 }
 
 Reason why_no_region_load(const Workspace& workspace)
 {
-    const auto region = workspace.session.selected_region();
-    if (!region || workspace.session.model()[*region].is_hole) return translatable("select a region first");
+    const std::vector<RegionId> regions = workspace.session.selected_regions();
+    const auto is_empty = [&](RegionId region) { return workspace.session.model()[region].is_hole; };
+    if (regions.empty() || std::ranges::any_of(regions, is_empty)) return translatable("select a region first");
     return why_no_case(workspace);
 }
 
-void add_load_to_region(Workspace& workspace, RegionLoadKind kind)
+template <class Id, class Kind> void add_load_to(Workspace& workspace, const std::vector<Id>& holders, Kind kind)
 {
-    const RegionId region = *workspace.session.selected_region();
     workspace.change({translatable("Add a load"), [=, load_case = workspace.session.load_case](Document& document) {
-                          add_load(document, load_case, region, kind);
-                      }});
-}
-
-void add_load_to_curve(Workspace& workspace, CurveLoadKind kind)
-{
-    const CurveId curve = *selected<CurveId>(workspace);
-    workspace.change({translatable("Add a load"), [=, load_case = workspace.session.load_case](Document& document) {
-                          add_load(document, load_case, curve, kind);
+                          add_load(document, load_case, holders, kind);
                       }});
 }
 
@@ -229,11 +226,15 @@ void add_load_commands(CommandTable& table)
     for (const LoadEntry& entry : load_entries)
         menu.step(
             {entry.id, entry.label, {}},
-            [kind = entry.value](Workspace& workspace) { add_load_to_curve(workspace, kind); }, why_no_load);
+            [kind = entry.value](Workspace& workspace) { add_load_to(workspace, selected<CurveId>(workspace), kind); },
+            why_no_load);
     for (const RegionLoadEntry& entry : region_load_entries)
         menu.step(
             {entry.id, entry.label, {}},
-            [kind = entry.value](Workspace& workspace) { add_load_to_region(workspace, kind); }, why_no_region_load);
+            [kind = entry.value](Workspace& workspace) {
+                add_load_to(workspace, workspace.session.selected_regions(), kind);
+            },
+            why_no_region_load);
     menu.step({"case.add", translatable("Add a load case")}, [](Workspace& workspace) {
         workspace.change({translatable("Add a load case"), add_load_case});
         workspace.session.load_case = workspace.session.model().load_cases.size() - 1;
@@ -348,6 +349,13 @@ void add_numbers_about(std::vector<Number>& all, const Session& session, RegionI
     if (session.load_case < model.load_cases.size()) add(numbers(model, femoop::CaseId(session.load_case)));
 }
 
+template <class Id>
+void add_numbers_of_loads(std::vector<Number>& all, const Session& session, const std::vector<Id>& holders)
+{
+    for (const LoadPlaces& places : loads_of_all(session.model(), session.load_case, holders))
+        for (Number& number : numbers_of_load(session, holders, places)) all.push_back(std::move(number));
+}
+
 /// "thickness 12 mm": one of the numbers of something.
 Reason set_one_of(Workspace& workspace, const Message& whose, const std::vector<Number>& all,
                   const ui::Argument& argument)
@@ -366,12 +374,13 @@ Reason set_one_of(Workspace& workspace, const Message& whose, const std::vector<
 /// A number of what is selected, of the first load too that has one of the name.
 Reason set_of_selected(Workspace& workspace, const ui::Argument& argument)
 {
-    const Part* const part = only_part(workspace);
-    if (part == nullptr) return Message(translatable("nothing is selected"));
-    std::vector<Number> all = numbers_of(workspace.session, *part);
-    for (Number& number : numbers_of_loads(workspace.session, *part)) all.push_back(std::move(number));
+    const std::vector<Part>& parts = workspace.session.selection();
+    if (parts.empty()) return Message(translatable("nothing is selected"));
+    std::vector<Number> all = numbers_of(workspace.session, parts);
+    add_numbers_of_loads(all, workspace.session, selected<CurveId>(workspace));
+    add_numbers_of_loads(all, workspace.session, workspace.session.selected_regions());
     if (const auto region = workspace.session.selected_region()) add_numbers_about(all, workspace.session, *region);
-    return set_one_of(workspace, title(workspace.session, *part), all, argument);
+    return set_one_of(workspace, title(workspace.session, parts), all, argument);
 }
 
 /// "factor G 1.4": a number of the case that is shown.
@@ -383,13 +392,6 @@ Reason set_of_case(Workspace& workspace, const ui::Argument& argument)
     return set_one_of(workspace, title(session, shown), numbers(session.model(), shown), argument);
 }
 
-std::optional<RegionId> region_of(const Session& session, const Part& part)
-{
-    const auto* const place = std::get_if<FacePlace>(&part);
-    const auto face = place != nullptr ? session.face_of(*place) : std::nullopt;
-    return face ? session.drawing()->faces()[*face].region : std::nullopt;
-}
-
 } // namespace
 
 void add_part_commands(CommandTable& table)
@@ -397,7 +399,7 @@ void add_part_commands(CommandTable& table)
     add_region_commands(table);
     add_analysis_commands(table);
     Menu supports(table, translatable("Support"));
-    supports.choices(support_entries, support_kind, choose_support, why_no_support);
+    supports.choices(support_entries, how_selection_is_held, choose_support, why_no_support);
     supports.toggles(tie_entries, are_tied, tie, why_no_tie);
     add_load_commands(table);
     table.with_argument("part.select", select_named);
@@ -412,10 +414,20 @@ Message title(const Session& session, const Part& part)
         return {translatable("Point {id}"), {{"id", model[*point].id}}};
     if (const auto* const curve = std::get_if<CurveId>(&part))
         return {translatable("Curve {id}"), {{"id", model[*curve].id}}};
-    const auto region = region_of(session, part);
+    const auto region = session.region_of(part);
     if (!region) return translatable("Face without a region");
     return {model[*region].is_hole ? translatable("Hole {id}") : translatable("Region {id}"),
             {{"id", model[*region].id}}};
+}
+
+Message title(const Session& session, const std::vector<Part>& parts)
+{
+    if (parts.size() == 1) return title(session, parts.front());
+    std::string_view words = translatable("Selected: {count}");
+    if (!all_of_kind<NodeId>(parts).empty()) words = translatable("{count} points");
+    if (!all_of_kind<CurveId>(parts).empty()) words = translatable("{count} curves");
+    if (!all_of_kind<FacePlace>(parts).empty()) words = translatable("{count} faces");
+    return {words, {{"count", std::to_string(parts.size())}}};
 }
 
 Message title(const Session& session, femoop::CaseId id)
@@ -430,21 +442,16 @@ std::vector<Number> numbers_of(const Session& session, const Part& part)
     const PlaneModel& model = session.model();
     if (const auto* const point = std::get_if<NodeId>(&part)) return numbers(model, *point, session.load_case);
     if (const auto* const curve = std::get_if<CurveId>(&part)) return numbers(model, *curve, session.load_case);
-    const auto region = region_of(session, part);
+    const auto region = session.region_of(part);
     return region ? numbers(model, *region) : std::vector<Number>{};
 }
 
-std::vector<Number> numbers_of_loads(const Session& session, const Part& part)
+std::vector<Number> numbers_of(const Session& session, const std::vector<Part>& parts)
 {
-    std::vector<Number> all;
-    const auto add = [&](auto holder) {
-        for (const std::size_t load : loads_on(session.model(), session.load_case, holder))
-            for (Number& number : numbers(session.model(), session.load_case, load, holder))
-                all.push_back(std::move(number));
-    };
-    if (const auto* const curve = std::get_if<CurveId>(&part)) add(*curve);
-    if (const auto region = region_of(session, part)) add(*region);
-    return all;
+    std::vector<std::vector<Number>> each;
+    for (const Part& part : parts)
+        if (part.index() == parts.front().index()) each.push_back(numbers_of(session, part));
+    return each.size() == parts.size() ? numbers_of_all(each) : std::vector<Number>{};
 }
 
 Change change_of(const Message& whose, const Number& number, const std::optional<femoop::Quantity>& value, Step step)
@@ -517,15 +524,17 @@ const PlaneSupport* support_of(const Session& session, const Part& part)
     return nullptr;
 }
 
-void change_support(Workspace& workspace, const Part& part, const Message& label,
-                    const std::function<void(PlaneSupport&)>& command)
+void change_supports(Workspace& workspace, const std::vector<Part>& parts, const Message& label,
+                     const std::function<void(PlaneSupport&)>& command)
 {
-    workspace.change({label, [part, command](Document& document) {
+    workspace.change({label, [parts, command](Document& document) {
                           PlaneModel& model = document.model;
-                          if (const auto* const point = std::get_if<NodeId>(&part))
-                              command(model.points[point->index].support.value());
-                          if (const auto* const curve = std::get_if<CurveId>(&part))
-                              command(model.curves[curve->index].support.value());
+                          for (const Part& part : parts) {
+                              if (const auto* const point = std::get_if<NodeId>(&part))
+                                  command(model.points[point->index].support.value());
+                              if (const auto* const curve = std::get_if<CurveId>(&part))
+                                  command(model.curves[curve->index].support.value());
+                          }
                       }});
 }
 

@@ -692,12 +692,28 @@ std::optional<std::size_t> Session::face_of(const FacePlace& place) const
     return drawing() != nullptr ? drawing()->face_at(place.at) : std::nullopt;
 }
 
+std::optional<RegionId> Session::region_of(const Part& part) const
+{
+    const auto* const place = std::get_if<FacePlace>(&part);
+    const auto face = place != nullptr ? face_of(*place) : std::nullopt;
+    return face ? drawing()->faces()[*face].region : std::nullopt;
+}
+
 std::optional<RegionId> Session::selected_region() const
 {
     if (selection_.size() != 1) return std::nullopt;
-    const auto* const place = std::get_if<FacePlace>(&selection_.front());
-    const auto face = place != nullptr ? face_of(*place) : std::nullopt;
-    return face ? drawing()->faces()[*face].region : std::nullopt;
+    return region_of(selection_.front());
+}
+
+std::vector<RegionId> Session::selected_regions() const
+{
+    std::vector<RegionId> all;
+    for (const Part& part : selection_) {
+        const std::optional<RegionId> region = region_of(part);
+        if (!region) return {};
+        if (std::ranges::find(all, *region) == all.end()) all.push_back(*region);
+    }
+    return all;
 }
 
 PlateHighlight Session::highlight(const std::vector<Part>& parts) const

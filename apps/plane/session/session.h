@@ -129,8 +129,10 @@ public:
     bool is_selected(const Part& part) const;
     /// The face of the drawing that a place is in.
     std::optional<std::size_t> face_of(const FacePlace& place) const;
+    std::optional<RegionId> region_of(const Part& part) const; ///< of a face that has one
     /// The region of a selected face, where only that is selected.
     std::optional<RegionId> selected_region() const;
+    std::vector<RegionId> selected_regions() const; ///< of faces; none where anything without a region is selected too
     PlateHighlight highlight(const std::vector<Part>& parts) const;
 
     // ---- what is told of the drawing as a whole

@@ -155,7 +155,7 @@ private:
     {
         if (input_.drawing == nullptr) return;
         const topology::PlanarCounts counts = input_.drawing->subdivision().counts();
-        line(tr_("{vertices} vertices, {edges} edges, {regions} regions, {components} components",
+        line(tr_("vertices: {vertices}, edges: {edges}, regions: {regions}, components: {components}",
                  {{"vertices", std::to_string(counts.vertices)},
                   {"edges", std::to_string(counts.edges)},
                   {"regions", std::to_string(counts.regions)},

@@ -32,6 +32,24 @@ bool is_empty(const Session& session)
     return session.model().points.empty() && session.model().curves.empty() && !has_backdrop;
 }
 
+/// Loads on points and curves that are not nothing, of the case that is shown; of a combination, those of all cases.
+std::ptrdiff_t n_drawn_loads(const Session& session)
+{
+    using femoop::plane::Field;
+    const auto is_given = [](const std::optional<Field>& field) {
+        return field && *field != Field{femoop::Quantity(0.0)};
+    };
+    const auto is_drawn = [&](const femoop::plane::CurveLoad& load) {
+        return is_given(load.qx) || is_given(load.qy) || is_given(load.value);
+    };
+    const auto& cases = session.model().load_cases;
+    std::ptrdiff_t n = 0;
+    for (std::size_t i = 0; i < cases.size(); ++i)
+        if (i == session.load_case || session.load_case >= cases.size())
+            n += std::ssize(cases[i].points) + std::ranges::count_if(cases[i].curves, is_drawn);
+    return n;
+}
+
 bool is_finite(const FlatPoint& p) { return std::isfinite(p.x) && std::isfinite(p.y); }
 
 } // namespace
@@ -81,10 +99,15 @@ void Canvas::fit_if_needed(const Workspace& workspace)
         return;
     }
     const PlateOptions options = session.options();
-    const FittedFor wanted{session.opening(),     sheet(),
-                           session.look.theme,    options.load_case,
-                           options.show,          options.circle.has_value(),
-                           !options.cuts.empty(), options.is_beside && session.input().is_compared()};
+    const FittedFor wanted{session.opening(),
+                           sheet(),
+                           session.look.theme,
+                           options.load_case,
+                           n_drawn_loads(session),
+                           options.show,
+                           options.circle.has_value(),
+                           !options.cuts.empty(),
+                           options.is_beside && session.input().is_compared()};
     if (fitted_for_ && fitted_for_->opening == wanted.opening && pressed_) return; // under a hand
     const bool rests = grip_ || workspace.hand.draws() || session.history().is_dragging();
     const bool is_another = !fitted_for_ || fitted_for_->opening != wanted.opening;

@@ -54,7 +54,8 @@ private:
         std::size_t opening;
         ui::Size sheet;
         ui::ThemeName theme;
-        femoop::CaseId load_case;  ///< whose loads take room
+        femoop::CaseId load_case; ///< whose loads take room
+        std::ptrdiff_t n_loads;
         PlateShown show;           ///< legends and marks take room
         bool has_circle, has_cuts; ///< and panels
         bool is_beside;            ///< another body, which takes half of it

@@ -98,15 +98,19 @@ std::string loads(const Application& application)
         std::string names;
         for (const auto part : parts) names += (names.empty() ? "" : "+") + session.model()[part].id;
         if (names.empty()) names = "all";
-        for (const Number& number : numbers(session.model(), session.load_case, load, first))
+        const std::vector<std::size_t> on_first = loads_on(session.model(), session.load_case, first);
+        const auto nth = static_cast<std::size_t>(std::ranges::find(on_first, load) - on_first.begin());
+        for (const Number& number : numbers(session.model(), session.load_case, nth, first))
             names += given(number, number.id);
         append(text, names);
     };
     const femoop::plane::PlaneLoadCase& shown = session.model().load_cases[session.load_case];
     for (std::size_t i = 0; i < shown.curves.size(); ++i)
         add(i, shown.curves[i].curves, shown.curves[i].curves.front());
-    for (std::size_t i = 0; i < shown.regions.size(); ++i) // one without regions is of all
-        add(i, shown.regions[i].regions, RegionId(0U));
+    for (std::size_t i = 0; i < shown.regions.size(); ++i) { // one without regions is of all
+        const std::vector<RegionId>& regions = shown.regions[i].regions;
+        add(i, regions, regions.empty() ? RegionId(0U) : regions.front());
+    }
     return or_nothing(text);
 }
 

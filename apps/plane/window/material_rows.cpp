@@ -19,20 +19,25 @@ using ui::translatable;
 
 namespace {
 
-void choose(Workspace& workspace, RegionId region, MaterialId material)
+void give(Document& document, const std::vector<RegionId>& regions, MaterialId material)
 {
-    workspace.change({translatable("Change the material"),
-                      [=](Document& document) { document.model.regions[region.index].material = material; }});
+    for (const RegionId region : regions) document.model.regions[region.index].material = material;
 }
 
-void add_material(Workspace& workspace, RegionId region)
+void choose(Workspace& workspace, const std::vector<RegionId>& regions, MaterialId material)
 {
-    workspace.change({translatable("Add a material"), [region](Document& document) {
+    workspace.change(
+        {translatable("Change the material"), [=](Document& document) { give(document, regions, material); }});
+}
+
+void add_material(Workspace& workspace, const std::vector<RegionId>& regions)
+{
+    workspace.change({translatable("Add a material"), [regions](Document& document) {
                           auto& materials = document.model.materials;
-                          femoop::Material another = materials[document.model[region].material.index];
+                          femoop::Material another = materials[document.model[regions.front()].material.index];
                           another.id = fresh_id(materials, another.id);
                           materials.push_back(std::move(another));
-                          document.model.regions[region.index].material = MaterialId(materials.size() - 1);
+                          give(document, regions, MaterialId(materials.size() - 1));
                       }});
 }
 
@@ -58,29 +63,34 @@ void unused_row(Workspace& workspace)
 
 } // namespace
 
-void material_rows(Workspace& workspace, ui::NumberFields& fields, RegionId region)
+void material_rows(Workspace& workspace, ui::NumberFields& fields, const std::vector<RegionId>& regions)
 {
     const PlaneModel& model = workspace.session.model();
     const ui::Catalogue tr = workspace.tr();
-    const MaterialId material = model[region].material;
+    const MaterialId material = model[regions.front()].material;
     if (material.index >= model.materials.size()) return;
+    const bool are_alike = std::ranges::all_of(regions,
+                                               [&](RegionId region) { return model[region].material == material; });
     ImGui::Spacing();
     ImGui::TextUnformatted(tr("Material").c_str());
     std::vector<std::string> names;
     for (const auto& one : model.materials) names.push_back(one.id);
-    if (ui::begin_wrapped_combo(model[material].id, names, "###material")) {
+    if (ui::begin_wrapped_combo(are_alike ? model[material].id : tr("several values"), names, "###material")) {
         for (std::size_t i = 0; i < names.size(); ++i)
-            if (ImGui::Selectable(ui::item_label(names[i], std::to_string(i)).c_str(), i == material.index))
-                choose(workspace, region, MaterialId(i));
+            if (ImGui::Selectable(ui::item_label(names[i], std::to_string(i)).c_str(),
+                                  are_alike && i == material.index))
+                choose(workspace, regions, MaterialId(i));
         ImGui::EndCombo();
     }
-    if (ui::wrapped_button(tr("Add a material like it"), "add material")) add_material(workspace, region);
+    if (!are_alike) return;
+    if (ui::wrapped_button(tr("Add a material like it"), "add material")) add_material(workspace, regions);
     unused_row(workspace);
-    const MaterialId now = workspace.session.model()[region].material;
+    const MaterialId now = workspace.session.model()[regions.front()].material;
     name_row(workspace, fields, now);
     const PlaneModel& renamed = workspace.session.model();
-    const ui::Message whose(translatable("Material {id}"), {{"id", renamed[renamed[region].material].id}});
-    number_rows(workspace, fields, whose, numbers(renamed, renamed[region].material));
+    const MaterialId kept = renamed[regions.front()].material;
+    const ui::Message whose(translatable("Material {id}"), {{"id", renamed[kept].id}});
+    number_rows(workspace, fields, whose, numbers(renamed, kept));
 }
 
 } // namespace plane

@@ -42,14 +42,34 @@ void number_row(Workspace& workspace, ui::NumberFields& fields, const ui::Messag
 
 // ---- supports
 
-void hold_box(Workspace& workspace, const Part& part, Dof dof)
+template <class Has> bool all_supports(const Session& session, const std::vector<Part>& parts, Has has)
 {
-    const PlaneSupport& support = *support_of(workspace.session, part);
-    bool is_held = support.fixed.contains(dof);
+    return std::ranges::all_of(parts, [&](const Part& part) {
+        const PlaneSupport* const support = support_of(session, part);
+        return support != nullptr && has(*support);
+    });
+}
+
+void hold_box(Workspace& workspace, const std::vector<Part>& parts, Dof dof)
+{
+    bool is_held = all_supports(workspace.session, parts,
+                                [dof](const PlaneSupport& support) { return support.fixed.contains(dof); });
     const std::string name(femoop::name(dof));
     if (!ImGui::Checkbox((name + "###hold " + name).c_str(), &is_held)) return;
-    change_support(workspace, part, translatable("Change the support"), [dof, is_held](PlaneSupport& changed) {
+    change_supports(workspace, parts, translatable("Change the support"), [dof, is_held](PlaneSupport& changed) {
         set_hold(changed, dof, is_held ? Hold::Blocked : Hold::Free);
+    });
+}
+
+void axes_box(Workspace& workspace, const std::vector<Part>& parts)
+{
+    bool is_local = all_supports(workspace.session, parts,
+                                 [](const PlaneSupport& support) { return support.is_local; });
+    const std::string label = workspace.tr()("Axes along the curve");
+    if (!ImGui::Checkbox(ui::label_beside_box(label, "local").c_str(), &is_local)) return;
+    change_supports(workspace, parts, translatable("Change the support"), [is_local](PlaneSupport& changed) {
+        changed.is_local = is_local;
+        if (is_local) changed.angle = femoop::Quantity(0.0);
     });
 }
 
@@ -61,88 +81,81 @@ void tie_box(Workspace& workspace, const CommandTable& commands, std::string_vie
     if (ImGui::Checkbox(label.c_str(), &is_tied)) run(command, workspace);
 }
 
-void support_rows(Workspace& workspace, const CommandTable& commands, const Part& part)
+void support_rows(Workspace& workspace, const CommandTable& commands, const std::vector<Part>& parts)
 {
+    const bool are_curves = !all_of_kind<CurveId>(parts).empty();
     const ui::Catalogue tr = workspace.tr();
     ImGui::Spacing();
     ImGui::TextUnformatted(tr("Support").c_str());
     const std::array ids{"support.none", "support.fixed", "support.roller", "support.symmetry", "support.own"};
     for (const std::string_view id : ids) {
-        if (id == "support.symmetry" && !std::holds_alternative<CurveId>(part)) continue;
+        if (id == "support.symmetry" && !are_curves) continue;
         const auto& command = *commands.find(id);
         if (ImGui::RadioButton(ui::item_label(tr(command.label), id).c_str(), command.is_on(workspace)))
             run(command, workspace);
     }
-    if (std::holds_alternative<CurveId>(part)) {
+    if (are_curves) {
         tie_box(workspace, commands, "support.tie_ux");
         tie_box(workspace, commands, "support.tie_uy");
     }
-    const PlaneSupport* const support = support_of(workspace.session, part);
-    if (support == nullptr || support->kind != PlaneSupportKind::Custom) return;
-    hold_box(workspace, part, Dof::ux);
+    const auto has_own_axes = [](const PlaneSupport& support) { return support.kind == PlaneSupportKind::Custom; };
+    if (!all_supports(workspace.session, parts, has_own_axes)) return;
+    hold_box(workspace, parts, Dof::ux);
     ImGui::SameLine();
-    hold_box(workspace, part, Dof::uy);
-    if (!std::holds_alternative<CurveId>(part)) return;
-    bool is_local = support->is_local;
-    if (ImGui::Checkbox(ui::label_beside_box(tr("Axes along the curve"), "local").c_str(), &is_local))
-        change_support(workspace, part, translatable("Change the support"), [is_local](PlaneSupport& changed) {
-            changed.is_local = is_local;
-            if (is_local) changed.angle = femoop::Quantity(0.0);
-        });
+    hold_box(workspace, parts, Dof::uy);
+    if (are_curves) axes_box(workspace, parts);
 }
 
 // ---- loads
 
-std::string load_title(const Session& session, CurveId /*curve*/, std::size_t load)
+void axes_row(Workspace& workspace, const std::vector<CurveId>& curves, const LoadPlaces& places)
 {
-    return session.tr()(word_of(session.model().load_cases[session.load_case].curves[load]));
-}
-
-std::string load_title(const Session& session, RegionId /*region*/, std::size_t load)
-{
-    return session.tr()(word_of(session.model().load_cases[session.load_case].regions[load]));
-}
-
-void axes_row(Workspace& workspace, CurveId curve, std::size_t load)
-{
-    const std::size_t load_case = workspace.session.load_case;
-    const auto& shown = workspace.session.model().load_cases[load_case].curves[load];
-    if (shown.kind == CurveLoadKind::Pressure) return;
-    bool is_local = shown.axes == femoop::LoadAxes::Local;
+    const Session& session = workspace.session;
+    const std::size_t load_case = session.load_case;
+    bool is_local = true;
+    for (std::size_t i = 0; i < curves.size(); ++i) {
+        const auto& load = load_on(session.model(), load_case, places[i], curves[i]);
+        if (load.kind == CurveLoadKind::Pressure) return;
+        is_local = is_local && load.axes == femoop::LoadAxes::Local;
+    }
     const std::string label = workspace.tr()("Axes along the curve");
-    if (ImGui::Checkbox(ui::label_beside_box(label, "load axes").c_str(), &is_local))
-        workspace.change({translatable("Turn the axes of a load"), [=](Document& document) {
-                              own_load(document, load_case, load, curve).axes = is_local ? femoop::LoadAxes::Local
-                                                                                         : femoop::LoadAxes::Global;
-                          }});
+    if (!ImGui::Checkbox(ui::label_beside_box(label, "load axes").c_str(), &is_local)) return;
+    const auto axes = is_local ? femoop::LoadAxes::Local : femoop::LoadAxes::Global;
+    workspace.change({translatable("Turn the axes of a load"), [=](Document& document) {
+                          for (std::size_t i = 0; i < curves.size(); ++i)
+                              own_load(document, load_case, places[i], curves[i]).axes = axes;
+                      }});
 }
 
-void axes_row(Workspace& /*workspace*/, RegionId /*region*/, std::size_t /*load*/) {}
+void axes_row(Workspace& /*workspace*/, const std::vector<RegionId>& /*regions*/, const LoadPlaces& /*places*/) {}
 
 template <class Id>
-void load_rows(Workspace& workspace, ui::NumberFields& fields, const Part& part, Id holder, std::size_t load)
+void load_rows(Workspace& workspace, ui::NumberFields& fields, const std::vector<Id>& holders, const LoadPlaces& places)
 {
     const Session& session = workspace.session;
     const std::size_t load_case = session.load_case;
     ImGui::Separator();
-    ImGui::TextUnformatted(load_title(session, holder, load).c_str());
-    number_rows(workspace, fields, title(session, part), numbers(session.model(), load_case, load, holder));
-    axes_row(workspace, holder, load);
+    const auto& shown = load_on(session.model(), load_case, places.front(), holders.front());
+    ImGui::TextUnformatted(session.tr()(word_of(shown)).c_str());
+    number_rows(workspace, fields, title(session, session.selection()), numbers_of_load(session, holders, places));
+    axes_row(workspace, holders, places);
     if (ui::wrapped_button(workspace.tr()("Take the load away"), "take load"))
-        workspace.change({translatable("Take a load away"),
-                          [=](Document& document) { erase_load(document, load_case, load, holder); }});
+        workspace.change({translatable("Take a load away"), [=](Document& document) {
+                              for (std::size_t i = 0; i < holders.size(); ++i)
+                                  erase_load(document, load_case, places[i], holders[i]);
+                          }});
 }
 
 template <class Id>
-void all_load_rows(Workspace& workspace, const CommandTable& commands, ui::NumberFields& fields, const Part& part,
-                   Id holder, const std::array<const char*, 3>& adding)
+void all_load_rows(Workspace& workspace, const CommandTable& commands, ui::NumberFields& fields,
+                   const std::vector<Id>& holders, const std::array<const char*, 3>& adding)
 {
+    const Session& session = workspace.session;
+    const auto loads = [&] { return loads_of_all(session.model(), session.load_case, holders); };
     ImGui::Spacing();
-    for (const std::size_t load : loads_on(workspace.session.model(), workspace.session.load_case, holder)) {
-        const auto& now = loads_on(workspace.session.model(), workspace.session.load_case, holder);
-        if (std::ranges::find(now, load) == now.end()) break; // it was taken away in this frame
-        ImGui::PushID(static_cast<int>(load));
-        load_rows(workspace, fields, part, holder, load);
+    for (std::size_t i = 0; i < loads().size(); ++i) { // one may be taken away in this frame
+        ImGui::PushID(static_cast<int>(i));
+        load_rows(workspace, fields, holders, loads()[i]);
         ImGui::PopID();
     }
     ImGui::Spacing();
@@ -150,6 +163,18 @@ void all_load_rows(Workspace& workspace, const CommandTable& commands, ui::Numbe
 }
 
 // ---- faces
+
+void region_rows(Workspace& workspace, const CommandTable& commands, ui::NumberFields& fields,
+                 const std::vector<RegionId>& regions)
+{
+    const Session& session = workspace.session;
+    number_rows(workspace, fields, title(session, session.selection()), numbers_of(session, session.selection()));
+    material_rows(workspace, fields, regions);
+    mesh_rows(workspace, regions);
+    ImGui::Separator();
+    case_number_rows(workspace, fields);
+    all_load_rows(workspace, commands, fields, regions, {"load.body", "load.temperature", "load.rotation"});
+}
 
 void face_rows(Workspace& workspace, const CommandTable& commands, ui::NumberFields& fields, const FacePlace& place)
 {
@@ -179,13 +204,15 @@ void face_rows(Workspace& workspace, const CommandTable& commands, ui::NumberFie
         return;
     }
     name_row(workspace, fields, *region);
-    if (is_hole) return;
-    number_rows(workspace, fields, title(session, place), numbers_of(session, place));
-    material_rows(workspace, fields, *region);
-    mesh_rows(workspace, *region);
-    ImGui::Separator();
-    case_number_rows(workspace, fields);
-    all_load_rows(workspace, commands, fields, place, *region, {"load.body", "load.temperature", "load.rotation"});
+    if (!is_hole) region_rows(workspace, commands, fields, {*region});
+}
+
+/// Of several: what regions of material can be given.
+void faces_rows(Workspace& workspace, const CommandTable& commands, ui::NumberFields& fields)
+{
+    const std::vector<RegionId> regions = workspace.session.selected_regions();
+    const auto is_hole = [&](RegionId region) { return workspace.session.model()[region].is_hole; };
+    if (!regions.empty() && std::ranges::none_of(regions, is_hole)) region_rows(workspace, commands, fields, regions);
 }
 
 void show_nothing_selected(Workspace& workspace)
@@ -219,6 +246,7 @@ ShownNumber shown(const Session& session, const Number& number)
     const std::string name = tr(number.label);
     row.label = units.label(name, number.measure);
     row.text = tr(number.is_optional ? translatable("not given") : "");
+    if (number.differs) row.text = tr("several values");
     if (number.field) {
         row.text = tr(form_of(*number.field));
         row.exact = femoop::plane::field_text(*number.field);
@@ -264,22 +292,21 @@ void properties_panel(Workspace& workspace, const CommandTable& commands, ui::Nu
     const Session& session = workspace.session;
     const ui::Catalogue tr = workspace.tr();
     if (session.selection().empty()) return show_nothing_selected(workspace);
-    if (session.selection().size() > 1) {
-        ui::wrapped_text(tr("Selected: {count}", {{"count", std::to_string(session.selection().size())}}));
-        for (const char* id : {"support.none", "support.fixed", "support.roller"})
-            ui::command_button(workspace, commands, id);
-        return;
-    }
-    const Part part = session.selection().front();
-    ui::wrapped_text(tr(title(session, part)));
+    const std::vector<Part> parts = session.selection();
+    ui::wrapped_text(tr(title(session, parts)));
     ImGui::Separator();
-    if (const auto* const place = std::get_if<FacePlace>(&part)) return face_rows(workspace, commands, fields, *place);
-    if (const auto* const point = std::get_if<NodeId>(&part)) name_row(workspace, fields, *point);
-    if (const auto* const curve = std::get_if<CurveId>(&part)) name_row(workspace, fields, *curve);
-    number_rows(workspace, fields, title(session, part), numbers_of(session, part));
-    support_rows(workspace, commands, part);
-    if (const auto* const curve = std::get_if<CurveId>(&part); curve != nullptr && session.is_selected(part))
-        all_load_rows(workspace, commands, fields, part, *curve, {"load.traction", "load.pressure", "load.line"});
+    if (parts.size() == 1) {
+        if (const auto* const place = std::get_if<FacePlace>(&parts.front()))
+            return face_rows(workspace, commands, fields, *place);
+        if (const auto* const point = std::get_if<NodeId>(&parts.front())) name_row(workspace, fields, *point);
+        if (const auto* const curve = std::get_if<CurveId>(&parts.front())) name_row(workspace, fields, *curve);
+    }
+    if (!all_of_kind<FacePlace>(parts).empty()) return faces_rows(workspace, commands, fields);
+    number_rows(workspace, fields, title(session, parts), numbers_of(session, parts));
+    support_rows(workspace, commands, parts);
+    const std::vector<CurveId> curves = all_of_kind<CurveId>(parts);
+    if (!curves.empty() && session.selection() == parts)
+        all_load_rows(workspace, commands, fields, curves, {"load.traction", "load.pressure", "load.line"});
 }
 
 } // namespace plane

@@ -215,7 +215,10 @@ void show_row(Workspace& workspace, ui::NumberFields& fields, const PartTable& t
         const ShownNumber field = shown(workspace.session, *number);
         const std::string text = number->value ? field.text : "–";
         take_number(workspace, fields, row.whose, *number,
-                    fields.show("cell " + id, {.text = text, .exact_text = field.exact, .value = field.value}));
+                    fields.show("cell " + id, {.text = text,
+                                               .exact_text = field.exact,
+                                               .value = field.value,
+                                               .width = ImGui::GetContentRegionAvail().x}));
     }
 }
 
@@ -261,7 +264,7 @@ void TablesPanel::show(Workspace& workspace, const CommandTable& commands)
         const std::string label = workspace.tr()(entry.label) + "###" + std::string(entry.id);
         if (row.show(label, workspace.table == entry.value)) run(*commands.find(entry.id), workspace);
     }
-    if (row.show(workspace.tr()("Close") + "###close tables", false)) workspace.table.reset();
+    if (row.show(workspace.tr()("Close") + "###close tables", false)) run(*commands.find("table.show"), workspace);
     if (workspace.table) show_table(workspace, fields_);
     ImGui::EndChild();
     ImGui::PopStyleVar();

@@ -100,7 +100,7 @@ TEST_CASE("mesh --regions prints the faces of a drawing, for people and for prog
 {
     const Run text = cli_test::cremona({"mesh", "--regions", "examples/plate.json"});
     CHECK(text.status == 0);
-    CHECK(has(text.out, "8 vertices, 10 edges, 3 regions, 1 components"));
+    CHECK(has(text.out, "vertices: 8, edges: 10, regions: 3, components: 1"));
     const json out = json::parse(cli_test::cremona({"mesh", "--regions", "--json", "examples/plate.json"}).out);
     CHECK(out["vertices"] == 8);
     REQUIRE(out["faces"].size() == 3);

@@ -214,8 +214,8 @@ TEST_CASE("Erasing takes with a part what refers to it, and what refers to other
 {
     Document document = plate();
     set_support(document, CurveId(3U), PlaneSupportKind::Fixed);
-    add_load(document, 0, CurveId(0U), femoop::plane::CurveLoadKind::Traction);
-    add_load(document, 0, CurveId(2U), femoop::plane::CurveLoadKind::Pressure);
+    add_load(document, 0, {CurveId(0U)}, femoop::plane::CurveLoadKind::Traction);
+    add_load(document, 0, {CurveId(2U)}, femoop::plane::CurveLoadKind::Pressure);
     set_force(document, 0, NodeId(2U), femoop::Dof::uy, femoop::Quantity(-8.0));
     set_force(document, 0, NodeId(1U), femoop::Dof::ux, femoop::Quantity(3.0));
     erase_parts(document, std::vector<Part>{NodeId(1U)}); // with both lines that end there
@@ -276,7 +276,7 @@ TEST_CASE("A point on a side is a corner of it: dragged, the line bends, and goe
 {
     Document document = plate(); // 70 by 30
     const double whole = Drawing(document.model).faces()[0].area;
-    const std::size_t load = add_load(document, 0, CurveId(2U), femoop::plane::CurveLoadKind::Pressure);
+    const std::size_t load = add_load(document, 0, {CurveId(2U)}, femoop::plane::CurveLoadKind::Pressure);
     const NodeId corner = corner_at(document, {{31, 30}});
     CHECK(document.model.curves.size() == 4);
     REQUIRE(document.model.curves[2].shape.value().places.size() == 3);
@@ -348,16 +348,61 @@ TEST_CASE("Several forces of one case on a point count as their sum, and a new o
 TEST_CASE("A load that several curves share becomes a curve's own where it is changed there")
 {
     Document document = plate();
-    const std::size_t load = add_load(document, 0, CurveId(0U), femoop::plane::CurveLoadKind::Traction);
+    const std::size_t load = add_load(document, 0, {CurveId(0U)}, femoop::plane::CurveLoadKind::Traction);
     document.model.load_cases[0].curves[load].curves.push_back(CurveId(2U));
-    own_load(document, 0, load, CurveId(2U)).qy = femoop::plane::Field{femoop::Quantity(-4.0)};
+    own_load(document, 0, 0, CurveId(2U)).qy = femoop::plane::Field{femoop::Quantity(-4.0)};
     CHECK(loads_on(document.model, 0, CurveId(2U)).size() == 1);
     CHECK(loads_on(document.model, 0, CurveId(0U)).size() == 1);
     const auto& loads = document.model.load_cases[0].curves;
     REQUIRE(loads.size() == 2);
     CHECK(std::get<femoop::Quantity>(loads[loads_on(document.model, 0, CurveId(0U))[0]].qy.value().form) == 0.0);
-    erase_load(document, 0, loads_on(document.model, 0, CurveId(2U))[0], CurveId(2U));
+    erase_load(document, 0, 0, CurveId(2U));
     CHECK(document.model.load_cases[0].curves.size() == 1);
+}
+
+TEST_CASE(
+    "What several curves have in common is one number: given to one it is given to all, loads that they share too")
+{
+    Document document = plate();
+    const std::vector<CurveId> curves{CurveId(0U), CurveId(1U), CurveId(2U)};
+    add_load(document, 0, {curves[2]}, femoop::plane::CurveLoadKind::Pressure);
+    add_load(document, 0, curves, femoop::plane::CurveLoadKind::Traction);
+    own_load(document, 0, 0, curves[0]).qx = femoop::plane::Field{femoop::Quantity(5.0)};
+    const auto common = [&](const char* id) {
+        std::vector<std::vector<Number>> each;
+        const std::vector<LoadPlaces> loads = loads_of_all(document.model, 0, curves);
+        REQUIRE(loads.size() == 1); // whichever it is of the curve's own
+        for (std::size_t i = 0; i < curves.size(); ++i)
+            each.push_back(numbers(document.model, 0, loads[0][i], curves[i]));
+        const auto all = numbers_of_all(each);
+        const auto it = std::ranges::find(all, id, &Number::id);
+        REQUIRE(it != all.end());
+        return *it;
+    };
+    CHECK(common("qx").differs);
+    CHECK_FALSE(common("qx").value);
+    CHECK(common("qy").value.value() == 0.0);
+    common("qx").set(document, femoop::Quantity(-8.0));
+    CHECK_FALSE(common("qx").differs);
+    CHECK(numbers(document.model, 0, 0, curves[0]).front().value.value() == -8.0);
+    CHECK(numbers(document.model, 0, 0, curves[1]).front().value.value() == -8.0);
+    CHECK(numbers(document.model, 0, 1, curves[2]).front().value.value() == -8.0);
+    CHECK(numbers(document.model, 0, 0, curves[2]).front().value.value() == 0.0); // its other load stays
+}
+
+TEST_CASE("A number that some of several parts lack is not theirs in common, and a refusal of one is that of all")
+{
+    Document document = plate();
+    set_division(document, CurveId(0U), femoop::plane::Division{4, {}});
+    const auto common = [&] {
+        return numbers_of_all({numbers(document.model, CurveId(0U), 0), numbers(document.model, CurveId(1U), 0)});
+    };
+    const auto ratio = common()[1];
+    REQUIRE(ratio.id == "ratio");
+    CHECK(ratio.set(document, femoop::Quantity(2.0))); // the other one has no divisions yet
+    set_support(document, CurveId(0U), PlaneSupportKind::Custom);
+    CHECK(numbers(document.model, CurveId(0U), 0).size() > common().size());
+    CHECK(common().size() == 2);
 }
 
 TEST_CASE("A load of all regions becomes a region's own where it is changed there, and stays with the others")
@@ -367,19 +412,18 @@ TEST_CASE("A load of all regions becomes a region's own where it is changed ther
     make_region(document, {90, 12});
     const RegionId first(0U), second(document.model.regions.size() - 1);
     REQUIRE(first != second);
-    const std::size_t load = add_load(document, 0, first, RegionLoadKind::Temperature);
+    const std::size_t load = add_load(document, 0, {first}, RegionLoadKind::Temperature);
     document.model.load_cases[0].regions[load].regions.clear(); // of all
     CHECK(loads_on(document.model, 0, second).size() == 1);
-    numbers(document.model, 0, load, second).front().set(document, femoop::Quantity(25.0));
+    numbers(document.model, 0, 0, second).front().set(document, femoop::Quantity(25.0));
     const auto& loads = document.model.load_cases[0].regions;
     const auto rise_of = [&](RegionId region) {
-        const auto places = loads_on(document.model, 0, region);
-        REQUIRE(places.size() == 1);
-        return numbers(document.model, 0, places.front(), region).front().value.value().value();
+        REQUIRE(loads_on(document.model, 0, region).size() == 1);
+        return numbers(document.model, 0, 0, region).front().value.value().value();
     };
     CHECK(rise_of(second) == 25.0);
     CHECK(rise_of(first) == 0.0);
-    erase_load(document, 0, loads_on(document.model, 0, second).front(), second);
+    erase_load(document, 0, 0, second);
     CHECK(loads.size() == 1);
     CHECK(loads_on(document.model, 0, second).empty());
 }
@@ -454,7 +498,7 @@ TEST_CASE("A load that varies otherwise is told by its form, and a number takes 
     using femoop::plane::Field;
     Document document = plate();
     const CurveId curve(0U);
-    add_load(document, 0, curve, femoop::plane::CurveLoadKind::Traction);
+    add_load(document, 0, {curve}, femoop::plane::CurveLoadKind::Traction);
     const auto qx = [&] { return numbers(document.model, 0, 0, curve).front(); };
     CHECK(numbers(document.model, 0, 0, curve).size() == 4); // each of two at both ends
     const Field slope{Field::Polynomial{{femoop::Quantity(2.0), 1, 0}, {femoop::Quantity(-3.0), 0, 2}}};
@@ -473,7 +517,7 @@ TEST_CASE("A body force, a rise of temperature and a rotation are written and re
     using Named = std::pair<const char*, double>;
     Document document = plate();
     for (const auto kind : {RegionLoadKind::Body, RegionLoadKind::Temperature, RegionLoadKind::Rotation})
-        add_load(document, 0, RegionId(0U), kind);
+        add_load(document, 0, {RegionId(0U)}, kind);
     const std::size_t last = 2;
     for (const auto& [name, value] : {Named{"omega", 30.0}, Named{"about x", 4.0}, Named{"about y", -7.0}})
         for (const Number& number : numbers(document.model, 0, last, RegionId(0U)))
@@ -580,7 +624,7 @@ TEST_CASE("What is drawn and given is written and read back the same")
     set_hole(document, Drawing(document.model), 1, true);
     set_support(document, CurveId(3U), PlaneSupportKind::Fixed);
     set_division(document, CurveId(0U), femoop::plane::Division{16, femoop::Quantity(8.0)});
-    add_load(document, 0, CurveId(1U), femoop::plane::CurveLoadKind::Traction);
+    add_load(document, 0, {CurveId(1U)}, femoop::plane::CurveLoadKind::Traction);
     const auto read = femoop::plane::examine_plane_model(femoop::plane::write_plane_model(document.model));
     CHECK(read.is_sound());
     CHECK((read.model == document.model));
@@ -602,7 +646,7 @@ TEST_CASE("A plate that is pulled is held back by the traction times its face, a
     Document document = plate(); // 70 by 30, 10 mm thick
     set_support(document, CurveId(3U), PlaneSupportKind::Symmetry);
     set_support(document, NodeId(0U), PlaneSupportKind::Fixed);
-    const std::size_t load = add_load(document, 0, CurveId(1U), femoop::plane::CurveLoadKind::Traction);
+    const std::size_t load = add_load(document, 0, {CurveId(1U)}, femoop::plane::CurveLoadKind::Traction);
     document.model.load_cases[0].curves[load].qx = femoop::plane::Field{femoop::Quantity(7.0)};
     const auto never = [] { return false; };
     const Analysed pulled(std::make_shared<const Solution>(document), never);
