@@ -22,4 +22,10 @@ template <class AnyNotice> void tick(std::optional<AnyNotice>& notice, double se
     if (notice && notice->seconds_left && (*notice->seconds_left -= seconds) <= 0.0) notice.reset();
 }
 
+/// What it told of is past, as by undo. One that stays until it is closed stays.
+template <class AnyNotice> void outdate(std::optional<AnyNotice>& notice)
+{
+    if (notice && notice->seconds_left) notice.reset();
+}
+
 } // namespace ui

@@ -52,6 +52,7 @@ private:
     template <class Go> void go(const Go& there)
     {
         prepare_to_go();
+        outdate(this->notice);
         history_.settle();
         const Document before = document();
         const std::size_t place = history_.place();

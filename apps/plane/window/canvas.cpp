@@ -50,6 +50,14 @@ std::ptrdiff_t n_drawn_loads(const Session& session)
     return n;
 }
 
+/// Whether a sheet has become another one by what the window's foot tells, which comes and goes while curves are drawn.
+bool is_line_of_foot(ui::Size before, ui::Size now)
+{
+    constexpr double most_lines = 4.0;
+    const double line = ImGui::GetTextLineHeightWithSpacing();
+    return before.width == now.width && std::abs(before.height - now.height) < most_lines * line;
+}
+
 bool is_finite(const FlatPoint& p) { return std::isfinite(p.x) && std::isfinite(p.y); }
 
 } // namespace
@@ -99,17 +107,18 @@ void Canvas::fit_if_needed(const Workspace& workspace)
         return;
     }
     const PlateOptions options = session.options();
-    const FittedFor wanted{session.opening(),
-                           sheet(),
-                           session.look.theme,
-                           options.load_case,
-                           n_drawn_loads(session),
-                           options.show,
-                           options.circle.has_value(),
-                           !options.cuts.empty(),
-                           options.is_beside && session.input().is_compared()};
+    FittedFor wanted{session.opening(),
+                     sheet(),
+                     session.look.theme,
+                     options.load_case,
+                     n_drawn_loads(session),
+                     options.show,
+                     options.circle.has_value(),
+                     !options.cuts.empty(),
+                     options.is_beside && session.input().is_compared()};
     if (fitted_for_ && fitted_for_->opening == wanted.opening && pressed_) return; // under a hand
     const bool rests = grip_ || workspace.hand.draws() || session.history().is_dragging();
+    if (fitted_for_ && rests && is_line_of_foot(fitted_for_->sheet, wanted.sheet)) wanted.sheet = fitted_for_->sheet;
     const bool is_another = !fitted_for_ || fitted_for_->opening != wanted.opening;
     const bool has_other_room = fitted_room_ && ui::distance(fitted_room_->max, room_.max) > 1.0; // another legend
     const bool fits = !has_other_room && is_all_in_sight(session);

@@ -65,6 +65,18 @@ TEST_SUITE("ui workbench")
         CHECK(counter.tr()(counter.notice->sentence) == "too large");
     }
 
+    TEST_CASE("What was told of a state goes with it, but for what waits to be closed")
+    {
+        Counter counter;
+        counter.set(5);
+        counter.notify("five");
+        counter.undo();
+        CHECK_FALSE(counter.notice);
+        counter.notice = ui::lasting("a file is damaged");
+        counter.redo();
+        CHECK(counter.notice);
+    }
+
     TEST_CASE("A gesture that came back to where it began is no state to be gone back to")
     {
         Counter counter;
