@@ -322,9 +322,9 @@ private:
     void draw_circle_panel(ui::Painter& painter) const
     {
         const auto at = circled_probe(options_);
-        if (!at || result_ == nullptr || !has_probe_panel_) return;
-        const ProbePanel panel{
-            .at = *at, .n = *options_.circle + 1, .state = probe_state(*input_.results, *result_, *at)};
+        if (!at || !has_probe_panel_) return;
+        ProbePanel panel{.at = *at, .n = *options_.circle + 1, .has_results = result_ != nullptr, .state = {}};
+        if (result_ != nullptr) panel.state = probe_state(*input_.results, *result_, *at);
         draw_probe_panel(painter, panel, options_, units_, state_.circle_frame,
                          {{right_, room_.min.y}, {painter.size().width, painter.size().height}});
     }
@@ -423,8 +423,10 @@ private:
         if (pass == Pass::Drawn && shows(PlateShow::Principal)) draw_principal(scene);
         if (pass == Pass::Drawn && shows(PlateShow::Trajectories)) draw_trajectories(scene);
         if (pass == Pass::Drawn && shows(PlateShow::Vectors)) draw_vectors(scene);
-        for (std::size_t i = 0; i < cuts_.size(); ++i) draw_cut(scene, cuts_[i].cut, i + 1);
-        if (pass == Pass::Drawn) draw_probes(scene, room_);
+        if (mode_ == nullptr && input_.player == nullptr) {
+            for (std::size_t i = 0; i < options_.cuts.size(); ++i) draw_cut(scene, options_.cuts[i], i + 1);
+            if (pass == Pass::Drawn) draw_probes(scene, room_);
+        }
         if (shows(PlateShow::Supports)) draw_supports(scene);
         if (shows(PlateShow::Loads)) draw_loads(scene);
         if (shows(PlateShow::Reactions)) draw_reactions(scene);

@@ -78,9 +78,10 @@ std::vector<std::string> state_lines(const fp::PlaneResults& results, const fp::
 
 namespace {
 
-/// "2: σx = 12.3 MPa" of what the colours show, else of von Mises's stress; the number alone where no material is.
+/// "2: σx = 12.3 MPa" of what the colours show, else of von Mises's stress; the number alone where no material is, or there are no results.
 std::string short_text(const PlateScene& scene, const Eigen::Vector2d& at, std::size_t n)
 {
+    if (scene.result == nullptr) return std::to_string(n);
     const auto state = probe_state(*scene.input.results, *scene.result, at);
     if (!state || state->values.empty()) return std::to_string(n);
     const ProbeValue* shown = &state->values.back();
@@ -92,7 +93,7 @@ std::string short_text(const PlateScene& scene, const Eigen::Vector2d& at, std::
     return std::to_string(n) + ": " + shown->symbol + " = " + scene.text(value, shown->measure);
 }
 
-/// The mark of a probe; hollow where no material is. Where one has a panel, with its number and one value.
+/// The mark of a probe; hollow where nothing is to be read. Where one has a panel, with its number and one value.
 void draw_probe(const PlateScene& scene, Point at, std::size_t n, bool has_state)
 {
     const ui::Color ink = scene.sketch.theme().stroke(Role::Edge).color;
@@ -112,7 +113,6 @@ void draw_probe(const PlateScene& scene, Point at, std::size_t n, bool has_state
 
 void draw_probes(const PlateScene& scene, const ui::Box& room)
 {
-    if (scene.result == nullptr) return;
     ui::TextStyle style = scene.sketch.theme().text(Role::Label, ui::Anchor::TopLeft);
     style.size = scene.sketch.theme().type().small;
     ui::Painter& painter = scene.sketch.painter();
@@ -121,7 +121,9 @@ void draw_probes(const PlateScene& scene, const ui::Box& room)
     const ui::Box body = body_on_sheet(scene);
     for (std::size_t i = 0; i < scene.options.probes.size(); ++i) {
         const Eigen::Vector2d& at = scene.options.probes[i];
-        const auto lines = state_lines(*scene.input.results, *scene.result, at, scene.options, scene.units);
+        std::vector<std::string> lines;
+        if (scene.result != nullptr)
+            lines = state_lines(*scene.input.results, *scene.result, at, scene.options, scene.units);
         if (lines.empty()) {
             draw_probe(scene, scene.place(at), i + 1, false);
             continue;

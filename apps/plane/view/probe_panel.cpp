@@ -38,6 +38,7 @@ public:
     void draw(const std::optional<mohr::Frame>& frame)
     {
         write_title();
+        if (!panel_.has_results) return write_note(options_.tr("no results to be read here"));
         if (!panel_.state) return write_note(options_.tr("there is no material at this place"));
         write_head();
         for (const ProbeValue& value : panel_.state->values) write_row(value);

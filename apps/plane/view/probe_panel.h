@@ -11,6 +11,7 @@ namespace plane {
 struct ProbePanel {
     Eigen::Vector2d at;
     std::size_t n = 1;               ///< the n-th probe, counted from 1
+    bool has_results = true;         ///< to be read
     std::optional<ProbeState> state; ///< nothing where no material is
 };
 

@@ -50,7 +50,7 @@ std::ptrdiff_t n_drawn_loads(const Session& session)
     return n;
 }
 
-/// Whether a sheet has become another one by what the window's foot tells, which comes and goes while curves are drawn.
+/// Whether a sheet has become another one by lines of the window's foot, which come and go.
 bool is_line_of_foot(ui::Size before, ui::Size now)
 {
     constexpr double most_lines = 4.0;
@@ -71,7 +71,8 @@ void Canvas::show(Workspace& workspace, ui::ImGuiSession& gui)
     follow(workspace);
     workspace.session.analyse_what_is_shown(); // the hand may have changed the document
     paint([&](ui::Painter& painter) { room_ = paint_all(workspace, painter); });
-    if (!fitted_room_) fitted_room_ = room_;
+    margin_ = ui::Point{sheet().width, sheet().height} - room_.max;
+    if (!fitted_margin_) fitted_margin_ = margin_;
     end(gui);
 }
 
@@ -115,15 +116,17 @@ void Canvas::fit_if_needed(const Workspace& workspace)
                      options.show,
                      options.circle.has_value(),
                      !options.cuts.empty(),
-                     options.is_beside && session.input().is_compared()};
+                     options.is_beside && session.input().is_compared(),
+                     session.input().motion != nullptr};
     if (fitted_for_ && fitted_for_->opening == wanted.opening && pressed_) return; // under a hand
     const bool rests = grip_ || workspace.hand.draws() || session.history().is_dragging();
-    if (fitted_for_ && rests && is_line_of_foot(fitted_for_->sheet, wanted.sheet)) wanted.sheet = fitted_for_->sheet;
+    if (fitted_for_ && !is_empty(session) && is_line_of_foot(fitted_for_->sheet, wanted.sheet))
+        wanted.sheet = fitted_for_->sheet;
     const bool is_another = !fitted_for_ || fitted_for_->opening != wanted.opening;
-    const bool has_other_room = fitted_room_ && ui::distance(fitted_room_->max, room_.max) > 1.0; // another legend
-    const bool fits = !has_other_room && is_all_in_sight(session);
+    const bool has_other_margin = fitted_margin_ && ui::distance(*fitted_margin_, margin_) > 1.0; // another legend
+    const bool fits = !has_other_margin && is_all_in_sight(session);
     if (!is_another && fitted_for_ == wanted && (rests || fits)) return;
-    fitted_room_.reset();
+    fitted_margin_.reset();
     fitted_for_ = wanted;
     camera_ = usual_camera(session);
 }

@@ -49,7 +49,8 @@ private:
     ui::Box paint_all(const Workspace& workspace, ui::Painter& painter) const; ///< \returns the room of the body
 
     ui::PlaneCamera camera_;
-    ui::Box room_{}; ///< of the sheet, for the body, as it was painted last
+    ui::Box room_{};     ///< of the sheet, for the body, as it was painted last
+    ui::Point margin_{}; ///< right of that room and below it
     struct FittedFor {
         std::size_t opening;
         ui::Size sheet;
@@ -59,12 +60,13 @@ private:
         PlateShown show;           ///< legends and marks take room
         bool has_circle, has_cuts; ///< and panels
         bool is_beside;            ///< another body, which takes half of it
+        bool is_loose;             ///< it swings as far as it can move
         bool operator==(const FittedFor&) const = default;
     };
     std::optional<FittedFor> fitted_for_;
-    std::optional<ui::Box> fitted_room_; ///< that the picture left when it was fitted last
-    std::optional<NodeId> grip_;         ///< the point that the hand drags
-    std::string gripped_;                ///< its name
+    std::optional<ui::Point> fitted_margin_; ///< when the picture was fitted last
+    std::optional<NodeId> grip_;             ///< the point that the hand drags
+    std::string gripped_;                    ///< its name
     std::optional<Aim> pressed_;
     std::size_t pressed_in_ = 0; ///< the document, by its opening
     struct HeldReading {
