@@ -120,14 +120,16 @@ void Canvas::fit_if_needed(const Workspace& workspace)
                      session.input().motion != nullptr};
     if (fitted_for_ && fitted_for_->opening == wanted.opening && pressed_) return; // under a hand
     const bool rests = grip_ || workspace.hand.draws() || session.history().is_dragging();
-    if (fitted_for_ && !is_empty(session) && is_line_of_foot(fitted_for_->sheet, wanted.sheet))
-        wanted.sheet = fitted_for_->sheet;
+    constexpr int frames_to_settle = 5; // in which the window finds its own layout
+    const bool is_settled = fitted_for_ && ImGui::GetFrameCount() - fitted_in_ > frames_to_settle;
+    if (is_settled && is_line_of_foot(fitted_for_->sheet, wanted.sheet)) wanted.sheet = fitted_for_->sheet;
     const bool is_another = !fitted_for_ || fitted_for_->opening != wanted.opening;
     const bool has_other_margin = fitted_margin_ && ui::distance(*fitted_margin_, margin_) > 1.0; // another legend
     const bool fits = !has_other_margin && is_all_in_sight(session);
     if (!is_another && fitted_for_ == wanted && (rests || fits)) return;
     fitted_margin_.reset();
     fitted_for_ = wanted;
+    fitted_in_ = ImGui::GetFrameCount();
     camera_ = usual_camera(session);
 }
 

@@ -64,6 +64,7 @@ private:
         bool operator==(const FittedFor&) const = default;
     };
     std::optional<FittedFor> fitted_for_;
+    int fitted_in_ = 0;                      ///< the frame
     std::optional<ui::Point> fitted_margin_; ///< when the picture was fitted last
     std::optional<NodeId> grip_;             ///< the point that the hand drags
     std::string gripped_;                    ///< its name
