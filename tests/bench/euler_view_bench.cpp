@@ -4,6 +4,7 @@
 
 #include "apps/euler/view/draw/draw.h"
 #include "apps/euler/view/solid/solid_shapes.h"
+#include "tests/bench/median.h"
 #include "topology/modeling/primitives.h"
 #include "topology/script/script_runner.h"
 #include "ui/context/draw_list_renderer.h"
@@ -13,7 +14,6 @@
 #include <imgui.h>
 #include <imgui_internal.h>
 
-#include <algorithm>
 #include <chrono>
 #include <cstdio>
 #include <ctime>
@@ -24,6 +24,8 @@
 
 namespace {
 
+using bench::median;
+
 constexpr int n_frames = 61;
 constexpr ui::PixelSize size{1280, 800};
 constexpr ui::Size sheet{1280.0, 800.0};
@@ -33,13 +35,6 @@ double milliseconds(const std::function<void()>& work)
     const auto start = std::chrono::steady_clock::now();
     work();
     return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
-}
-
-double median(std::vector<double> values)
-{
-    const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-    std::nth_element(values.begin(), middle, values.end());
-    return *middle;
 }
 
 /// Turns pictures into pixels, as a window does frame after frame.

@@ -1,20 +1,12 @@
 // The half-edge kernel beside CGAL's HalfedgeDS in vectors, which draws the same grid in the same run.
-#include <algorithm>
 #include <cstdio>
 #include <vector>
 
 #include "apps/cli/bench_halfedge.h"
 #include "tests/bench/cgal_reference.h"
+#include "tests/bench/median.h"
 
-namespace {
-
-double median(std::vector<double> values)
-{
-    std::nth_element(values.begin(), values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2), values.end());
-    return values[values.size() / 2];
-}
-
-} // namespace
+using bench::median;
 
 int main()
 {

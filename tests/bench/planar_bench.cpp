@@ -1,19 +1,15 @@
 // Meshes and regions beside CGAL's, in the same run.
-#include <algorithm>
 #include <cstdio>
 #include <vector>
 
 #include "apps/cli/bench_mesh.h"
 #include "apps/cli/bench_regions.h"
 #include "tests/bench/cgal_plane_reference.h"
+#include "tests/bench/median.h"
 
 namespace {
 
-double median(std::vector<double> values)
-{
-    std::sort(values.begin(), values.end());
-    return values[values.size() / 2];
-}
+using bench::median;
 
 constexpr int n_rounds = 3;
 

@@ -151,6 +151,7 @@ private:
 
     std::string wanted_unit() const
     {
+        if (wanted_ == dimension::density) return "kg/m^3"; // which nobody writes in forces
         const bool is_degrees = angle_ == AngleUnit::Degrees && wanted_ == dimension::angle;
         return is_degrees ? "deg" : unit_text(wanted_, units_);
     }
