@@ -117,8 +117,9 @@ struct Window::Parts {
     Input input;
     Typing typing;
     ButtonEvents buttons;
-    double time = 0.0;          ///< of the last frame's input [s]
-    double listens_since = 0.0; ///< [s]
+    std::optional<Point> heard_at; ///< where the pointer was, as of the events heard so far [GLFW's units]
+    double time = 0.0;             ///< of the last frame's input [s]
+    double listens_since = 0.0;    ///< [s]
 
     explicit Parts(const Setup& setup) { open(setup); }
     ~Parts()
@@ -135,7 +136,9 @@ struct Window::Parts {
     double content_scale() const;
     /// Physical pixels of a unit of GLFW's window coordinates.
     double pixels_per_unit() const;
-    Point pointer() const; ///< [logical pixels]
+    Point pointer() const; ///< where it is now [logical pixels]
+    Point place_of_event() const;
+    Point in_logical_pixels(Point place) const { return (pixels_per_unit() / content_scale()) * place; }
     double earliest_time() const;
 
     static Parts& of(GLFWwindow* window) { return *static_cast<Parts*>(glfwGetWindowUserPointer(window)); }
@@ -184,11 +187,12 @@ void Window::Parts::listen()
         Input& heard = of(w).input;
         heard.wheel = heard.wheel + Point{x, y};
     });
+    glfwSetCursorPosCallback(window, [](GLFWwindow* w, double x, double y) { of(w).heard_at = Point{x, y}; });
     glfwSetMouseButtonCallback(window, [](GLFWwindow* w, int button, int action, int mods) {
         if (button < 0 || button >= static_cast<int>(n_pointer_buttons)) return;
         Parts& parts = of(w);
         parts.input.modifiers = modifiers_of(mods);
-        parts.buttons.add({static_cast<PointerButton>(button), action == GLFW_PRESS, parts.pointer(),
+        parts.buttons.add({static_cast<PointerButton>(button), action == GLFW_PRESS, parts.place_of_event(),
                            modifiers_of(mods), parts.earliest_time(), glfwGetTime()});
     });
     glfwSetKeyCallback(window, [](GLFWwindow* w, int key, int scancode, int action, int mods) {
@@ -226,8 +230,11 @@ Point Window::Parts::pointer() const
 {
     Point place;
     glfwGetCursorPos(window, &place.x, &place.y);
-    return (pixels_per_unit() / content_scale()) * place;
+    return in_logical_pixels(place);
 }
+
+// By the motion that was heard before it: while a frame is drawn the pointer goes on, and is elsewhere by now.
+Point Window::Parts::place_of_event() const { return heard_at ? in_logical_pixels(*heard_at) : pointer(); }
 
 // Of what is heard now: it has just come where it was waited for, else at any time since the frame before.
 double Window::Parts::earliest_time() const
