@@ -63,10 +63,23 @@ void draw_face(const PlateScene& scene, const OutlinedFace& face)
     if (!face.is_hole) scene.sketch.painter().region(loops, region_style(scene.sketch.theme(), *face.region).fill);
 }
 
+/// Whether a string written in the middle of the face's box stays in the box.
+bool has_room(const PlateScene& scene, const OutlinedFace& face, const std::string& text)
+{
+    if (face.loops.empty() || face.loops.front().empty()) return false;
+    const std::vector<Point> outline = scene.on_sheet(face.loops.front());
+    const auto [left, right] = std::ranges::minmax(outline, {}, &Point::x);
+    const auto [top, bottom] = std::ranges::minmax(outline, {}, &Point::y);
+    const ui::Size size = ui::label_size(scene.sketch.painter().fonts(), text,
+                                         scene.sketch.theme().text(Role::FaintLabel));
+    return size.width <= right.x - left.x && size.height <= bottom.y - top.y;
+}
+
 void name_face(const PlateScene& scene, const OutlinedFace& face)
 {
     const ui::Catalogue& tr = scene.options.tr;
     std::string name = face.region ? scene.model()[*face.region].id : tr("empty");
+    if (!face.region && !has_room(scene, face, name)) return; // beside it the word would be its neighbour's
     if (face.is_hole) name = tr("{region} (hole)", {{"region", name}});
     scene.sketch.caption({.text = name,
                           .role = face.region && !face.is_hole ? Role::Label : Role::FaintLabel,

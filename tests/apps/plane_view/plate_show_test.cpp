@@ -56,3 +56,22 @@ TEST_CASE("In a small window panels give way, so that the body keeps about half 
             CHECK(room.height() >= 0.45 * sheet.height);
         }
 }
+
+TEST_CASE("An empty face is named where the word has room in it: beside it the word would be its neighbour's")
+{
+    const auto n_strings = [](const char* radius) {
+        const PlateSubject plate(R"({"cremona": 1, "analysis": "plane_stress", "units": {"length": "mm", "force": "N"},
+            "materials": [{"id": "m", "E": 1000, "nu": 0.3}], "points": [],
+            "curves": [{"id": "edge", "kind": "line", "points": [[0, 0], [70, 0], [70, 50], [0, 50]], "closed": true},
+                       {"id": "round", "kind": "circle", "center": [31, 24], "radius": )" +
+                                 std::string(radius) + R"(}],
+            "regions": [{"id": "R", "at": [3, 3], "material": "m", "thickness": 1}], "load_cases": []})");
+        PlateOptions options;
+        options.show = options.show | *plate_shown("labels");
+        const ui::Fonts fonts;
+        ui::Painter painter({640.0, 480.0}, fonts);
+        draw(painter, plate.input(), options);
+        return painter.picture().text_boxes(fonts).size();
+    };
+    CHECK(n_strings("15") == n_strings("1.5") + 1);
+}
