@@ -54,7 +54,7 @@ std::ptrdiff_t n_drawn_loads(const Session& session)
 bool is_line_of_foot(ui::Size before, ui::Size now)
 {
     constexpr double most_lines = 4.0;
-    const double line = ImGui::GetTextLineHeightWithSpacing();
+    const auto line = static_cast<double>(ImGui::GetTextLineHeightWithSpacing());
     return before.width == now.width && std::abs(before.height - now.height) < most_lines * line;
 }
 
