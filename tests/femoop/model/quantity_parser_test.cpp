@@ -120,7 +120,8 @@ TEST_CASE("A unit of the wrong dimension is refused with both dimensions")
     CHECK(refusal("5 kN*m", dimension::length) == "here: \"5 kN*m\" measures moment, wanted length, in m for example");
     CHECK(refusal("5 m", dimension::moment) == "here: \"5 m\" measures length, wanted moment, in kN·m for example");
     CHECK(refusal("5 rad", dimension::length) == "here: \"5 rad\" measures angle, wanted length, in m for example");
-    CHECK(refusal("5 kN", dimension::density) == "here: \"5 kN\" measures force, wanted density, in kg/m^3 for example");
+    CHECK(refusal("5 kN", dimension::density) ==
+          "here: \"5 kN\" measures force, wanted density, in kg/m^3 for example");
     CHECK(refusal("5 kN^2*m", dimension::none) ==
           "here: \"5 kN^2*m\" measures force^2*length, wanted a plain number; take the unit away");
 }
