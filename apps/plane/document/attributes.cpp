@@ -195,8 +195,8 @@ std::vector<LoadPlaces> common_loads(const PlaneModel& model, std::size_t load_c
     if (parts.empty()) return all;
     const std::vector<std::size_t> of_first = kinds_on(model, load_case, parts.front());
     for (std::size_t i = 0; i < of_first.size(); ++i) {
-        const auto n_before = std::ranges::count(of_first.begin(), of_first.begin() + static_cast<std::ptrdiff_t>(i),
-                                                 of_first[i]);
+        const auto n_before = std::count(of_first.begin(), of_first.begin() + static_cast<std::ptrdiff_t>(i),
+                                         of_first[i]);
         LoadPlaces places;
         for (const Id part : parts) {
             const std::vector<std::size_t> kinds = kinds_on(model, load_case, part);
